@@ -9,7 +9,7 @@ if [ -z "${PREFIX:-}" ]; then
   PREFIX=$(mktemp -d) # $(pkg-config ...) in a command cannot have spaces in it
   trap 'rm -rf "$work" "$PREFIX"' EXIT
   install_tree "$BUILD" "$PREFIX"
-  export PKG_CONFIG_PATH="$PREFIX/lib/pkgconfig"
+  export PKG_CONFIG_PATH="$PREFIX/$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$BUILD/CMakeCache.txt")/pkgconfig"
 fi
 export PATH="$PREFIX/bin:$PATH"
 begin "$(basename "$DOCUMENT")"

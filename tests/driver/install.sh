@@ -5,15 +5,17 @@
 . "$(dirname "$0")/library.sh"
 install_tree "$BUILD" "$work/first"
 mv "$work/first" "$work/prefix" # whatever knows its place by heart breaks here
-prefix=$work/prefix
+prefix=$work/prefix library=$work/prefix/$(library_folder "$BUILD")
 
 begin "the tree"
-for file in bin/redcc bin/redcc-cc include/redcc/runtime.h lib/libredcc_rt.a lib/libredcc_rt.so \
-  lib/pkgconfig/redcc.pc lib/cmake/redcc/redcc-config.cmake lib/cmake/redcc/redcc-config-version.cmake \
+for file in bin/redcc bin/redcc-cc include/redcc/runtime.h \
   share/man/man1/redcc.1 share/man/man1/redcc-cc.1 share/man/man1/fabric.1 \
   share/bash-completion/completions/redcc share/bash-completion/completions/redcc-cc \
   share/bash-completion/completions/fabric; do
   expect_file "$prefix/$file"
+done
+for file in libredcc_rt.a libredcc_rt.so pkgconfig/redcc.pc cmake/redcc/redcc-config.cmake cmake/redcc/redcc-config-version.cmake; do
+  expect_file "$library/$file"
 done
 if [ -e "$BUILD/examples/fabric/fabric" ]; then
   expect_file "$prefix/bin/fabric"
@@ -33,7 +35,7 @@ done
 # else may know where the sources were
 found=$(grep -rlF -- "$SOURCE" stripped | grep -v bin/fabric)
 expect_equal "$case_name: $SOURCE" "" "$found"
-for program in "$prefix"/bin/* "$prefix"/lib/*.so; do
+for program in "$prefix"/bin/* "$library"/*.so; do
   readelf -d "$program" 2>/dev/null >dynamic
   expect_no_match dynamic 'RPATH|RUNPATH'
   ldd "$program" 2>/dev/null >libraries
@@ -48,7 +50,7 @@ expect_match version '[0-9]+\.[0-9]+\.[0-9]+'
 end
 
 begin "pkg-config"
-export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+export PKG_CONFIG_PATH="$library/pkgconfig"
 expect_equal version "$("$prefix/bin/redcc-cc" --redcc-version | sed 's/.* //')" "$(pkg-config --modversion redcc)"
 cat >use.c <<'END'
 #include <redcc/runtime.h>
@@ -59,8 +61,8 @@ int main(void) { return enter == 0; }
 END
 eval "cc use.c $(pkg-config --cflags --libs redcc) -o use" || fail "$case_name"
 ./use || fail "$case_name: a program starts without a variable"
-eval "cc use.c $(pkg-config --cflags redcc) -L'$prefix/lib' -lredcc_rt -o use-shared" || fail "$case_name: shared"
-LD_LIBRARY_PATH="$prefix/lib" ./use-shared || fail "$case_name: run the shared one"
+eval "cc use.c $(pkg-config --cflags redcc) -L'$library' -lredcc_rt -o use-shared" || fail "$case_name: shared"
+LD_LIBRARY_PATH="$library" ./use-shared || fail "$case_name: run the shared one"
 end
 
 begin "manual pages and completions"

@@ -82,6 +82,9 @@ int main(void) {
 END
 }
 
+# Below the prefix: "lib", or as Debian's packages have it "lib/x86_64-linux-gnu".
+library_folder() { sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$1/CMakeCache.txt"; } # BUILD
+
 # Installs what was built in BUILD below PREFIX; skips the test (status 77) where the programs are
 # not built.
 install_tree() { # BUILD PREFIX
