@@ -450,6 +450,48 @@ static void plain_length_of_loop(int n, const struct element *restrict e,
     }
 }
 
+static void lifted_comparisons_of_all_types(int n, const struct element *restrict e,
+                                            const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double r = p[e[t].node[0]][0];
+        const unsigned near = r < 0.5;
+        const unsigned long far = r > 1.5;
+        const signed char above = r > 0.0;
+        const unsigned short same = !(r != 1.0);
+        b[e[t].node[1]] += (near - 2) / 3 + 0.5;
+        b[e[t].node[2]] += (double)(~far >> 3) - (above - 2) / 3 - ~same;
+    }
+}
+
+static void plain_counter_set_inside(int n, const struct element *restrict e,
+                                     const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        double r = p[e[t].node[0]][0];
+        for (int step = 0; step < 9; step++) {
+            r = r * 0.5 + 0.25;
+            if (r < 0.75)
+                step = 9;
+        }
+        b[e[t].node[1]] += r;
+    }
+}
+
+static void lifted_counter_set_by_all(int n, int often, const struct element *restrict e,
+                                      const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        double r = p[e[t].node[0]][0];
+        for (int step = 0; step < 9; step++) {
+            r = r * 0.5 + 0.25;
+            if (often)
+                step += 2;
+            if (r < 0.75)
+                for (int c = 0; c < 2; c++)
+                    r += 0.125;
+        }
+        b[e[t].node[1]] += r;
+    }
+}
+
 #define P (const double(*)[3]) x
 
 int main(void) {
@@ -494,6 +536,9 @@ int main(void) {
             EACH(plain_effects_in_updates(n, element, P, single), single);
             EACH(plain_array_as_pointer(n, element, P, single), single);
             EACH(plain_length_of_loop(n, element, P, single), single);
+            EACH(lifted_comparisons_of_all_types(n, element, P, single), single);
+            EACH(plain_counter_set_inside(n, element, P, single), single);
+            EACH(lifted_counter_set_by_all(n, round, element, P, single), single);
         }
     }
     return 0;
