@@ -7,12 +7,14 @@
 #include "problem.h"
 
 #include <complex.h>
+#include <math.h>
 #include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include <cmocka.h>
 
@@ -176,6 +178,20 @@ static void signed_zeros(void **unused) {
     assert_memory_equal(array, expected, sizeof array);
 }
 
+/* Iterations that found nothing less have stored nothing: the page cannot be written. */
+static void a_minimum_stores_only_what_is_less(void **unused) {
+    (void)unused;
+    const void *page = mmap(NULL, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_ptr_not_equal(page, MAP_FAILED);
+    const int more[2] = {5, 0}, less[2] = {-5, 0};
+    const double above[2] = {0.5, NAN}, below[2] = {-0.5, -0.0};
+    redcc_element_rule(REDCC_MINIMUM, REDCC_INT32)->merge((void *)page, more, 2);
+    redcc_element_rule(REDCC_MAXIMUM, REDCC_INT32)->merge((void *)page, less, 2);
+    redcc_element_rule(REDCC_MINIMUM, REDCC_DOUBLE)->merge((void *)page, above, 2);
+    redcc_element_rule(REDCC_MAXIMUM, REDCC_DOUBLE)->merge((void *)page, below, 2);
+    munmap((void *)page, 4096);
+}
+
 int main(void) {
     for (int t = 0; t < TRIP; t++)
         row[t] = (t * 31 + t / 7) % (ROWS - 3); /* the last rows are not touched */
@@ -184,6 +200,7 @@ int main(void) {
         ALL(TEST) cmocka_unit_test(neutral_elements_change_nothing),
         cmocka_unit_test(what_has_no_rule),
         cmocka_unit_test(signed_zeros),
+        cmocka_unit_test(a_minimum_stores_only_what_is_less),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

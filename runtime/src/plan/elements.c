@@ -7,12 +7,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* NAME, type stored, neutral element, is `x` the neutral element?, `b` with `x` brought in */
+/* NAME, type stored, neutral element, does `x` leave the element as it is (then it is not written:
+ * perhaps no iteration wrote it)?, `b` with `x` brought in */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
     X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \
-    X(T##_MINIMUM, S, HIGHEST, x == HIGHEST, x < b ? x : b)                                        \
-    X(T##_MAXIMUM, S, LOWEST, x == LOWEST, x > b ? x : b)                                          \
+    X(T##_MINIMUM, S, HIGHEST, !(x < *to), x < b ? x : b)                                          \
+    X(T##_MAXIMUM, S, LOWEST, !(x > *to), x > b ? x : b)                                           \
     X(T##_AND, U, (U)UINTMAX_MAX, x == (U)UINTMAX_MAX, (U)(b & x))                                 \
     X(T##_OR, U, 0, x == 0, (U)(b | x))                                                            \
     X(T##_XOR, U, 0, x == 0, (U)(b ^ x))
@@ -21,8 +22,8 @@
 #define REAL_RULES(X, T, S)                                                                        \
     X(T##_SUM, S, (S)-0.0, x == 0 && signbit(x), b + x)                                            \
     X(T##_PRODUCT, S, 1, x == 1, b * x)                                                            \
-    X(T##_MINIMUM, S, (S)INFINITY, x == (S)INFINITY, x < b ? x : b)                                \
-    X(T##_MAXIMUM, S, -(S)INFINITY, x == -(S)INFINITY, x > b ? x : b)
+    X(T##_MINIMUM, S, (S)INFINITY, !(x < *to), x < b ? x : b)                                      \
+    X(T##_MAXIMUM, S, -(S)INFINITY, !(x > *to), x > b ? x : b)
 
 #define COMPLEX_RULES(X, T, S, ZERO)                                                               \
     X(T##_SUM, S, __builtin_complex(ZERO, ZERO),                                                   \
