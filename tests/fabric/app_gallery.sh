@@ -7,7 +7,7 @@ serial=$1 parallel=$2
 shift
 source "$(dirname "$0")/app_common.sh"
 
-for scene in tablecloth hanging flag ball curtain ring scarf flap patch sheet218k; do
+for scene in tablecloth hanging flag ball curtain ring scarf flap patch poles sheet218k; do
   run=(run $scene --steps 8 --frames 0 --progress none --set mesh.boundary=40
     --set mesh.vertices=150)
   case $scene in
@@ -15,6 +15,7 @@ for scene in tablecloth hanging flag ball curtain ring scarf flap patch sheet218
     tablecloth) run+=(--set mesh.origin="[0, 0, 0.9]") ;; # contact from the start
     ball) run+=(--set mesh.origin="[0, 0, 0.75]") ;;
     ring) run+=(--set mesh.origin="[0, 0, 0.6]") ;;
+    poles) run+=(--set mesh.origin="[0.05, 0.02, 0.71]") ;;
     # A mesh from a file is as large as it is.
     scarf) run=(run scarf --steps 24 --frames 0 --progress none) ;;
     curtain) run+=(--set pins.1.move_from=0) ;;
@@ -27,6 +28,8 @@ done
 holds "no scene is left out" test "$(ls -d serial-* | wc -l)" = "$(ls "$scenes"/*.yaml | wc -l)"
 holds "the ball is met" jq -e '[.effects[] | select(.name == "contact")][0].visited > 0' \
   serial-ball/summary.json >/dev/null
+holds "the poles are met" jq -e '[.effects[] | select(.name == "contact")][0].visited > 0' \
+  serial-poles/summary.json >/dev/null
 holds "the flag is blown" jq -e '[.effects[] | select(.name == "wind")][0].visited > 0' \
   serial-flag/summary.json >/dev/null
 holds "the scarf is looked through" \

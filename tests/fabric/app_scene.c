@@ -98,7 +98,7 @@ static void test_unknown_keys(void **unused) {
                 "'tangential_drag', 'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?");
     check_wrong(1, "title: test",
                 ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
-                "'surroundings', 'pins', 'colliders', 'self_collision', 'time', "
+                "'surroundings', 'pins', 'colliders', 'contact', 'self_collision', 'time', "
                 "'solution', 'monitor'; did you mean 'time'?");
     check_wrong(17, "    half_edges: [1, 1, 1]",
                 ":17: unknown key 'half_edges' in 'colliders.0', expected one of 'kind', "

@@ -3,7 +3,7 @@
 if(NOT TARGET fabric_physics_tests)
   return()
 endif()
-foreach(name motion contact shape effects demand decisions self piles rules steps resume bodies)
+foreach(name motion contact shape effects demand decisions self piles rules steps resume bodies barrier barrier_rules)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
@@ -11,13 +11,15 @@ endforeach()
 
 add_test(NAME fabric.hard.piles_long COMMAND test_fabric_hard_piles long)
 set_tests_properties(fabric.hard.piles_long PROPERTIES LABELS slow)
+add_test(NAME fabric.hard.barrier_long COMMAND test_fabric_hard_barrier long)
+set_tests_properties(fabric.hard.barrier_long PROPERTIES LABELS slow)
 target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fabric/output/memory.c)
 target_compile_definitions(test_fabric_hard_decisions PRIVATE
                            SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")
 
 # Every scene of the catalogue by the physics behind redcc-cc: the same bits at any number of threads.
 if(TARGET fabric_physics_parallel AND NOT REDCC_SANITIZE)
-  foreach(name simulation motion contact shape effects self piles rules steps resume bodies)
+  foreach(name simulation motion contact shape effects self piles rules steps resume bodies barrier barrier_rules)
     set(folder hard)
     if(name STREQUAL simulation)
       set(folder physics)
@@ -47,6 +49,8 @@ if(REDCC_SANITIZE) # driven scenes behind the 19th take up to a minute so, and d
 endif()
 add_test(NAME fabric.hard.random_scenes COMMAND random_scenes ${scenes})
 add_test(NAME fabric.hard.random_scenes_driven COMMAND random_scenes ${driven} 1 driven)
+# With contact by a barrier; in 6 and 8 bodies press a held sheet, until nothing but rounding was left between.
+add_test(NAME fabric.hard.random_scenes_barrier COMMAND random_scenes 5 5 barrier)
 # The longest tests begin first, or one core waits for the other at the end.
 set_tests_properties(fabric.hard.piles fabric.hard.random_scenes_driven fabric.hard.demand
                      fabric.hard.shape fabric.hard.random_scenes PROPERTIES COST 100)

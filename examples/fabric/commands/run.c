@@ -194,12 +194,15 @@ static int make_mesh(cloth_run *run) {
     return -1;
 }
 
+/** 0; 1: it was interrupted, and the step is not taken; or -1 after a message. */
 static int take_step(cloth_run *run) {
     char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
-    if (simulation_step(run->sim, error) != 0) {
-        fprintf(stderr, "%s: step %ld: %s\n", run->of.name, run->record.step + 1, error);
-        return -1;
+    const int status = simulation_step(run->sim, error);
+    if (status != 0) {
+        if (status < 0)
+            fprintf(stderr, "%s: step %ld: %s\n", run->of.name, run->record.step + 1, error);
+        return status;
     }
     run->record.seconds += clock_seconds() - start;
     run->record.step++;
@@ -226,9 +229,10 @@ static int take_steps(cloth_run *run, const run_request *r) {
     int status = run->record.step == 0 || ends ? keep_step(run, ends) : 0;
     progress_begin(&told, r->progress, run->record.step, steps);
     while (status == 0 && !ends) {
-        status = take_step(run);
+        const int taken = take_step(run);
+        status = taken < 0 ? -1 : 0;
         ends = interrupted || run->record.step >= last;
-        if (status == 0)
+        if (taken == 0)
             progress_tell(&told, run->record.step, simulation_time(run->sim),
                           simulation_iterations(run->sim), run->record.seconds - before);
         if (status == 0)
@@ -278,7 +282,12 @@ static int make_simulation(cloth_run *run, const run_request *r) {
                                  .threads = threads_in_use(),
                                  .mesh_seconds = run->account.mesh_seconds,
                                  .setup_seconds = clock_seconds() - start};
-    return run->from.memory ? run_restore(run) : 0;
+    if (run->from.memory && run_restore(run) != 0)
+        return -1;
+    if (simulation_stop_when(run->sim, &interrupted) == 0)
+        return 0;
+    fprintf(stderr, "out of memory\n");
+    return -1;
 }
 
 /** Nothing is removed or written before it is sure that there is a run to be had. */

@@ -34,7 +34,11 @@ static int share_out(self_collision *s) {
 
 int self_collision_init(self_collision *s, const mesh *m, double gap, double friction,
                         double step) {
-    *s = (self_collision){.mesh = m, .gap = gap, .friction = friction, .step = step};
+    *s = (self_collision){.mesh = m,
+                          .gap = gap,
+                          .friction = friction,
+                          .step = step,
+                          .bodies_from = m->triangle_count};
     s->grid.box = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.box);
     s->grid.owned = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.owned);
     s->turns.vertex = calloc((size_t)m->vertex_count + 1, sizeof *s->turns.vertex);

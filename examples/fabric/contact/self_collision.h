@@ -40,6 +40,7 @@ typedef struct self_pairs {
 /** Boxes that triangles sweep, sorted into the cells of a grid; see self_grid.c. */
 typedef struct self_grid {
     double (*box)[2][3]; /* [triangles] low and high, m */
+    double cloth[2][3];  /* m, of the cloth's among them, where there are bodies' */
     int *owned;          /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
     int *start;          /* [buckets + 1] */
     struct self_entry *entry;
@@ -61,6 +62,7 @@ typedef struct self_collision {
     const mesh *mesh;
     double gap, friction; /* m */
     double step;          /* s, the scene's: what is too near draws apart within some of these */
+    int bodies_from;      /* triangles from this one on are bodies', no two of which are a pair */
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;

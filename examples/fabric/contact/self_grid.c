@@ -41,12 +41,34 @@ static void sweep(self_collision *s, double h, const double (*x)[3], const doubl
         }
 }
 
+/* Of the cloth's triangles. */
 static double mean_extent(const self_collision *s) {
     double sum = 0;
-    for (int t = 0; t < s->mesh->triangle_count; t++)
+    for (int t = 0; t < s->bodies_from; t++)
         for (int a = 0; a < 3; a++)
             sum += s->grid.box[t][1][a] - s->grid.box[t][0][a];
-    return sum / (3.0 * s->mesh->triangle_count);
+    return sum / (3.0 * s->bodies_from);
+}
+
+/* The box of all that the cloth sweeps: bodies' triangles outside are in no cell. */
+static void bound_cloth(self_collision *s) {
+    for (int a = 0; a < 3; a++) {
+        s->grid.cloth[0][a] = INFINITY;
+        s->grid.cloth[1][a] = -INFINITY;
+    }
+    for (int t = 0; t < s->bodies_from && s->bodies_from < s->mesh->triangle_count; t++)
+        for (int a = 0; a < 3; a++) {
+            s->grid.cloth[0][a] = least(s->grid.cloth[0][a], s->grid.box[t][0][a]);
+            s->grid.cloth[1][a] = most(s->grid.cloth[1][a], s->grid.box[t][1][a]);
+        }
+}
+
+static int is_far(const self_collision *s, int t) {
+    for (int a = 0; a < 3 && t >= s->bodies_from; a++)
+        if (s->grid.box[t][0][a] > s->grid.cloth[1][a] ||
+            s->grid.box[t][1][a] < s->grid.cloth[0][a])
+            return 1;
+    return 0;
 }
 
 /* The box' cells in one direction; far away they all are one. */
@@ -67,6 +89,8 @@ static double visit_cells(self_collision *s, double size, unsigned buckets, int 
     for (int t = 0; t < s->mesh->triangle_count; t++) {
         int low[3], high[3], cell[3];
         double cells = 1;
+        if (is_far(s, t))
+            continue;
         for (int a = 0; a < 3; a++) {
             low[a] = cell_of(s->grid.box[t][0][a], size);
             high[a] = cell_of(s->grid.box[t][1][a], size);
@@ -225,9 +249,10 @@ static int find_in(const self_collision *s, int bucket, int end, double size, se
         for (int i = s->grid.start[bucket]; i < s->grid.start[bucket + 1]; i++)
             for (int j = i + 1; j < s->grid.start[bucket + 1]; j++) {
                 const self_entry *a = &s->grid.entry[i], *b = &s->grid.entry[j];
-                if (a->triangle == b->triangle || !meet_here(s, a, b, size))
-                    continue;
                 const int t = a->triangle, u = b->triangle;
+                if (t == u || (t >= s->bodies_from && u >= s->bodies_from) ||
+                    !meet_here(s, a, b, size))
+                    continue;
                 if (add_vertices(s, t, u, to) != 0 || add_vertices(s, u, t, to) != 0 ||
                     add_edges(s, t, u, to) != 0)
                     return -1;
@@ -264,6 +289,7 @@ int self_grid_find(self_collision *s, double h, const double (*x)[3], const doub
     int failed = 0;
     s->pair_count = 0;
     sweep(s, h, x, v);
+    bound_cloth(s);
     const int buckets = fill(s, &size);
     if (buckets == 0)
         return -1;

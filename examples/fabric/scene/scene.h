@@ -112,6 +112,12 @@ typedef struct scene_self_collision {
     double friction; /* Coulomb coefficient */
 } scene_self_collision;
 
+/** How cloth and bodies are kept apart: the order of the scene's key contact. */
+typedef enum contact_method {
+    CONTACT_CONSTRAINTS, /* vertices are constrained (collision.h), and impulses given (impact.h) */
+    CONTACT_BARRIER      /* by an energy: barrier.h */
+} contact_method;
+
 /** A section `time`. */
 typedef struct scene_time {
     double step; /* s */
@@ -141,6 +147,7 @@ typedef struct scene {
     pin *pins; /* [pin_count] */
     int collider_count;
     collider *colliders; /* [collider_count] */
+    int contact;         /* contact_method */
     scene_self_collision self_collision;
     scene_time time;
     scene_solution solution;

@@ -39,6 +39,7 @@ _Static_assert(sizeof((scene_cloth *)0)->file == FILE_SIZE, "a file fits the sce
     { NULL, VALUE_TEXT, 0, 0, 0, 0.0, 0.0, 0, 0, NULL, NULL, NULL }
 
 static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
+static const char *const contacts[] = {"constraints", "barrier", NULL};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
 
 static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
@@ -190,6 +191,7 @@ const scene_key scene_keys[] = {
     SECTION(surroundings, 0, surroundings_keys),
     LIST(scene, pins, pin_keys, &pin_list),
     LIST(scene, colliders, collider_keys, &collider_list),
+    CHOICE(scene, contact, 0, contacts),
     SECTION(self_collision, 0, self_keys),
     SECTION(time, 1, time_keys),
     SECTION(solution, 0, solution_keys),

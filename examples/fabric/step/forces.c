@@ -9,10 +9,10 @@ static void visit(simulation *sim, int effect) {
         sim->account.effects[effect].visited += sim->account.effects[effect].elements;
 }
 
-static void add_triangle_forces(simulation *sim, const expansion *at) {
+static void add_triangle_forces(simulation *sim, const triangle_material *material,
+                                const expansion *at) {
     const double start = clock_seconds();
-    triangle_forces(&sim->cloth.triangles, &sim->cloth.triangle_material, at->h, at->x, at->lag,
-                    &sim->system);
+    triangle_forces(&sim->cloth.triangles, material, at->h, at->x, at->lag, &sim->system);
     /* One loop makes both: where both are active each is charged half. */
     const double seconds = clock_seconds() - start;
     const int stretch =
@@ -44,11 +44,10 @@ int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3
     return sim->cloth.strain_limit.count;
 }
 
-static void add_hinge_forces(simulation *sim, const expansion *at) {
+static void add_hinge_forces(simulation *sim, const hinge_material *material, const expansion *at) {
     const double start = clock_seconds();
     hinge_update_angles(&sim->cloth.hinges, at->x);
-    hinge_forces(&sim->cloth.hinges, &sim->cloth.hinge_material, at->h, at->x, at->lag,
-                 &sim->system);
+    hinge_forces(&sim->cloth.hinges, material, at->h, at->x, at->lag, &sim->system);
     visit(sim, EFFECT_BEND);
     visit(sim, EFFECT_BEND_DAMPING);
     sim->account.effects[EFFECT_BEND].seconds += clock_seconds() - start;
@@ -71,18 +70,49 @@ static void add_outer_forces(simulation *sim, const expansion *at) {
         visit(sim, EFFECT_WIND); /* which drag makes felt */
 }
 
-void forces_assemble(simulation *sim, const expansion *at) {
+static void add_masses(simulation *sim, double h) {
     const double start = clock_seconds();
-    system_reset(&sim->system, sim->cloth.mass, sim->scene->surroundings.gravity, at->h);
+    system_reset(&sim->system, sim->cloth.mass, sim->scene->surroundings.gravity, h);
     visit(sim, EFFECT_GRAVITY);
     sim->account.effects[EFFECT_GRAVITY].seconds += clock_seconds() - start;
+}
+
+static void add_elements(simulation *sim, const triangle_material *triangle,
+                         const hinge_material *hinge, const expansion *at) {
     if (sim->cloth.has_triangle_forces && (BUILT_WITH(EFFECT_STRETCH) || BUILT_WITH(EFFECT_SHEAR)))
-        add_triangle_forces(sim, at);
+        add_triangle_forces(sim, triangle, at);
     if (sim->cloth.has_hinge_forces && BUILT_WITH(EFFECT_BEND))
-        add_hinge_forces(sim, at);
-    if (effect_is_on(sim, EFFECT_STRAIN_LIMIT)) {
-        strain_limit_find(&sim->cloth.strain_limit, &sim->cloth.triangles, at->x);
-        add_strain_limit(sim, at);
-    }
+        add_hinge_forces(sim, hinge, at);
+}
+
+static void add_limit(simulation *sim, const expansion *at) {
+    if (!effect_is_on(sim, EFFECT_STRAIN_LIMIT))
+        return;
+    strain_limit_find(&sim->cloth.strain_limit, &sim->cloth.triangles, at->x);
+    add_strain_limit(sim, at);
+}
+
+void forces_assemble(simulation *sim, const expansion *at) {
+    add_masses(sim, at->h);
+    add_elements(sim, &sim->cloth.triangle_material, &sim->cloth.hinge_material, at);
+    add_limit(sim, at);
     add_outer_forces(sim, at);
+}
+
+void forces_assemble_lagged(simulation *sim, const expansion *at) {
+    const triangle_material triangle = {
+        .stretch_damping = sim->cloth.triangle_material.stretch_damping,
+        .shear_damping = sim->cloth.triangle_material.shear_damping};
+    const hinge_material hinge = {.bend_damping = sim->cloth.hinge_material.bend_damping};
+    add_masses(sim, at->h);
+    add_elements(sim, &triangle, &hinge, at);
+    add_outer_forces(sim, at);
+}
+
+void forces_add_elastic(simulation *sim, const expansion *at) {
+    const triangle_material triangle = {.stretch = sim->cloth.triangle_material.stretch,
+                                        .shear = sim->cloth.triangle_material.shear};
+    const hinge_material hinge = {.bend = sim->cloth.hinge_material.bend};
+    add_elements(sim, &triangle, &hinge, at);
+    add_limit(sim, at);
 }

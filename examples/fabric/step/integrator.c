@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "barrier_step.h"
 #include "base/clock.h"
 #include "base/vector.h"
 #include "contact/impact.h"
@@ -81,6 +82,10 @@ static void set_stage(simulation *sim, int two_states) {
 }
 
 void evaluateForces(simulation *sim) {
+    if (sim->barrier) {
+        barrier_step_forces(sim);
+        return;
+    }
     timing_begin(sim);
     if (sim->integrator.kind == INTEGRATOR_LINEAR_EULER) {
         const expansion start = {sim->step.h, read_only(sim->state.x), read_only(sim->state.v),
@@ -150,6 +155,10 @@ static int add_missed_forces(simulation *sim) {
 }
 
 void solveSystem(simulation *sim) {
+    if (sim->barrier) {
+        barrier_step_solve(sim);
+        return;
+    }
     if (sim->integrator.two_states && has_contact(sim))
         leave_two_states(sim);
     for (int n = 0; n < most_solutions; n++) {
@@ -210,6 +219,8 @@ static int keep_apart(simulation *sim) {
 }
 
 int integrator_move(simulation *sim) {
+    if (sim->barrier)
+        return barrier_step_move(sim);
     const int count = sim->mesh->vertex_count;
     const double end = timing_end(sim);
     const double(*mean)[3] = travel(sim);

@@ -9,10 +9,10 @@
 
 const char *monitor_verdict_name(monitor_verdict verdict) {
     static const char *const names[STEP_VERDICT_COUNT] = {
-        [STEP_GOOD] = "good",      [STEP_NOT_FINITE] = "not finite",
-        [STEP_STRAIN] = "strain",  [STEP_NOT_SOLVED] = "not solved",
-        [STEP_ENERGY] = "energy",  [STEP_PENETRATION] = "penetration",
-        [STEP_PASSING] = "passing"};
+        [STEP_GOOD] = "good",       [STEP_NOT_FINITE] = "not finite",
+        [STEP_STRAIN] = "strain",   [STEP_NOT_SOLVED] = "not solved",
+        [STEP_ENERGY] = "energy",   [STEP_PENETRATION] = "penetration",
+        [STEP_PASSING] = "passing", [STEP_NO_ROOM] = "no room"};
     return names[verdict];
 }
 

@@ -26,6 +26,7 @@ typedef enum monitor_verdict {
     STEP_ENERGY,
     STEP_PENETRATION,
     STEP_PASSING,
+    STEP_NO_ROOM, /* with `contact: barrier`: what is driven could not get where it should */
     STEP_VERDICT_COUNT
 } monitor_verdict;
 

@@ -8,8 +8,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "barrier_step.h"
 #include "base/clock.h"
 #include "integrator.h"
 #include "rest.h"
@@ -37,6 +39,11 @@ static void find_contacts(simulation *sim) {
 void collisionDetection(simulation *sim) {
     const double start = clock_seconds();
     const double scale = sim->step.h / sim->step.guess_h;
+    if (sim->barrier) {
+        barrier_step_detect(sim);
+        sim->account.effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
+        return;
+    }
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < sim->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++)
@@ -75,8 +82,9 @@ monitored_step simulation_monitored(simulation *sim) {
 static void accept(simulation *sim) {
     const size_t count = (size_t)sim->mesh->vertex_count;
     integrator_accept(sim);
-    collisions_accept(&sim->collisions, sim->step.stage_h, sim->cloth.mass,
-                      read_only(sim->step.v_next), read_only(sim->solver.residual));
+    if (!sim->barrier)
+        collisions_accept(&sim->collisions, sim->step.stage_h, sim->cloth.mass,
+                          read_only(sim->step.v_next), read_only(sim->solver.residual));
     memcpy(sim->state.x, sim->step.x_next, sizeof *sim->state.x * count);
     memcpy(sim->state.v, sim->step.v_next, sizeof *sim->state.v * count);
     memcpy(sim->step.guess, sim->step.dv, sizeof *sim->step.guess * count);
@@ -110,7 +118,8 @@ void updateSystem(simulation *sim) {
     monitored_step step = simulation_monitored(sim);
     step.finite = finite;
     const double start = clock_seconds();
-    const monitor_verdict verdict = monitor_check(&sim->monitor, &step);
+    const monitor_verdict verdict =
+        sim->barrier && sim->barrier->blocked ? STEP_NO_ROOM : monitor_check(&sim->monitor, &step);
     if (step.watched) {
         sim->account.effects[EFFECT_MONITOR].visited +=
             sim->account.effects[EFFECT_MONITOR].elements;
@@ -151,6 +160,12 @@ static void run_round(simulation *sim) {
 static void complain(const simulation *sim, char *error) {
     const monitor *m = &sim->monitor;
     const char *where = "no state within the monitor's limits";
+    if (sim->step.verdict == STEP_NO_ROOM) {
+        snprintf(error, 256,
+                 "bodies and pins leave the cloth no room after %g s, even in steps of %g s",
+                 simulation_time(sim), sim->step.h);
+        return;
+    }
     if (!isfinite(m->value))
         where = "no finite state";
     snprintf(error, 256, "%s after %g s, even in steps of %g s: %s %g, limit %g", where,
@@ -166,17 +181,46 @@ int simulation_threads(const simulation *sim) {
     return team_threads(&sim->team);
 }
 
+int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
+    barrier_step *s = sim->barrier;
+    if (!s)
+        return 0;
+    s->kept_size = simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS;
+    s->kept = realloc(s->kept, s->kept_size);
+    s->stop = s->kept ? stop : NULL;
+    return s->kept ? 0 : -1;
+}
+
+static int is_stopped(const simulation *sim) {
+    return sim->barrier && sim->barrier->stop && *sim->barrier->stop;
+}
+
+/* What the step's parts have changed is put back. */
+static int undo(simulation *sim, size_t size, char *error) {
+    if (simulation_restore(sim, sim->barrier->kept, size) == 0)
+        return 1;
+    snprintf(error, 256, "out of memory");
+    return -1;
+}
+
 int simulation_step(simulation *sim, char *error) {
     const long frame = sim->state.frame;
+    size_t kept = 0;
     if (rest_lasts(sim)) {
         sim->state.frame++;
         sim->account.steps_slept++;
         return 0;
     }
+    if (sim->barrier && sim->barrier->stop) {
+        kept = simulation_saved_size(sim);
+        simulation_save(sim, sim->barrier->kept, kept);
+    }
     while (sim->state.frame == frame) {
         const int shortest = sim->step.ticks == 1;
         plan_follow(sim);
         run_round(sim);
+        if (is_stopped(sim))
+            return undo(sim, kept, error);
         if (!sim->step.accepted && shortest) {
             complain(sim, error);
             return -1;

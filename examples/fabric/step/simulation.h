@@ -3,6 +3,7 @@
 #ifndef FABRIC_SIMULATION_H
 #define FABRIC_SIMULATION_H
 
+#include <signal.h>
 #include <stddef.h>
 
 #include "mesh/mesh.h"
@@ -59,8 +60,13 @@ void simulation_choose_threads(simulation *sim);
 /** How many that are at present; 0: all. */
 int simulation_threads(const simulation *sim);
 
-/** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
- *  error[256]: no state within the scene's limits could be reached. */
+/** From now on a step with `contact: barrier`, which may take long, looks at *stop in each of its
+ *  iterations; where it is not 0, simulation_step returns 1, and all is as it was before the step.
+ *  By reference. 0, or -1: out of memory. */
+int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
+
+/** One step of the scene: the four phases, timed, as often as it takes. 0; 1: stopped; or -1 with a
+ *  message in error[256]: no state within the scene's limits could be reached. */
 int simulation_step(simulation *sim, char *error);
 
 /* Between two steps of the scene: all from which a simulation of the same mesh and scene goes on

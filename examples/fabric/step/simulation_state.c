@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "barrier_step.h"
 #include "base/vector.h"
 
 /* A third of each triangle's mass to each of its vertices. */
@@ -71,11 +72,32 @@ static void set_start(simulation *sim) {
     monitor_begin(&sim->monitor, s, &start);
 }
 
+/* What cannot be had together with the barrier's Newton method. */
+static int check_barrier(const scene *s, char *error) {
+    const char *wrong = NULL;
+    if (s->time.integrator != INTEGRATOR_LINEAR_EULER && s->time.integrator != INTEGRATOR_EULER)
+        wrong = "time.integrator is euler: backward Euler, by Newton's method";
+    else if (s->solution.method != METHOD_CONJUGATE_GRADIENTS)
+        wrong = "solution.method is conjugate-gradients";
+    else if (s->solution.precision != PRECISION_DOUBLE)
+        wrong = "solution.precision is double";
+    if (wrong)
+        snprintf(error, 200, "with 'contact: barrier' %s", wrong);
+    return wrong ? -1 : 0;
+}
+
 static int build(simulation *sim, char *error) {
     const scene *s = sim->scene;
-    const solver_options options = {
+    const int by_barrier = s->contact == CONTACT_BARRIER;
+    if (by_barrier && check_barrier(s, error) != 0)
+        return -1;
+    const integrator_kind integrator =
+        by_barrier ? INTEGRATOR_LINEAR_EULER : (integrator_kind)s->time.integrator;
+    solver_options options = {
         (preconditioner_kind)s->solution.preconditioner, (solver_precision)s->solution.precision,
-        (solver_method)s->solution.method, s->time.integrator != INTEGRATOR_LINEAR_EULER};
+        (solver_method)s->solution.method, integrator != INTEGRATOR_LINEAR_EULER};
+    if (by_barrier) /* its matrix has another layout in each iteration: what lays nothing out */
+        options = (solver_options){.preconditioner = PRECONDITIONER_BLOCK_JACOBI};
     const int vertices = sim->mesh->vertex_count;
     sim->cloth.triangle_material =
         (triangle_material){s->material.stretch, s->material.shear, s->material.stretch_damping,
@@ -97,16 +119,18 @@ static int build(simulation *sim, char *error) {
     if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||
         solver_init(&sim->solver, vertices) != 0 ||
         solver_choose(&sim->solver, &sim->system.A, &options, error) != 0 ||
-        integrator_init(&sim->integrator, (integrator_kind)s->time.integrator, vertices) != 0 ||
+        integrator_init(&sim->integrator, integrator, vertices) != 0 ||
         collisions_init(&sim->collisions, sim->mesh, s, sim->cloth.mass) != 0)
         return -1;
-    if (s->self_collision.gap > 0 &&
+    if (!by_barrier && s->self_collision.gap > 0 &&
         self_collision_init(&sim->self_collision, sim->mesh, s->self_collision.gap,
                             s->self_collision.friction, s->time.step) != 0)
         return -1;
     plan_make(sim);
+    if (by_barrier)
+        sim->collisions.any_near = 0; /* no vertex is ever in a body */
     set_start(sim);
-    return 0;
+    return by_barrier ? barrier_step_init(sim, error) : 0;
 }
 
 static int all_finite(const mesh *m) {
@@ -139,7 +163,7 @@ simulation *simulation_new(const mesh *m, const scene *s, char *error) {
 }
 
 void simulation_make_room(simulation *sim) {
-    if (sim->account.effects[EFFECT_SELF_COLLISION].active)
+    if (!sim->barrier && sim->account.effects[EFFECT_SELF_COLLISION].active)
         self_collision_find(&sim->self_collision, sim->scene->time.step,
                             (const double(*)[3])sim->state.x, (const double(*)[3])sim->step.guess);
 }
@@ -171,6 +195,7 @@ void simulation_free(simulation *sim) {
     self_collision_free(&sim->self_collision);
     solver_free(&sim->solver);
     solver_fallback_free(&sim->fallback);
+    barrier_step_free(sim);
     integrator_free(&sim->integrator);
     free(sim->cloth.mass);
     free(sim->state.x);

@@ -80,7 +80,8 @@ struct simulation {
     solver solver;
     solver_fallback fallback;
     monitor monitor;
-    team team; /* how many threads rounds get */
+    struct barrier_step *barrier; /* NULL: vertices are constrained */
+    team team;                    /* how many threads rounds get */
     struct run_account account;
 };
 

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact/solid_mesh.h"
 #include "output/fresh_file.h"
 #include "view/byte_sink.h"
 #include "view/gltf_parts.h"
-#include "view/solid_mesh.h"
 
 static bounds no_bounds(void) {
     return (bounds){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};

@@ -36,3 +36,29 @@ int crossings(const stage *on) {
             }
     return count;
 }
+
+static int sides_through(const mesh *m, const double (*x)[3], const double of[3], const mesh *other,
+                         const double (*y)[3], const double at[3]) {
+    int count = 0;
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int u = 0; u < other->triangle_count; u++)
+            for (int p = 0; p < 3; p++) {
+                double point[5][3];
+                for (int a = 0; a < 3; a++) {
+                    for (int k = 0; k < 2; k++)
+                        point[k][a] = x[m->triangle[t][(p + k) % 3]][a] + of[a];
+                    for (int k = 0; k < 3; k++)
+                        point[2 + k][a] = y[other->triangle[u][k]][a] + at[a];
+                }
+                count += segment_crosses(point[0], point[1], point[2], point[3], point[4]);
+            }
+    return count;
+}
+
+int crossings_with(const stage *on, const mesh *body, const double at[3]) {
+    static const double none[3];
+    const double(*x)[3] = simulation_positions(on->sim);
+    const double(*y)[3] = (const double(*)[3])body->position;
+    return sides_through(&on->m, x, none, body, y, at) +
+           sides_through(body, y, at, &on->m, x, none);
+}

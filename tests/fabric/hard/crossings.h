@@ -13,4 +13,8 @@ int segment_crosses(const double p[3], const double q[3], const double a[3], con
 /** Edges of the cloth that cross one of its triangles: none may, ever. */
 int crossings(const stage *on);
 
+/** Edges of the cloth that cross a body's triangle, and the body's that cross one of the cloth's.
+ *  The body is its mesh, moved by `at` (m). */
+int crossings_with(const stage *on, const mesh *body, const double at[3]);
+
 #endif

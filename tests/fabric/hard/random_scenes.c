@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Random hard scenes: random_scenes COUNT [SEED [driven]]. Sizes, stiffness, densities and steps
- * over many decades, broken meshes, for three steps; `driven`: cloth as it is worn among bodies
- * that move through it, for 40 steps. Each scene runs in a process of its own: it must end finite
- * and within its energy, or be refused with a message. Exit 1 if one crashes, hangs, or does
- * neither. Of a driven scene a line says what it took: steps, those taken again, and what the
- * monitor let pass in steps that cannot be halved.
+ * Random hard scenes: random_scenes COUNT [SEED [driven|barrier]]. Sizes, stiffness, densities and
+ * steps over many decades, broken meshes, for three steps; `driven`: cloth as it is worn among
+ * bodies that move through it, for 40 steps; `barrier`: the same with contact by a barrier, where
+ * nothing may cross. Each scene runs in a process of its own: it must end finite and within its
+ * energy, or be refused with a message. Exit 1 if one crashes, hangs, or does neither. Of a driven
+ * scene a line says what it took: steps, those taken again, and what the monitor let pass in steps
+ * that cannot be halved.
  */
 #include <math.h>
 #include <signal.h>
@@ -19,6 +20,9 @@
 #include "base/vector.h"
 #include "cloth.h"
 #include "contact/shape.h"
+#include "contact/solid_mesh.h"
+#include "crossings.h"
+#include "mesh/mesh_parts.h"
 #include "mesh/mesh_rest.h"
 #include "step/simulation.h"
 #include "step/simulation_state.h"
@@ -29,6 +33,7 @@ enum {
     REFUSED,
     NOT_FINITE,
     TOO_MUCH_ENERGY,
+    CROSSED,
     NOT_THE_SAME,
     SILENT,
     CRASHED,
@@ -39,6 +44,7 @@ static const char *const outcomes[OUTCOME_COUNT] = {"finished",
                                                     "refused",
                                                     "not finite",
                                                     "energy",
+                                                    "crossed",
                                                     "resumed to other bits",
                                                     "refused without a word",
                                                     "crashed",
@@ -246,6 +252,24 @@ static void tell_account(const simulation *sim, char *error) {
                                sim->monitor.let_pass[k], monitor_verdict_name((monitor_verdict)k));
 }
 
+/* Edges of cloth and bodies that cross, each compared with all: none may with a barrier. */
+static int crossed_now(const mesh *m, const scene *s, simulation *sim) {
+    const stage on = {*m, *s, sim};
+    int count = s->self_collision.gap > 0 ? crossings(&on) : 0;
+    for (int n = 0; n < s->collider_count; n++) {
+        const double middle[3] = {0};
+        double at[3];
+        mesh body;
+        if (solid_mesh(&s->colliders[n], middle, 1, &body) != 0)
+            return -1;
+        vector_add_scaled(s->colliders[n].position, simulation_time(sim), s->colliders[n].velocity,
+                          at);
+        count += crossings_with(&on, &body, at);
+        mesh_free(&body);
+    }
+    return count;
+}
+
 static int run(const mesh *m, const scene *s, int steps, int is_worn, char *error) {
     simulation *sim = simulation_new(m, s, error);
     int outcome = FINISHED,
@@ -272,6 +296,8 @@ static int run(const mesh *m, const scene *s, int steps, int is_worn, char *erro
             if (!isfinite(vector_length(simulation_positions(sim)[i])) ||
                 !isfinite(vector_length(simulation_velocities(sim)[i])))
                 outcome = NOT_FINITE;
+        if (s->contact == CONTACT_BARRIER && crossed_now(m, s, sim) != 0)
+            outcome = CROSSED;
         if (outcome == FINISHED && !driven && has_too_much(sim, first, highest, now)) {
             outcome = TOO_MUCH_ENERGY;
             snprintf(error, 256, "%g J of %g J and a fall of %g J", now, first,
@@ -343,7 +369,7 @@ static collider driven_body(unsigned *seed) {
 }
 
 /* Two or three bodies move through a sheet, which is held or falls, from both sides. */
-static int run_driven(unsigned seed, char *error) {
+static int run_driven(unsigned seed, contact_method by, char *error) {
     collider bodies[3];
     pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 10}};
     for (int k = 0; k < 8; k++)
@@ -363,13 +389,16 @@ static int run_driven(unsigned seed, char *error) {
     s.pins = &hold;
     s.pin_count = any(&seed, 2);
     s.self_collision.gap = one_in(&seed, 2) ? 0.1 * 0.5 / along : 0;
+    s.contact = (int)by;
+    if (by == CONTACT_BARRIER)
+        s.solution.tolerance = 1e-3;
     const int outcome = run(&m, &s, 40, 1, error);
     cloth_free(&m);
     return outcome;
 }
 
 /* In a process of its own; the message comes back through a pipe. */
-static int run_apart(unsigned seed, int is_driven, char *error) {
+static int run_apart(unsigned seed, int is_driven, contact_method by, char *error) {
     int ends[2], status;
     error[0] = '\0';
     if (pipe(ends) != 0)
@@ -378,7 +407,7 @@ static int run_apart(unsigned seed, int is_driven, char *error) {
     if (child == 0) {
         close(ends[0]);
         setrlimit(RLIMIT_CPU, &(struct rlimit){PATIENCE, PATIENCE + 1});
-        const int outcome = is_driven ? run_driven(seed, error) : run_scene(seed, error);
+        const int outcome = is_driven ? run_driven(seed, by, error) : run_scene(seed, error);
         const ssize_t written = write(ends[1], error, strlen(error));
         _exit(written < 0 ? CRASHED : outcome);
     }
@@ -402,13 +431,15 @@ static double children_seconds(void) {
 int main(int argc, char **argv) {
     const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 30;
     const unsigned first = argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1;
-    const int is_driven = argc > 3 && strcmp(argv[3], "driven") == 0;
+    const contact_method by =
+        argc > 3 && strcmp(argv[3], "barrier") == 0 ? CONTACT_BARRIER : CONTACT_CONSTRAINTS;
+    const int is_driven = by == CONTACT_BARRIER || (argc > 3 && strcmp(argv[3], "driven") == 0);
     long sums[OUTCOME_COUNT] = {0};
     for (long n = 0; n < count; n++) {
         char error[256];
         const unsigned seed = first + (unsigned)n;
         const double before = children_seconds();
-        const int outcome = run_apart(seed, is_driven, error);
+        const int outcome = run_apart(seed, is_driven, by, error);
         sums[outcome]++;
         if (outcome > REFUSED || is_driven)
             printf("scene %u: %s: %s; %.1f s\n", seed, outcomes[outcome], error,

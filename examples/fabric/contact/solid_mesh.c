@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "view/solid_mesh.h"
+#include "contact/solid_mesh.h"
 
 #include <math.h>
 #include <string.h>

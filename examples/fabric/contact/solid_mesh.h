@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Colliders as triangles, for files. */
-#ifndef FABRIC_VIEW_SOLID_MESH_H
-#define FABRIC_VIEW_SOLID_MESH_H
+/** Colliders as triangles: for files, and for barriers (barrier.h). */
+#ifndef FABRIC_SOLID_MESH_H
+#define FABRIC_SOLID_MESH_H
 
 #include "scene/scene.h"
 

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Which pairs there are: the grid's, and each vertex with each plane. */
+#include "barrier.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/vector.h"
+
+void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[4][3],
+                     nearest *found) {
+    if (pair->kind == BARRIER_VERTEX) {
+        nearest_vertex_triangle(x, found);
+    } else if (pair->kind == BARRIER_EDGES) {
+        nearest_edges(x, found);
+    } else {
+        double from[3];
+        const double *normal = b->scene->colliders[pair->collider].axis;
+        vector_subtract(x[0], x[1], from);
+        *found = (nearest){.weight = {1, -1, 0, 0}, .distance = vector_dot(from, normal)};
+        memcpy(found->normal, normal, sizeof found->normal);
+    }
+}
+
+/* How much nearer the features may come to each other on the way, at most. */
+static double greatest_way(const int vertex[4], const double (*way)[3], int firsts) {
+    double of[2] = {0, 0};
+    for (int k = 0; way && k < 4; k++) {
+        double *most = &of[k >= firsts];
+        *most = fmax(*most, vector_length(way[vertex[k]]));
+    }
+    return of[0] + of[1];
+}
+
+/* Of features that are neighbours in the cloth, half of their distance at rest: else the cloth
+ * would push itself apart where its triangles are smaller than the gap. */
+static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
+    const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
+    const double gap = b->scene->self_collision.gap;
+    double at[4][3];
+    nearest found;
+    if (b->component[pair->vertex[0]] != b->component[pair->vertex[firsts]])
+        return gap;
+    barrier_gather(pair->vertex, (const double(*)[3])b->rest, at);
+    barrier_nearest(b, pair, (const double(*)[3])at, &found);
+    return fmin(gap, fmax(found.distance / 2, gap / 100));
+}
+
+/* What the grid found, as a pair of the barrier's; reach 0: of no interest. */
+static barrier_pair pair_of(const barrier *b, const self_pair *from) {
+    barrier_pair pair = {.kind = from->is_edges ? BARRIER_EDGES : BARRIER_VERTEX, .collider = -1};
+    int of_bodies = 1;
+    memcpy(pair.vertex, from->vertex, sizeof pair.vertex);
+    for (int k = 0; k < 4; k++) {
+        const int owner = b->collider[pair.vertex[k]];
+        of_bodies &= owner >= 0;
+        if (owner >= 0)
+            pair.collider = owner;
+    }
+    if (of_bodies)
+        return pair;
+    if (pair.collider >= 0)
+        pair.reach = b->scene->colliders[pair.collider].gap;
+    else
+        pair.reach = b->scene->self_collision.gap;
+    return pair;
+}
+
+/* Do the boxes of what the two features sweep stay apart by the reach? Most pairs do. */
+static int boxes_apart(const barrier_pair *pair, const double (*x)[3], const double (*way)[3]) {
+    const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
+    for (int a = 0; a < 3; a++) {
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (int k = 0; k < 4; k++) {
+            const int i = pair->vertex[k], f = k >= firsts;
+            const double from = x[i][a], to = way ? from + way[i][a] : from;
+            const double least = to < from ? to : from, most = to < from ? from : to;
+            low[f] = least < low[f] ? least : low[f];
+            high[f] = most > high[f] ? most : high[f];
+        }
+        if (low[0] - high[1] >= pair->reach || low[1] - high[0] >= pair->reach)
+            return 1;
+    }
+    return 0;
+}
+
+/* Leaves the pair out if it cannot come within its reach. */
+static void leave_out_far(const barrier *b, const double (*x)[3], const double (*way)[3],
+                          barrier_pair *pair) {
+    double at[4][3];
+    nearest found;
+    if (pair->kind != BARRIER_PLANE && boxes_apart(pair, x, way)) {
+        pair->reach = 0;
+        return;
+    }
+    barrier_gather(pair->vertex, x, at);
+    barrier_nearest(b, pair, (const double(*)[3])at, &found);
+    const double most = greatest_way(pair->vertex, way, pair->kind == BARRIER_EDGES ? 2 : 1);
+    if (pair->reach > 0 && pair->collider < 0)
+        pair->reach = found.distance - most < pair->reach ? reach_of_cloth(b, pair) : 0;
+    if (found.distance - most >= pair->reach)
+        pair->reach = 0;
+}
+
+static int count_planes(const barrier *b) {
+    int count = 0;
+    for (int i = b->cloth->vertex_count; i < b->surface.vertex_count; i++)
+        count += b->scene->colliders[b->collider[i]].kind == COLLIDER_PLANE;
+    return count;
+}
+
+/* Each vertex of the cloth with the plane whose point is vertex `point`. */
+static void add_plane(const barrier *b, int point, const double (*x)[3], const double (*way)[3],
+                      barrier_pair *pair) {
+    const int number = b->collider[point];
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < b->cloth->vertex_count; i++) {
+        pair[i] = (barrier_pair){.vertex = {i, point, point, point},
+                                 .kind = BARRIER_PLANE,
+                                 .collider = number,
+                                 .reach = b->scene->colliders[number].gap};
+        leave_out_far(b, x, way, &pair[i]);
+    }
+}
+
+int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3]) {
+    barrier_list *list = &b->list;
+    const int vertices = b->cloth->vertex_count;
+    list->pairs = 0;
+    if (self_grid_find(&b->search, way ? 1 : 0, x, way ? way : x) != 0)
+        return -1;
+    const int found = b->search.pair_count;
+    const long all = found + (long)vertices * count_planes(b);
+    barrier_pair *grown = barrier_grow(list->pair, &list->pair_room, all, sizeof *grown);
+    if (!grown)
+        return -1;
+    list->pair = grown;
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < found; k++) {
+        list->pair[k] = pair_of(b, &b->search.pair[k]);
+        if (list->pair[k].reach > 0)
+            leave_out_far(b, x, way, &list->pair[k]);
+    }
+    barrier_pair *next = list->pair + found;
+    for (int i = vertices; i < b->surface.vertex_count; i++)
+        if (b->scene->colliders[b->collider[i]].kind == COLLIDER_PLANE) {
+            add_plane(b, i, x, way, next);
+            next += vertices;
+        }
+    for (long k = 0; k < all; k++)
+        if (list->pair[k].reach > 0)
+            list->pair[list->pairs++] = list->pair[k];
+    return 0;
+}
+
+int barrier_find_contacts(barrier *b, const double (*x)[3]) {
+    barrier_list *list = &b->list;
+    list->contacts = 0;
+    barrier_contact *grown =
+        barrier_grow(list->contact, &list->contact_room, list->pairs, sizeof *grown);
+    if (!grown)
+        return -1;
+    list->contact = grown;
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < list->pairs; k++) {
+        double at[4][3];
+        list->contact[k].pair = list->pair[k];
+        barrier_gather(list->pair[k].vertex, x, at);
+        barrier_nearest(b, &list->pair[k], (const double(*)[3])at, &list->contact[k].at);
+    }
+    for (int k = 0; k < list->pairs; k++)
+        if (list->contact[k].at.distance < list->contact[k].pair.reach)
+            list->contact[list->contacts++] = list->contact[k];
+    return 0;
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What a start must not have: edges through triangles, vertices in solid bodies, features that
+ * touch. The first of them is named, with the file's numbers of its vertices (from 1). */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "barrier.h"
+#include "base/vector.h"
+#include "motion.h"
+#include "shape.h"
+
+/* A distance of this part of the reach is none: the barrier would be steeper than numbers allow. */
+static const double least_part = 1e-5;
+
+typedef struct extent {
+    double low[3], high[3]; /* m */
+    int triangle;
+} extent;
+
+static int by_low(const void *a, const void *b) {
+    const extent *one = a, *other = b;
+    const int order = (one->low[0] > other->low[0]) - (one->low[0] < other->low[0]);
+    return order != 0 ? order
+                      : (one->triangle > other->triangle) - (one->triangle < other->triangle);
+}
+
+static extent extent_of(const barrier *b, int triangle) {
+    extent e = {.triangle = triangle};
+    for (int a = 0; a < 3; a++) {
+        e.low[a] = INFINITY;
+        e.high[a] = -INFINITY;
+        for (int p = 0; p < 3; p++) {
+            e.low[a] = fmin(e.low[a], b->x[b->surface.triangle[triangle][p]][a]);
+            e.high[a] = fmax(e.high[a], b->x[b->surface.triangle[triangle][p]][a]);
+        }
+    }
+    return e;
+}
+
+/* Six times the volume of the four points. */
+static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    double ab[3], ac[3], ad[3], cross[3];
+    vector_subtract(b, a, ab);
+    vector_subtract(c, a, ac);
+    vector_subtract(d, a, ad);
+    vector_cross(ab, ac, cross);
+    return vector_dot(cross, ad);
+}
+
+/* Does the edge go through the triangle, and how far does its nearer end reach beyond, m? What
+ * reaches beyond by rounding alone lies in the plane: if it is near as well, it touches. */
+static int crosses(const barrier *b, const int edge[2], const int triangle[3], double *depth) {
+    const double *p = b->x[edge[0]], *q = b->x[edge[1]], *x[3];
+    const double rounding = 1e-9; /* of the edge's length */
+    for (int k = 0; k < 3; k++) {
+        x[k] = b->x[triangle[k]];
+        if (triangle[k] == edge[0] || triangle[k] == edge[1])
+            return 0;
+    }
+    const double above = volume(x[0], x[1], x[2], p), below = volume(x[0], x[1], x[2], q);
+    const int side = volume(p, q, x[0], x[1]) > 0;
+    double one[3], other[3], normal[3], along[3];
+    if ((above > 0) == (below > 0) || (volume(p, q, x[1], x[2]) > 0) != side ||
+        (volume(p, q, x[2], x[0]) > 0) != side)
+        return 0;
+    vector_subtract(x[1], x[0], one);
+    vector_subtract(x[2], x[0], other);
+    vector_cross(one, other, normal);
+    vector_subtract(q, p, along);
+    *depth = fmin(fabs(above), fabs(below)) / vector_length(normal);
+    return *depth > rounding * vector_length(along);
+}
+
+static int number_of(const barrier *b, int vertex) {
+    return (b->cloth->number ? b->cloth->number[vertex] : vertex) + 1;
+}
+
+/* "edge 3 4", "triangle 5 6 7" of the cloth, or "of collider 2". */
+static void name_feature(const barrier *b, int count, const int *vertex, char *text, size_t size) {
+    static const char *const names[] = {"vertex", "edge", "triangle"};
+    if (b->collider[vertex[0]] >= 0) {
+        const int plane = b->scene->colliders[b->collider[vertex[0]]].kind == COLLIDER_PLANE;
+        snprintf(text, size, "%s of colliders.%d", plane ? "the plane" : names[count - 1],
+                 b->collider[vertex[0]]);
+        return;
+    }
+    int used = snprintf(text, size, "%s", names[count - 1]);
+    for (int k = 0; k < count && used < (int)size; k++)
+        used += snprintf(text + used, size - (size_t)used, " %d", number_of(b, vertex[k]));
+}
+
+static int complain_crossing(const barrier *b, const int edge[2], const int triangle[3],
+                             double depth, char *error) {
+    char first[48], second[48];
+    name_feature(b, 2, edge, first, sizeof first);
+    name_feature(b, 3, triangle, second, sizeof second);
+    snprintf(error, 200, "it starts in itself: %s goes %.3g mm through %s; move them apart by more",
+             first, 1e3 * depth, second);
+    return -1;
+}
+
+/* The edges of one against the other. */
+static int check_triangles(const barrier *b, int t, int u, char *error) {
+    const int *one = b->surface.triangle[t], *other = b->surface.triangle[u];
+    for (int p = 0; p < 3; p++) {
+        const int edge[2] = {one[p], one[(p + 1) % 3]};
+        double depth;
+        if (crosses(b, edge, other, &depth))
+            return complain_crossing(b, edge, other, depth, error);
+    }
+    return 0;
+}
+
+/* All pairs whose boxes meet, along x in order. */
+static int check_crossings(const barrier *b, char *error) {
+    const int count = b->surface.triangle_count, cloth = b->cloth->triangle_count;
+    const int itself = b->scene->self_collision.gap > 0;
+    int status = 0;
+    extent *list = malloc(((size_t)count + 1) * sizeof *list);
+    if (!list)
+        return -1;
+    for (int t = 0; t < count; t++)
+        list[t] = extent_of(b, t);
+    qsort(list, (size_t)count, sizeof *list, by_low);
+    for (int i = 0; i < count && status == 0; i++)
+        for (int j = i + 1; j < count && list[j].low[0] <= list[i].high[0] && status == 0; j++) {
+            const int t = list[i].triangle, u = list[j].triangle;
+            if ((t >= cloth && u >= cloth) || (!itself && t < cloth && u < cloth) ||
+                list[i].low[1] > list[j].high[1] || list[j].low[1] > list[i].high[1] ||
+                list[i].low[2] > list[j].high[2] || list[j].low[2] > list[i].high[2])
+                continue;
+            status = check_triangles(b, t, u, error);
+            if (status == 0)
+                status = check_triangles(b, u, t, error);
+        }
+    free(list);
+    return status;
+}
+
+/* The cloth's vertices in solids whose inside is known. A mesh has none that counts: cloth may lie
+ * in a hollow one. */
+static int check_inside(const barrier *b, char *error) {
+    for (int n = 0; n < b->scene->collider_count; n++) {
+        const collider *k = &b->scene->colliders[n];
+        for (int i = 0; k->kind != COLLIDER_MESH && i < b->cloth->vertex_count; i++) {
+            double p[3], normal[3];
+            motion_to_body(k, 0, b->x[i], p);
+            const double depth = -shape_distance(k, p, normal);
+            if (!(depth > 0))
+                continue;
+            snprintf(error, 200,
+                     "it starts in a body: vertex %d lies %.3g mm in colliders.%d; move it out by "
+                     "more",
+                     number_of(b, i), 1e3 * depth, n);
+            return -1;
+        }
+    }
+    return 0;
+}
+
+static int check_touches(const barrier *b, char *error) {
+    for (int k = 0; k < b->list.pairs; k++) {
+        const barrier_pair *pair = &b->list.pair[k];
+        const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
+        char first[48], second[48];
+        double at[4][3];
+        nearest found;
+        barrier_gather(pair->vertex, (const double(*)[3])b->x, at);
+        barrier_nearest(b, pair, (const double(*)[3])at, &found);
+        if (found.distance > least_part * pair->reach)
+            continue;
+        name_feature(b, firsts, pair->vertex, first, sizeof first);
+        name_feature(b, 4 - firsts, pair->vertex + firsts, second, sizeof second);
+        snprintf(
+            error, 200,
+            "it starts touching: %s and %s are %.2g mm apart; move them apart by %.2g mm or more, "
+            "or make them one",
+            first, second, 1e3 * found.distance, 1e3 * least_part * pair->reach);
+        return -1;
+    }
+    return 0;
+}
+
+int barrier_check_start(barrier *b, char *error) {
+    return check_crossings(b, error) == 0 && check_inside(b, error) == 0 &&
+                   check_touches(b, error) == 0
+               ? 0
+               : -1;
+}

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Each function takes the least of all candidates: the inner point, where there is one, and what
+ * the features' borders give. No region is decided by a sign that rounding may turn. */
+#include "nearest.h"
+
+#include <string.h>
+
+#include "base/vector.h"
+
+/* sum weight x */
+static void combine(const double x[4][3], const double weight[4], double sum[3]) {
+    for (int a = 0; a < 3; a++)
+        sum[a] =
+            weight[0] * x[0][a] + weight[1] * x[1][a] + weight[2] * x[2][a] + weight[3] * x[3][a];
+}
+
+/* Normal and distance from the weights. */
+static void measure(const double x[4][3], nearest *found) {
+    double apart[3];
+    combine(x, found->weight, apart);
+    found->distance = vector_length(apart);
+    for (int a = 0; a < 3; a++)
+        found->normal[a] = found->distance > 0 ? apart[a] / found->distance : 0;
+}
+
+/* *square: of the least distance so far. */
+static void keep_nearer(const double x[4][3], const double weight[4], nearest *best,
+                        double *square) {
+    double apart[3];
+    combine(x, weight, apart);
+    const double other = vector_dot(apart, apart);
+    if (other < *square) {
+        *square = other;
+        memcpy(best->weight, weight, sizeof best->weight);
+    }
+}
+
+/* Where the foot of p on the segment a b is, from 0 to 1. */
+static double foot_on_segment(const double p[3], const double a[3], const double b[3]) {
+    double along[3], from[3];
+    vector_subtract(b, a, along);
+    vector_subtract(p, a, from);
+    const double square = vector_dot(along, along);
+    const double t = square > 0 ? vector_dot(from, along) / square : 0;
+    return t < 0 ? 0 : (t > 1 ? 1 : t);
+}
+
+/* Vertex p against the segment of vertices a and b; `sign` of p's weight. */
+static void try_segment(const double x[4][3], int p, int a, int b, double sign, nearest *best,
+                        double *square) {
+    const double t = foot_on_segment(x[p], x[a], x[b]);
+    double weight[4] = {0};
+    weight[p] = sign;
+    weight[a] = -sign * (1 - t);
+    weight[b] = -sign * t;
+    keep_nearer(x, weight, best, square);
+}
+
+void nearest_vertex_triangle(const double x[4][3], nearest *found) {
+    double one[3], other[3], from[3];
+    vector_subtract(x[2], x[1], one);
+    vector_subtract(x[3], x[1], other);
+    vector_subtract(x[0], x[1], from);
+    const double aa = vector_dot(one, one), ab = vector_dot(one, other);
+    const double bb = vector_dot(other, other), fa = vector_dot(from, one);
+    const double fb = vector_dot(from, other), determinant = aa * bb - ab * ab;
+    double square = INFINITY;
+    if (determinant > 1e-14 * aa * bb) {
+        const double u = (bb * fa - ab * fb) / determinant;
+        const double v = (aa * fb - ab * fa) / determinant;
+        const double weight[4] = {1, u + v - 1, -u, -v};
+        if (u > 0 && v > 0 && u + v < 1) { /* the foot in the plane lies within */
+            memcpy(found->weight, weight, sizeof found->weight);
+            measure(x, found);
+            return;
+        }
+    }
+    try_segment(x, 0, 1, 2, 1, found, &square);
+    try_segment(x, 0, 2, 3, 1, found, &square);
+    try_segment(x, 0, 3, 1, 1, found, &square);
+    measure(x, found);
+}
+
+void nearest_edges(const double x[4][3], nearest *found) {
+    double d1[3], d2[3], r[3];
+    vector_subtract(x[1], x[0], d1);
+    vector_subtract(x[3], x[2], d2);
+    vector_subtract(x[0], x[2], r);
+    const double a = vector_dot(d1, d1), e = vector_dot(d2, d2), f = vector_dot(d2, r);
+    const double c = vector_dot(d1, r), b = vector_dot(d1, d2), determinant = a * e - b * b;
+    double square = INFINITY;
+    if (determinant > 1e-14 * a * e) {
+        const double s = (b * f - c * e) / determinant, t = (a * f - b * c) / determinant;
+        const double weight[4] = {1 - s, s, t - 1, -t};
+        if (s > 0 && s < 1 && t > 0 && t < 1) {
+            keep_nearer(x, weight, found, &square);
+            if (determinant > 1e-6 * a * e) {
+                measure(x, found);
+                return;
+            }
+        }
+    }
+    try_segment(x, 0, 2, 3, 1, found, &square);
+    try_segment(x, 1, 2, 3, 1, found, &square);
+    try_segment(x, 2, 0, 1, -1, found, &square);
+    try_segment(x, 3, 0, 1, -1, found, &square);
+    measure(x, found);
+}

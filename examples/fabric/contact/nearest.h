@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Where two features are nearest to each other, whatever their position, degenerate ones too. */
+#ifndef FABRIC_NEAREST_H
+#define FABRIC_NEAREST_H
+
+/** The vector from the second feature's nearest point to the first's is sum weight[k] x[k]. */
+typedef struct nearest {
+    double weight[4];
+    double normal[3]; /* unit, along that vector; 0 where they touch */
+    double distance;  /* m */
+} nearest;
+
+/** Vertex x[0] and triangle x[1] x[2] x[3]. */
+void nearest_vertex_triangle(const double x[4][3], nearest *found);
+
+/** Edges x[0] x[1] and x[2] x[3]. */
+void nearest_edges(const double x[4][3], nearest *found);
+
+#endif

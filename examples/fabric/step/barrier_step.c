@@ -1,0 +1,346 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "barrier_step.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/chunk_sum.h"
+#include "base/clock.h"
+#include "base/vector.h"
+#include "forces.h"
+#include "simulation_state.h"
+#include "system/sparse_product.h"
+#include "timing.h"
+
+/* Newton's method ends with a change of no more than this part of the least reach. */
+static const double still_part = 1e-3;
+/* Nothing moves further at once than so many mean edges: what it sweeps has to be looked through.
+ */
+static const double most_edges = 2;
+enum { most_halvings = 40, most_drives = 60, most_iterations = 300 };
+
+static const double (*read_only(double (*a)[3]))[3] {
+    return (const double(*)[3])a;
+}
+
+void barrier_step_free(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    if (!s)
+        return;
+    barrier_free(&s->contact);
+    barrier_system_free(&s->system);
+    free(s->base);
+    free(s->base_b);
+    free(s->dv);
+    free(s->product);
+    free(s->still);
+    free(s->change);
+    free(s->trial);
+    free(s->kept);
+    free(s);
+    sim->barrier = NULL;
+}
+
+static int allocate(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    const size_t n = (size_t)sim->mesh->vertex_count + 1;
+    s->base = calloc((size_t)sim->system.A.block_count + 1, sizeof *s->base);
+    s->base_b = calloc(n, sizeof *s->base_b);
+    s->dv = calloc(n, sizeof *s->dv);
+    s->product = calloc(n, sizeof *s->product);
+    s->still = calloc(n, sizeof *s->still);
+    s->change = calloc(n, sizeof *s->change);
+    s->trial = calloc((size_t)s->contact.surface.vertex_count + 1, sizeof *s->trial);
+    return s->base && s->base_b && s->dv && s->product && s->still && s->change && s->trial ? 0
+                                                                                            : -1;
+}
+
+/* Which vertices are driven, and where they end a step that ends at `end`. */
+static void set_goals(simulation *sim, double end) {
+    barrier *b = &sim->barrier->contact;
+    const int vertices = sim->mesh->vertex_count;
+    for (int i = 0; i < b->surface.vertex_count; i++)
+        b->driven[i] = i >= vertices || collisions_pin_of(&sim->collisions, i) >= 0;
+    memcpy(b->goal, b->x, (size_t)b->surface.vertex_count * sizeof *b->goal);
+    barrier_place_bodies(b, end, b->goal);
+    collisions_place_pins(&sim->collisions, end, b->goal, sim->barrier->change);
+}
+
+/* The surface where the step begins. */
+static void set_begin(simulation *sim) {
+    barrier *b = &sim->barrier->contact;
+    memcpy(b->begin, sim->state.x, (size_t)sim->mesh->vertex_count * sizeof *b->begin);
+    barrier_place_bodies(b, simulation_time(sim), b->begin);
+    memcpy(b->x, b->begin, (size_t)b->surface.vertex_count * sizeof *b->x);
+}
+
+static double mean_edge(const mesh *m) {
+    double sum = 0;
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int p = 0; p < 3; p++) {
+            double edge[3];
+            const int *v = m->triangle[t];
+            vector_subtract(m->position[v[p]], m->position[v[(p + 1) % 3]], edge);
+            sum += vector_length(edge);
+        }
+    return sum / fmax(1, 3.0 * m->triangle_count);
+}
+
+static double least_reach(const scene *s) {
+    double least = s->self_collision.gap > 0 ? s->self_collision.gap : INFINITY;
+    for (int n = 0; n < s->collider_count; n++)
+        least = fmin(least, s->colliders[n].gap);
+    return least;
+}
+
+int barrier_step_init(simulation *sim, char *error) {
+    const scene *s = sim->scene;
+    snprintf(error, 200, "out of memory");
+    sim->barrier = calloc(1, sizeof *sim->barrier);
+    if (!sim->barrier ||
+        barrier_init(&sim->barrier->contact, sim->mesh, s, sim->cloth.mass, error) != 0)
+        return -1;
+    barrier *b = &sim->barrier->contact;
+    snprintf(error, 200, "out of memory");
+    if (allocate(sim) != 0 ||
+        barrier_system_init(&sim->barrier->system, &sim->system.A, b->surface.vertex_count) != 0)
+        return -1;
+    sim->barrier->longest_way = most_edges * mean_edge(sim->mesh);
+    sim->barrier->still_way = still_part * fmin(least_reach(s), sim->barrier->longest_way);
+    set_begin(sim);
+    set_goals(sim, 0);
+    if (barrier_find_pairs(b, read_only(b->x), NULL) != 0)
+        return -1;
+    return barrier_check_start(b, error);
+}
+
+void barrier_step_forces(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    const size_t n = (size_t)sim->mesh->vertex_count;
+    timing_begin(sim);
+    sim->step.stage_h = sim->step.h;
+    const expansion start = {sim->step.h, read_only(sim->state.x), read_only(sim->state.v),
+                             read_only(sim->state.v)};
+    forces_assemble_lagged(sim, &start);
+    memcpy(s->base, sim->system.A.value, (size_t)sim->system.A.block_count * sizeof *s->base);
+    memcpy(s->base_b, sim->system.b, n * sizeof *s->base_b);
+}
+
+void barrier_step_detect(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    barrier *b = &s->contact;
+    set_begin(sim);
+    set_goals(sim, timing_end(sim));
+    sim->step.out_of_memory |= barrier_find_pairs(b, read_only(b->x), NULL) != 0 ||
+                               barrier_find_contacts(b, read_only(b->x)) != 0 ||
+                               barrier_grip_contacts(b) != 0;
+    s->begin_energy = barrier_energy(b, read_only(b->x));
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        if (b->driven[i] && constraint_place(&sim->constraints, i) != 0)
+            sim->step.out_of_memory = 1;
+}
+
+/* dv of the positions x, and C dv. */
+static void set_change(simulation *sim, const double (*x)[3]) {
+    barrier_step *s = sim->barrier;
+    const double h = sim->step.h;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        for (int a = 0; a < 3; a++) {
+            s->dv[i][a] = (x[i][a] - sim->state.x[i][a]) / h - sim->state.v[i][a];
+            s->product[i][a] = 0;
+        }
+    const block_matrix *A = &sim->system.A;
+    const block_matrix C = {A->row_count, A->block_count, A->row_start, A->column, s->base};
+    half_product(&C, read_only(s->dv), s->product);
+}
+
+/* E at x. */
+static double potential(simulation *sim, const double (*x)[3]) {
+    const barrier_step *s = sim->barrier;
+    double sum[CHUNK_SUM_MOST] = {0}, stretch = 0, shear = 0, elastic = 0;
+    const int count = sim->mesh->vertex_count;
+    set_change(sim, x);
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++)
+            sum[chunk] +=
+                vector_dot(s->dv[i], s->product[i]) / 2 - vector_dot(s->dv[i], s->base_b[i]);
+    triangle_energies(&sim->cloth.triangles, &sim->cloth.triangle_material, x, &stretch, &shear);
+    if (sim->cloth.hinge_material.bend > 0)
+        elastic += hinge_energy_at(&sim->cloth.hinges, &sim->cloth.hinge_material, x);
+    if (effect_is_on(sim, EFFECT_STRAIN_LIMIT))
+        elastic += strain_limit_energy(&sim->cloth.strain_limit, &sim->cloth.triangles, x);
+    return chunk_sum_all(count, sum) + stretch + shear + elastic + barrier_energy(&s->contact, x) +
+           barrier_friction(&s->contact, sim->step.h, x);
+}
+
+/* The system for the change of dv at b->x, towards which what is driven goes its way. */
+static int assemble(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    barrier *b = &s->contact;
+    const int vertices = sim->mesh->vertex_count;
+    const double h = sim->step.h, begun = clock_seconds();
+    set_change(sim, read_only(b->x));
+    memcpy(sim->system.A.value, s->base, (size_t)sim->system.A.block_count * sizeof *s->base);
+    for (int i = 0; i < vertices; i++)
+        vector_subtract(s->base_b[i], s->product[i], sim->system.b[i]);
+    const expansion at = {h, read_only(b->x), read_only(s->still), read_only(s->still)};
+    forces_add_elastic(sim, &at);
+    for (int i = 0; i < b->surface.vertex_count; i++)
+        vector_subtract(b->goal[i], b->x[i], b->way[i]);
+    if (barrier_make_elements(b, h, read_only(b->x)) != 0 ||
+        barrier_system_make(&s->system, b, h, &sim->system) != 0)
+        return -1;
+    static const double all[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = 0; i < vertices; i++)
+        if (b->driven[i]) {
+            const double change[3] = {b->way[i][0] / h, b->way[i][1] / h, b->way[i][2] / h};
+            constraint_give(&sim->constraints, i, 3, all, change);
+        } else if (sim->constraints.given[i] > 0) {
+            constraint_release(&sim->constraints, i);
+        }
+    const double seconds = clock_seconds() - begun;
+    sim->account.phases[PHASE_FORCES].seconds += seconds;
+    sim->account.phases[PHASE_SOLVE].seconds -= seconds;
+    return 0;
+}
+
+/* Where all want to go, from the linear system; *most: m, of what is free. */
+static solver_status find_way(simulation *sim, double *most) {
+    barrier_step *s = sim->barrier;
+    barrier *b = &s->contact;
+    const int vertices = sim->mesh->vertex_count;
+    const solver_limits limits = {.tolerance = sim->scene->solution.tolerance,
+                                  .max_iterations = sim->scene->solution.max_iterations};
+    memset(s->change, 0, (size_t)vertices * sizeof *s->change);
+    sim->integrator.iterations++;
+    const solver_status status = solver_solve(&sim->solver, &s->system.all, &sim->constraints,
+                                              &limits, s->change, &sim->account.iterations);
+    double longest = 0;
+#pragma omp parallel for schedule(static) reduction(max : longest)
+    for (int i = 0; i < vertices; i++)
+        if (!b->driven[i]) {
+            for (int a = 0; a < 3; a++)
+                b->way[i][a] = sim->step.h * s->change[i][a];
+            const double length = vector_length(b->way[i]);
+            longest = length > longest ? length : longest;
+        }
+    *most = longest;
+    /* A direction that is not exact goes down all the same. */
+    return status == SOLVER_NOT_FINITE || !isfinite(longest) ? SOLVER_NOT_FINITE : SOLVER_CONVERGED;
+}
+
+/* The longest way of what is driven, m. */
+static double drive_left(const barrier *b) {
+    double most = 0;
+    for (int i = 0; i < b->surface.vertex_count; i++)
+        if (b->driven[i])
+            most = fmax(most, vector_length(b->way[i]));
+    return most;
+}
+
+/* x: b->x and part of the way; `arrives`: what is driven is where it ends the step, exactly. */
+static void go(const barrier *b, double part, int arrives, double (*x)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < b->surface.vertex_count; i++)
+        if (b->driven[i] && arrives)
+            memcpy(x[i], b->goal[i], sizeof x[i]);
+        else
+            vector_add_scaled(b->x[i], part, b->way[i], x[i]);
+}
+
+/* Halves the part until E does not grow; b->x is then there. 0: it grew however short. */
+static int descend(simulation *sim, double part) {
+    barrier *b = &sim->barrier->contact;
+    const double before = potential(sim, read_only(b->x));
+    double(*trial)[3] = sim->barrier->trial;
+    for (int n = 0; n < most_halvings; n++, part /= 2) {
+        go(b, part, 0, trial);
+        const double after = potential(sim, read_only(trial));
+        if (after <= before + 1e-12 * fabs(before)) {
+            memcpy(b->x, trial, (size_t)b->surface.vertex_count * sizeof *trial);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* What the barrier takes, and what bodies do, in the step: the force that holds each is what the
+ * elements do not balance. The pins' share is what the constraints' residual says. */
+static void settle(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    const barrier *b = &s->contact;
+    s->work = s->begin_energy - barrier_energy(b, read_only(b->x));
+    for (int i = sim->mesh->vertex_count; i < b->surface.vertex_count; i++) {
+        double moved[3];
+        vector_subtract(b->x[i], b->begin[i], moved);
+        s->work += vector_dot(s->system.push[i], moved);
+    }
+    for (int k = 0; k < b->list.contacts; k++)
+        sim->account
+            .effects[b->list.contact[k].pair.collider < 0 ? EFFECT_SELF_COLLISION : EFFECT_CONTACT]
+            .visited++;
+    sim->account.effects[EFFECT_FRICTION].visited += b->list.grips;
+    memcpy(sim->solver.residual, s->system.all.b,
+           (size_t)sim->mesh->vertex_count * sizeof *sim->solver.residual);
+}
+
+/* One iteration, which always changes something: however short the step, the cloth falls.
+ * CONVERGED: nothing is left to be done; TOO_MANY_ITERATIONS: go on. */
+static solver_status iterate(simulation *sim, int number) {
+    barrier_step *s = sim->barrier;
+    barrier *b = &s->contact;
+    double most;
+    if (barrier_find_contacts(b, read_only(b->x)) != 0 || assemble(sim) != 0)
+        return SOLVER_NOT_FINITE;
+    const double drive = drive_left(b);
+    if (find_way(sim, &most) == SOLVER_NOT_FINITE)
+        return SOLVER_NOT_FINITE;
+    const double cut = s->longest_way / fmax(most, drive);
+    if (cut < 1)
+        for (int i = 0; i < b->surface.vertex_count; i++)
+            for (int a = 0; a < 3; a++)
+                b->way[i][a] *= cut;
+    if (barrier_find_pairs(b, read_only(b->x), read_only(b->way)) != 0)
+        return SOLVER_NOT_FINITE;
+    const double part = barrier_part_of_way(b, read_only(b->x), read_only(b->way));
+    s->blocked = (drive > 0 && number >= most_drives) || !(part > 0);
+    if (s->blocked)
+        return SOLVER_NOT_FINITE;
+    if (drive > 0) {
+        go(b, part, part >= 1 && cut >= 1, b->x);
+        return SOLVER_TOO_MANY_ITERATIONS;
+    }
+    /* Where E grows however short the change, it is as low as rounding lets it be. */
+    return !descend(sim, part) || most <= s->still_way ? SOLVER_CONVERGED
+                                                       : SOLVER_TOO_MANY_ITERATIONS;
+}
+
+void barrier_step_solve(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    solver_status status = sim->step.out_of_memory ? SOLVER_NOT_FINITE : SOLVER_TOO_MANY_ITERATIONS;
+    s->blocked = 0;
+    for (int n = 0; n < most_iterations && status == SOLVER_TOO_MANY_ITERATIONS; n++)
+        status = s->stop && *s->stop ? SOLVER_NOT_FINITE : iterate(sim, n);
+    if (status != SOLVER_NOT_FINITE)
+        settle(sim);
+    sim->step.solver_status = status;
+}
+
+int barrier_step_move(simulation *sim) {
+    const barrier_step *s = sim->barrier;
+    int broken = sim->step.solver_status == SOLVER_NOT_FINITE;
+    sim->step.push_work = s->work;
+#pragma omp parallel for schedule(static) reduction(max : broken)
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        for (int a = 0; a < 3; a++) {
+            sim->step.x_next[i][a] = s->contact.x[i][a];
+            sim->step.v_next[i][a] = (s->contact.x[i][a] - sim->state.x[i][a]) / sim->step.h;
+            sim->step.dv[i][a] = sim->step.v_next[i][a] - sim->state.v[i][a];
+            if (!isfinite(sim->step.v_next[i][a]))
+                broken = 1;
+        }
+    return !broken;
+}

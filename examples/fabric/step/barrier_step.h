@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * A step of a scene with `contact: barrier`: backward Euler as a minimum. The positions at its end
+ * are those of the least
+ *     E(dv) = dv' C dv / 2 - b' dv + W(x) + B(x) + F(x),   x = x_n + h (v_n + dv)
+ * with W stretch, shear and bend, B the barrier and F friction (barrier.h); C and b hold masses,
+ * gravity, damping, drag and wind, expanded about the step's start (forces_assemble_lagged). So the
+ * gradient by dv is C dv - b - h f(x), the equation of motion.
+ *
+ * Newton's method with projected Hessians (Li et al. 2020, algorithm 1): each change of positions
+ * is cut by what continuous collision detection allows, then halved until E does not grow. What
+ * pins and bodies move goes first: with them the free vertices go where the linear system says,
+ * cut alike, until the driven ones are where they end the step; from then on E alone counts.
+ */
+#ifndef FABRIC_BARRIER_STEP_H
+#define FABRIC_BARRIER_STEP_H
+
+#include <signal.h>
+
+#include "contact/barrier.h"
+#include "contact/barrier_system.h"
+#include "simulation.h"
+
+typedef struct barrier_step {
+    barrier contact;
+    barrier_system system;
+    double (*base)[3][3]; /* [blocks of the cloth's matrix] C */
+    double (*base_b)[3];  /* [vertices] b */
+    double (*dv)[3];      /* [vertices] m/s, that the positions looked at need */
+    double (*product)[3]; /* [vertices] C dv */
+    double (*still)[3];   /* [vertices] 0 m/s */
+    double (*change)[3];  /* [vertices] m/s, of dv: what a linear system gave */
+    double begin_energy;  /* J, of the barrier where the step began */
+    double work;          /* J, that bodies did in the step, less what the barrier took of it */
+    double (*trial)[3];   /* [surface's vertices] m */
+    double still_way;     /* m, a way that is none */
+    double longest_way;   /* m, of a vertex in an iteration */
+    int blocked;          /* what is driven could not get to where it ends the step */
+    const volatile sig_atomic_t *stop; /* not 0: the step is to end at once; NULL: never */
+    unsigned char *kept; /* [kept_size] where there is `stop`: the simulation before the step */
+    size_t kept_size;
+} barrier_step;
+
+/** Only with `contact: barrier`. After all else of the simulation is made. 0, or -1 with a message
+ *  in error[200]: also where the cloth starts in itself or a body. */
+int barrier_step_init(simulation *sim, char *error);
+void barrier_step_free(simulation *sim);
+
+/* The phases of a step, in the place of those of integrator.h and collision.h. */
+void barrier_step_forces(simulation *sim);
+void barrier_step_detect(simulation *sim);
+void barrier_step_solve(simulation *sim);
+/** Returns whether all is finite. */
+int barrier_step_move(simulation *sim);
+
+#endif

@@ -1,0 +1,369 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Scenes with `contact: barrier`: nothing passes in any frame, bodies included, as a comparison of
+ * everything with everything sees it; or the start is refused, with features and a remedy.
+ */
+#include "stage.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/vector.h"
+#include "contact/solid_mesh.h"
+#include "crossings.h"
+#include "mesh/mesh_parts.h"
+#include "mesh/surface.h"
+
+static const collider ground = {
+    .kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.004};
+
+static scene scene_of(int colliders, collider *list) {
+    scene s = cloth_scene();
+    s.contact = CONTACT_BARRIER;
+    s.time.step = 0.02;
+    s.solution.tolerance = 1e-3;
+    s.material.bend = 1e-4;
+    s.surroundings.drag = 0.2;
+    s.monitor.energy = 1e-3;
+    s.self_collision.gap = 0.004;
+    s.self_collision.friction = 0.3;
+    s.collider_count = colliders;
+    s.colliders = list;
+    return s;
+}
+
+/* Copies of one sheet, each moved by `aside` along x and `apart` along z against the one before. */
+static mesh layers(int count, int columns, double spacing, double low, double apart, double aside) {
+    const mesh one = cloth_sheet(columns, columns, spacing, 0.2, 3);
+    const int vertices = one.vertex_count, triangles = one.triangle_count;
+    double(*material)[2] = calloc((size_t)(vertices * count), sizeof *material);
+    int(*triangle)[3] = calloc((size_t)(triangles * count), sizeof *triangle);
+    for (int n = 0; n < count; n++) {
+        memcpy(material[n * vertices], one.material, (size_t)vertices * sizeof *material);
+        for (int t = 0; t < triangles; t++)
+            for (int p = 0; p < 3; p++)
+                triangle[n * triangles + t][p] = one.triangle[t][p] + n * vertices;
+    }
+    mesh all = cloth_of(vertices * count, (const double(*)[2])material, triangles * count,
+                        (const int(*)[3])triangle);
+    for (int i = 0; i < all.vertex_count; i++) {
+        all.position[i][0] += aside * (i / vertices);
+        all.position[i][2] = low + apart * (i / vertices);
+    }
+    mesh gone = one;
+    cloth_free(&gone);
+    free(material);
+    free(triangle);
+    return all;
+}
+
+/* What passes now: cloth through cloth, through each body, and vertices below planes. */
+static int passing(const stage *on) {
+    int count = crossings(on);
+    for (int n = 0; n < on->s.collider_count; n++) {
+        const collider *k = &on->s.colliders[n];
+        const double time = simulation_time(on->sim), middle[3] = {0};
+        double at[3];
+        mesh body;
+        vector_add_scaled(k->position, time, k->velocity, at);
+        for (int i = 0; k->kind == COLLIDER_PLANE && i < on->m.vertex_count; i++) {
+            double from[3];
+            vector_subtract(simulation_positions(on->sim)[i], at, from);
+            count += vector_dot(from, k->axis) <= 0;
+        }
+        if (k->kind == COLLIDER_PLANE)
+            continue;
+        assert_int_equal(solid_mesh(k, middle, 1, &body), 0);
+        count += crossings_with(on, &body, at);
+        mesh_free(&body);
+    }
+    return count;
+}
+
+/* Runs the scene to its end; the stage's mesh goes with it. Returns CPU seconds. */
+static double run(const char *name, stage *on, int steps) {
+    int crossed = 0;
+    stage_begin(on);
+    double simulated = 0;
+    for (int n = 0; n < steps; n++) {
+        const clock_t begun = clock();
+        stage_run(on, 1);
+        simulated += (double)(clock() - begun) / CLOCKS_PER_SEC;
+        crossed += passing(on);
+        if (getenv("TRACE"))
+            printf("  %s %d: newton %ld cg %ld rejected %ld, %d crossings, %.2f s\n", name, n,
+                   simulation_newton_iterations(on->sim), simulation_iterations(on->sim),
+                   simulation_steps_rejected(on->sim), crossed, simulated);
+    }
+    printf("%-18s %4d vertices, %3d steps (%ld rejected), %4ld systems, %d crossings, %.2f s\n",
+           name, on->m.vertex_count, steps, simulation_steps_rejected(on->sim),
+           simulation_newton_iterations(on->sim), crossed, simulated);
+    assert_int_equal(crossed, 0);
+    stage_assert_finite(on);
+    const run_faults faults = simulation_faults(on->sim);
+    assert_int_equal(simulation_steps_rejected(on->sim), 0);
+    assert_int_equal(faults.passing + faults.penetration + faults.not_solved, 0);
+    return simulated;
+}
+
+static void run_and_end(const char *name, mesh m, scene s, int steps) {
+    stage on = stage_of(m, s);
+    run(name, &on, steps);
+    stage_end(&on);
+}
+
+static void two_layers(void **state) {
+    (void)state;
+    collider floor_only[1] = {ground};
+    run_and_end("two layers", layers(2, 7, 0.05, 0.012, 0.012, 0.013), scene_of(1, floor_only), 30);
+}
+
+/* Aligned vertex over vertex, edge over edge: all edges of two layers are parallel. */
+static void aligned_layers_on_a_ball(void **state) {
+    (void)state;
+    collider bodies[2] = {ground,
+                          {.kind = COLLIDER_SPHERE,
+                           .position = {0.12, 0.13, 0.06},
+                           .size = {0.04},
+                           .friction = 0.3,
+                           .gap = 0.004}};
+    run_and_end("aligned, ball", layers(2, 7, 0.04, 0.11, 0.006, 0), scene_of(2, bodies), 25);
+}
+
+/* 3 mm apart, and to be kept 4 mm apart: they draw apart. */
+static void close_layers(void **state) {
+    (void)state;
+    collider floor_only[1] = {ground};
+    run_and_end("close", layers(2, 7, 0.04, 0.01, 0.003, 0), scene_of(1, floor_only), 20);
+}
+
+static collider pole(double radius) {
+    return (collider){.kind = COLLIDER_CYLINDER,
+                      .position = {0.123, 0.137, 0},
+                      .axis = {0, 0, 1},
+                      .size = {radius, 0.2},
+                      .friction = 0.3,
+                      .gap = 0.004};
+}
+
+/* A pole between the vertices of a coarse sheet. */
+static void thin_pole(void **state) {
+    (void)state;
+    collider bodies[2] = {ground, pole(0.005)};
+    run_and_end("pole", layers(1, 7, 0.04, 0.22, 0, 0), scene_of(2, bodies), 30);
+}
+
+static surface *surface_of(mesh *m) {
+    char error[256] = "";
+    surface *s = surface_new(m, error);
+    if (!s)
+        fail_msg("%s", error);
+    return s;
+}
+
+/* Cones with four sides and no base, tips up: open surfaces. */
+static surface *spikes(int count, double radius, double height) {
+    mesh m;
+    assert_int_equal(mesh_allocate(&m, 5 * count, 4 * count), 0);
+    for (int n = 0; n < count; n++) {
+        for (int k = 0; k < 4; k++) {
+            const int side[3] = {5 * n + 4, 5 * n + k, 5 * n + (k + 1) % 4};
+            memcpy(m.triangle[4 * n + k], side, sizeof side);
+            m.position[5 * n + k][0] = 0.06 * n + radius * cos(acos(-1) / 2 * k);
+            m.position[5 * n + k][1] = radius * sin(acos(-1) / 2 * k);
+        }
+        m.position[5 * n + 4][0] = 0.06 * n;
+        m.position[5 * n + 4][2] = height;
+    }
+    return surface_of(&m);
+}
+
+static void spikes_and_cone(void **state) {
+    (void)state;
+    for (int many = 0; many < 2; many++) {
+        collider bodies[2] = {ground,
+                              {.kind = COLLIDER_MESH,
+                               .position = {many ? 0.063 : 0.123, 0.127, 0},
+                               .surface = spikes(many ? 3 : 1, many ? 0.01 : 0.05, 0.1),
+                               .friction = 0.3,
+                               .gap = 0.004}};
+        run_and_end(many ? "spikes" : "cone, open", layers(1, 7, 0.04, 0.11, 0, 0),
+                    scene_of(2, bodies), 30);
+        surface_free(bodies[1].surface);
+    }
+}
+
+/* A rod of 4 mm at 5 m/s: 10 cm a step, into a hanging sheet. */
+static void fast_rod(void **state) {
+    (void)state;
+    collider rod = {.kind = COLLIDER_CYLINDER,
+                    .position = {0.13, 0.123, 0.25},
+                    .velocity = {0, 0, -5},
+                    .axis = {1, 0, 0},
+                    .size = {0.002, 0.2},
+                    .friction = 0.3,
+                    .gap = 0.004};
+    scene s = scene_of(1, &rod);
+    s.surroundings.gravity[2] = 0;
+    run_and_end("fast rod", layers(1, 7, 0.04, 0, 0, 0), s, 12);
+}
+
+/* A sheet with another that stands on its middle row: edges of three triangles. */
+static mesh t_junction(int columns, double spacing) {
+    const int half = columns / 2, vertices = columns * (columns + half);
+    double(*material)[2] = calloc((size_t)vertices, sizeof *material);
+    double(*at)[3] = calloc((size_t)vertices, sizeof *at);
+    int(*triangle)[3] = calloc((size_t)vertices * 2, sizeof *triangle);
+    int count = 0;
+    for (int r = 0; r < columns + half; r++)
+        for (int c = 0; c < columns; c++) {
+            const int i = r * columns + c;
+            const int below = r == columns ? half * columns + c : i - columns;
+            material[i][0] = spacing * c;
+            material[i][1] = spacing * r;
+            at[i][0] = spacing * c;
+            at[i][1] = spacing * (r < columns ? r : half);
+            at[i][2] = r < columns ? 0 : spacing * (r - columns + 1);
+            if (r == 0 || c == 0)
+                continue;
+            const int first[3] = {below - 1, below, i}, second[3] = {below - 1, i, i - 1};
+            memcpy(triangle[count++], first, sizeof first);
+            memcpy(triangle[count++], second, sizeof second);
+        }
+    mesh m = cloth_of(vertices, (const double(*)[2])material, count, (const int(*)[3])triangle);
+    memcpy(m.position, at, (size_t)vertices * sizeof *at);
+    m.rest_in_space = 1;
+    free(material);
+    free(at);
+    free(triangle);
+    return m;
+}
+
+static void garment_with_a_t_junction(void **state) {
+    (void)state;
+    collider bodies[2] = {ground,
+                          {.kind = COLLIDER_SPHERE,
+                           .position = {0.12, 0.1, 0.05},
+                           .size = {0.04},
+                           .friction = 0.3,
+                           .gap = 0.004}};
+    mesh m = t_junction(7, 0.04);
+    for (int i = 0; i < m.vertex_count; i++)
+        m.position[i][2] += 0.1;
+    run_and_end("T-junction", m, scene_of(2, bodies), 30);
+}
+
+/* A tube, the front and back of a shirt 1 cm apart, falls over a pole. */
+static mesh flat_tube(int around, int rings, double width, double length) {
+    double(*material)[2] = calloc((size_t)(around * rings), sizeof *material);
+    int(*triangle)[3] = calloc((size_t)(around * rings * 2), sizeof *triangle);
+    int count = 0;
+    for (int r = 0; r + 1 < rings; r++)
+        for (int k = 0; k < around; k++) {
+            const int a = r * around + k, b = r * around + (k + 1) % around;
+            const int first[3] = {a, b, b + around}, second[3] = {a, b + around, a + around};
+            memcpy(triangle[count++], first, sizeof first);
+            memcpy(triangle[count++], second, sizeof second);
+        }
+    mesh m =
+        cloth_of(around * rings, (const double(*)[2])material, count, (const int(*)[3])triangle);
+    for (int i = 0; i < m.vertex_count; i++) {
+        const double angle = 2 * acos(-1) * (i % around) / around;
+        m.position[i][0] = width / 2 * cos(angle);
+        m.position[i][1] = length * ((double)(i / around) / (rings - 1) - 0.5);
+        m.position[i][2] = 0.1 + 0.005 * sin(angle);
+    }
+    m.rest_in_space = 1;
+    free(material);
+    free(triangle);
+    return m;
+}
+
+static void shirt(void **state) {
+    (void)state;
+    collider bodies[2] = {ground, pole(0.01)};
+    bodies[1].position[0] = bodies[1].position[1] = 0.01;
+    bodies[1].position[2] = -0.11;
+    run_and_end("shirt", flat_tube(14, 7, 0.24, 0.24), scene_of(2, bodies), 25);
+}
+
+/* Where the start is refused, and what is said of it. */
+static void refused(const char *name, mesh m, scene s, const char *expected) {
+    char error[256] = "";
+    simulation *sim = simulation_new(&m, &s, error);
+    printf("%-18s %s\n", name, error);
+    assert_null(sim);
+    assert_non_null(strstr(error, expected));
+    cloth_free(&m);
+}
+
+static void bad_starts_are_named(void **state) {
+    (void)state;
+    collider bodies[1] = {ground};
+    mesh crossed = layers(2, 4, 0.04, 0.02, 0, 0);
+    for (int i = crossed.vertex_count / 2; i < crossed.vertex_count; i++) {
+        crossed.position[i][2] = 0.02 + 0.3 * (crossed.position[i][0] - 0.05);
+        crossed.position[i][1] += 0.003;
+    }
+    refused("crossed", crossed, scene_of(0, NULL), "mm through triangle");
+    refused("coincident", layers(2, 4, 0.04, 0.02, 0, 0), scene_of(0, NULL), "touching");
+    refused("below the floor", layers(1, 4, 0.04, -0.001, 0, 0), scene_of(1, bodies),
+            "lies 1 mm in colliders.0");
+    collider thin[1] = {pole(0.001)};
+    thin[0].position[0] = thin[0].position[1] = 0.05;
+    refused("around a pole", layers(1, 4, 0.04, 0, 0, 0), scene_of(1, thin), "of colliders.0");
+    bodies[0].until = 1;
+    refused("until", layers(1, 4, 0.04, 0.1, 0, 0), scene_of(1, bodies), "no until");
+}
+
+/* A plate comes down onto a sheet on a floor and goes on: there is no room, and that is said. */
+static void squeezed(void **state) {
+    (void)state;
+    collider bodies[2] = {ground,
+                          {.kind = COLLIDER_BOX,
+                           .position = {0.08, 0.08, 0.03},
+                           .velocity = {0, 0, -0.1},
+                           .size = {0.1, 0.1, 0.01},
+                           .friction = 0.3,
+                           .gap = 0.004}};
+    char error[256] = "";
+    stage on = stage_of(layers(1, 5, 0.04, 0.006, 0, 0), scene_of(2, bodies));
+    stage_begin(&on);
+    int steps = 0, crossed = 0;
+    for (; steps < 40 && simulation_step(on.sim, error) == 0; steps++)
+        crossed += passing(&on);
+    printf("%-18s after %d steps: %s\n", "squeezed", steps, error);
+    assert_in_range(steps, 8, 10);
+    assert_int_equal(crossed, 0);
+    assert_non_null(strstr(error, "no room"));
+    stage_end(&on);
+}
+
+static void sixteen_layers(void **state) {
+    (void)state;
+    collider floor_only[1] = {ground};
+    stage on = stage_of(layers(16, 7, 0.05, 0.012, 0.012, 0), scene_of(1, floor_only));
+    assert_below(run("sixteen layers", &on, 60), 60);
+    stage_end(&on);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest long_tests[] = {cmocka_unit_test(sixteen_layers)};
+    if (argc > 1 && strcmp(argv[1], "long") == 0)
+        return cmocka_run_group_tests(long_tests, NULL, NULL);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_layers),
+        cmocka_unit_test(aligned_layers_on_a_ball),
+        cmocka_unit_test(close_layers),
+        cmocka_unit_test(thin_pole),
+        cmocka_unit_test(spikes_and_cone),
+        cmocka_unit_test(fast_rod),
+        cmocka_unit_test(garment_with_a_t_junction),
+        cmocka_unit_test(shirt),
+        cmocka_unit_test(bad_starts_are_named),
+        cmocka_unit_test(squeezed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

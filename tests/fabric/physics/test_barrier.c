@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The barrier's parts, each against a slow computation that shares nothing with it. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "check.h"
+#include "cloth.h"
+#include "contact/barrier.h"
+
+/* The least distance of two features by looking at many points of both. */
+static double sampled_distance(int is_edges, const double x[4][3]) {
+    enum { parts = 60 };
+    double least = INFINITY;
+    for (int i = 0; i <= parts; i++)
+        for (int j = 0; j <= (is_edges ? parts : parts - i); j++) {
+            const double s = (double)i / (int)parts, t = (double)j / (int)parts;
+            const double weight[4] = {is_edges ? 1 - s : 1, is_edges ? s : s + t - 1,
+                                      is_edges ? t - 1 : -s, -t};
+            double apart[3] = {0};
+            for (int k = 0; k < 4; k++)
+                vector_add_scaled(apart, weight[k], x[k], apart);
+            least = fmin(least, vector_length(apart));
+        }
+    return least;
+}
+
+/* Four points in a cube of 2 m, some of them flat, parallel, or in one place. */
+static void random_points(unsigned *seed, int kind, double x[4][3]) {
+    for (int k = 0; k < 4; k++)
+        for (int a = 0; a < 3; a++)
+            x[k][a] = random_number(seed);
+    if (kind == 1) /* parallel edges */
+        for (int a = 0; a < 3; a++)
+            x[3][a] = x[2][a] + 0.7 * (x[1][a] - x[0][a]);
+    if (kind == 2) /* all in a plane */
+        for (int k = 0; k < 4; k++)
+            x[k][2] = 0;
+    if (kind == 3) /* no length, no area */
+        memcpy(x[2], x[3], sizeof x[2]);
+}
+
+static void nearest_points(void **state) {
+    unsigned seed = 5;
+    (void)state;
+    for (int n = 0; n < 400; n++)
+        for (int is_edges = 0; is_edges < 2; is_edges++) {
+            double x[4][3];
+            nearest found;
+            random_points(&seed, n % 4, x);
+            const double(*at)[3] = (const double(*)[3])x;
+            if (is_edges)
+                nearest_edges(at, &found);
+            else
+                nearest_vertex_triangle(at, &found);
+            const double sampled = sampled_distance(is_edges, at);
+            assert_below(found.distance, sampled + 1e-12);
+            assert_near(found.distance, sampled, 0.03);
+            assert_near(found.weight[0] + found.weight[1] + found.weight[2] + found.weight[3], 0,
+                        1e-12);
+        }
+}
+
+/* A barrier of one pair, or of one triangle above a plane and a ball's surface. */
+static barrier one_pair(barrier_pair *pair, mesh *m, scene *s, int *owner) {
+    barrier b = {.scene = s, .cloth = m, .surface = *m, .stiffness = 2e-3, .slip_speed = 0.1};
+    b.collider = owner;
+    b.list.pair = pair;
+    b.list.pairs = b.list.pair_room = 1;
+    return b;
+}
+
+/* No part of a way is allowed on which a sample passes, and half of what is free is allowed. */
+static void parts_of_ways_do_not_pass(void **state) {
+    enum { samples = 2000 };
+    unsigned seed = 9;
+    int cut = 0;
+    (void)state;
+    for (int n = 0; n < 300; n++) {
+        double x[4][3], way[4][3];
+        int owner[4] = {-1, -1, -1, -1};
+        barrier_pair pair = {{0, 1, 2, 3}, n % 2 ? BARRIER_EDGES : BARRIER_VERTEX, -1, 0.1};
+        mesh m = {.vertex_count = 4, .position = x};
+        scene s = {0};
+        random_points(&seed, 0, x);
+        random_points(&seed, 0, way);
+        const double(*begin)[3] = (const double(*)[3])x;
+        const barrier b = one_pair(&pair, &m, &s, owner);
+        const double part = barrier_part_of_way(&b, begin, (const double(*)[3])way);
+        const double first = sampled_distance(n % 2, begin);
+        double least = INFINITY;
+        for (int k = 0; k <= samples; k++) {
+            double at[4][3];
+            nearest found;
+            for (int v = 0; v < 4; v++)
+                vector_add_scaled(x[v], part * k / (int)samples, way[v], at[v]);
+            if (n % 2)
+                nearest_edges((const double(*)[3])at, &found);
+            else
+                nearest_vertex_triangle((const double(*)[3])at, &found);
+            least = fmin(least, found.distance);
+        }
+        assert_true(part > 0 && part <= 1);
+        assert_true(least > 0.05 * first);
+        cut += part < 1;
+        if (part < 1) /* it is not cut long before it is near */
+            assert_below(least, 0.5 * first + 1e-3);
+    }
+    assert_in_range(cut, 20, 280);
+}
+
+/* One vertex alone comes 3 times as far as the other feature is away: it is cut before. */
+static void each_vertex_is_cut(void **state) {
+    (void)state;
+    for (int is_edges = 0; is_edges < 2; is_edges++)
+        for (int mover = 0; mover < 4; mover++) {
+            double x[4][3] = {{0, 0, 0.1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, way[4][3] = {{0}};
+            double edges[4][3] = {{0, 0, 0.1}, {1, 0, 0.1}, {0, 0, 0}, {0, 1, 0}};
+            int owner[4] = {-1, -1, -1, -1};
+            barrier_pair pair = {{0, 1, 2, 3}, is_edges ? BARRIER_EDGES : BARRIER_VERTEX, -1, 0.1};
+            mesh m = {.vertex_count = 4, .position = x};
+            scene s = {0};
+            const double height = mover < (is_edges ? 2 : 1) ? -0.3 : 0.3;
+            if (is_edges)
+                memcpy(x, edges, sizeof x);
+            else
+                memcpy(x[0], (double[3]){x[mover][0], x[mover][1], 0.1}, sizeof x[0]);
+            /* The edges' meeting ends are the ones that may move. */
+            if (is_edges && mover % 2 == 1)
+                for (int a = 0; a < 2; a++) {
+                    x[2 * (1 - mover / 2)][a] = x[mover][a];
+                    x[2 * (1 - mover / 2) + 1][a] = x[mover][a] + (a == 1);
+                }
+            way[mover][2] = height;
+            const barrier b = one_pair(&pair, &m, &s, owner);
+            const double part =
+                barrier_part_of_way(&b, (const double(*)[3])x, (const double(*)[3])way);
+            assert_true(part > 0.15 && part < 1.0 / 3);
+        }
+}
+
+/* However often a vertex wants through a triangle, it stays on its side, and a millionth of its
+ * reach away. */
+static void many_ways_do_not_pass(void **state) {
+    double x[4][3] = {{0.3, 0.3, 0.01}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const double way[4][3] = {{0.1, 0, -1}};
+    int owner[4] = {-1, -1, -1, -1};
+    barrier_pair pair = {{0, 1, 2, 3}, BARRIER_VERTEX, -1, 0.1};
+    mesh m = {.vertex_count = 4, .position = x};
+    scene s = {0};
+    const barrier b = one_pair(&pair, &m, &s, owner);
+    (void)state;
+    for (int n = 0; n < 100; n++) {
+        const double part = barrier_part_of_way(&b, (const double(*)[3])x, way);
+        vector_add_scaled(x[0], part, way[0], x[0]);
+        assert_true(x[0][2] > 0.99e-7);
+    }
+    assert_below(x[0][2], 1.01e-7);
+}
+
+/* Edges that are exactly parallel have no energy: their nearest points are not unique. */
+static void parallel_edges_do_not_push(void **state) {
+    (void)state;
+    for (int parallel = 0; parallel < 2; parallel++) {
+        double x[4][3] = {{0, 0, 0}, {1, 0, 0}, {0.2, -0.5, 0.05}, {0.2, 0.5, 0.05}};
+        int owner[4] = {-1, -1, -1, -1};
+        barrier_pair pair = {{0, 1, 2, 3}, BARRIER_EDGES, -1, 0.1};
+        mesh m = {.vertex_count = 4, .position = x};
+        scene s = {0};
+        if (parallel)
+            memcpy(x[3], (double[3]){1.2, -0.5, 0.05}, sizeof x[3]);
+        x[2][1] = parallel ? 0 : x[2][1];
+        x[3][1] = parallel ? 0 : x[3][1];
+        const barrier b = one_pair(&pair, &m, &s, owner);
+        const double energy = barrier_energy(&b, (const double(*)[3])x);
+        /* stiffness ln 2 / 4 at half of the reach */
+        assert_near(energy, parallel ? 0 : 2e-3 * log(2) / 4, 1e-15);
+    }
+}
+
+/* The elements' gradient and Hessian of one pair against differences. kind 3: nearly parallel. */
+static void compare_pair(int kind, double reach, double slip, unsigned *seed) {
+    double x[4][3], begin[4][3], gradient[4][3] = {{0}};
+    int owner[4] = {-1, -1, -1, -1};
+    collider plane = {.kind = COLLIDER_PLANE, .axis = {0, 0.6, 0.8}, .friction = 0.4};
+    scene s = {.collider_count = 1, .colliders = &plane, .self_collision.friction = 0.5};
+    random_points(seed, 0, x);
+    barrier_pair pair = {{0, 1, 2, 3}, kind == 3 ? BARRIER_EDGES : (barrier_kind)kind, -1, reach};
+    if (kind == 3) {
+        for (int a = 0; a < 3; a++)
+            x[3][a] = x[2][a] + (x[1][a] - x[0][a]) + 0.01 * random_number(seed);
+    }
+    if (kind == BARRIER_PLANE) {
+        pair = (barrier_pair){{0, 1, 1, 1}, BARRIER_PLANE, 0, reach};
+        vector_add_scaled(x[1], 0.3, plane.axis, x[0]);
+        x[0][0] += 0.1;
+    }
+    mesh m = {.vertex_count = 4, .position = begin};
+    memcpy(begin, x, sizeof x);
+    barrier b = one_pair(&pair, &m, &s, owner);
+    b.begin = begin;
+    assert_int_equal(barrier_find_contacts(&b, (const double(*)[3])x), 0);
+    if (b.list.contacts == 1) {
+        const double h = 0.1, d = 1e-6;
+        assert_int_equal(barrier_grip_contacts(&b), 0);
+        for (int k = 0; k < 4; k++)
+            for (int a = 0; a < 3; a++)
+                x[k][a] += slip * random_number(seed);
+        assert_int_equal(barrier_find_contacts(&b, (const double(*)[3])x), 0);
+        assert_int_equal(barrier_make_elements(&b, h, (const double(*)[3])x), 0);
+        double scale = 0;
+        for (int e = 0; e < b.list.elements; e++)
+            for (int k = 0; k < 4; k++)
+                for (int a = 0; a < 3; a++) {
+                    gradient[b.list.element[e].vertex[k]][a] += b.list.element[e].gradient[k][a];
+                    scale = fmax(scale, fabs(b.list.element[e].gradient[k][a]));
+                }
+        for (int k = 0; k < (kind == BARRIER_PLANE ? 2 : 4); k++)
+            for (int a = 0; a < 3; a++) {
+                double energy[2];
+                for (int side = 0; side < 2; side++) {
+                    x[k][a] += side ? d : -d;
+                    energy[side] = barrier_energy(&b, (const double(*)[3])x) +
+                                   barrier_friction(&b, h, (const double(*)[3])x);
+                    x[k][a] -= side ? d : -d;
+                }
+                assert_near(gradient[k][a], (energy[1] - energy[0]) / (2 * d), 2e-5 * scale);
+            }
+    }
+    free(b.list.contact);
+    free(b.list.grip);
+    free(b.list.element);
+}
+
+static void gradients_are_those_of_the_energy(void **state) {
+    unsigned seed = 77;
+    (void)state;
+    for (int n = 0; n < 200; n++)
+        for (int kind = 0; kind < 4; kind++)
+            compare_pair(kind, 1.5, n % 2 ? 3e-3 : 3e-2, &seed);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nearest_points),
+        cmocka_unit_test(parts_of_ways_do_not_pass),
+        cmocka_unit_test(each_vertex_is_cut),
+        cmocka_unit_test(many_ways_do_not_pass),
+        cmocka_unit_test(parallel_edges_do_not_push),
+        cmocka_unit_test(gradients_are_those_of_the_energy),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
