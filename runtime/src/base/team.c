@@ -3,6 +3,7 @@
 #include "base/team.h"
 
 #include "base/memory.h"
+#include "base/pool.h"
 #include "base/signals.h"
 #include "base/system.h"
 #include "base/wait.h"
@@ -124,13 +125,20 @@ static size_t set_stacks(size_t bytes) {
     return before;
 }
 
-static void enlarge_stacks(int more) {
-    static atomic_int tried;
-    size_t wanted = is_told_by_user() ? 0 : main_stack();
+/* Bytes of each of `more` stacks: as large as the main thread's, if there is memory; 0: as usual.
+ */
+static size_t stack_for(int more) {
+    size_t wanted = main_stack();
     const size_t usual = (size_t)2 << 20;
     while (wanted > usual && !fits(wanted / 4096 * 4096 * (size_t)more))
         wanted /= 2;
-    if (wanted <= usual)
+    return wanted > usual ? wanted / 4096 * 4096 : 0;
+}
+
+static void enlarge_stacks(int more) {
+    static atomic_int tried;
+    const size_t wanted = is_told_by_user() ? 0 : stack_for(more);
+    if (!wanted)
         return;
     if (kmp_set_stacksize_s && atomic_exchange(&tried, 1) == 0)
         kmp_set_stacksize_s(wanted);
@@ -224,11 +232,18 @@ static bool is_in_handler(uint64_t before) {
     return is_so;
 }
 
+/* Threads of the calling thread's last region; 0: there was none. */
+static int there(void) {
+    return redcc_region_is_own() ? redcc_pool_threads() : team.threads;
+}
+
 int redcc_team_prepare(int threads, uint64_t before) {
-    if (threads <= team.threads)
+    if (threads <= there())
         return threads;
     if (is_in_handler(before))
         return 0;
+    if (redcc_region_is_own())
+        return redcc_pool_prepare(threads, stack_for(redcc_team_missing(threads)));
     redcc_signals_let_default(before);
     pin_all();
     if (threads < 2)
@@ -241,15 +256,17 @@ int redcc_team_prepare(int threads, uint64_t before) {
 }
 
 bool redcc_team_grows(int threads) {
-    return threads > team.threads;
+    return threads > there();
 }
 
 int redcc_team_missing(int threads) {
-    const int there = team.threads > 0 ? team.threads : 1;
-    return threads > there ? threads - there : 0;
+    const int have = there() > 0 ? there() : 1;
+    return threads > have ? threads - have : 0;
 }
 
 int redcc_team_to_start(int threads) {
+    if (redcc_region_is_own())
+        return 0;
     const int missing = redcc_team_missing(threads);
     const bool is_first = missing > 0 && team.threads < 2;
     const bool is_main = is_first && redcc_system(SYS_gettid) == redcc_system_process();

@@ -12,6 +12,7 @@
 
 enum {
     SPINS = 4000, /* some 20 to 100 microseconds: longer than a balanced loop's threads differ */
+    IDLE = 1000,  /* docs/decisions/0002 */
     YIELDS = 4    /* then leave the core to whom we wait for, then sleep */
 };
 
@@ -51,13 +52,23 @@ static bool changed(atomic_uint *word, unsigned value) {
     return atomic_load_explicit(word, memory_order_acquire) != value;
 }
 
+static bool changes_in(int spins, atomic_uint *word, unsigned value) {
+    for (int spin = 0; spin < spins; spin++) {
+        if (changed(word, value))
+            return true;
+        relax();
+    }
+    return false;
+}
+
+void redcc_wait_idle(atomic_uint *word, unsigned value, atomic_int *asleep) {
+    if (!changes_in(IDLE, word, value))
+        sleep_while(word, value, asleep);
+}
+
 void redcc_wait_while(atomic_uint *word, unsigned value, atomic_int *asleep, int threads) {
-    if (threads <= cores())
-        for (int spin = 0; spin < SPINS; spin++) {
-            if (changed(word, value))
-                return;
-            relax();
-        }
+    if (threads <= cores() && changes_in(SPINS, word, value))
+        return;
     for (int yield = 0; yield < YIELDS; yield++) {
         if (changed(word, value))
             return;

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "base/pool.h"
+
+#include "base/system.h"
+#include "base/team.h"
+#include "base/wait.h"
+
+#include <assert.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdint.h>
+
+/* All weak, for systems where the C library has them apart. */
+#define WEAK __attribute__((__weak__))
+extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
+extern __typeof__(pthread_create) pthread_create WEAK;
+extern __typeof__(pthread_attr_init) pthread_attr_init WEAK;
+extern __typeof__(pthread_attr_destroy) pthread_attr_destroy WEAK;
+extern __typeof__(pthread_attr_setstacksize) pthread_attr_setstacksize WEAK;
+extern __typeof__(pthread_detach) pthread_detach WEAK;
+
+enum { MOST = 1024, LINE = 64 };
+
+/* One thread: what it is to do next. Each has cache lines of its own. */
+struct slot {
+    _Alignas(LINE) atomic_uint region; /* changes when there is something to do */
+    atomic_int asleep;
+    struct pool *pool;
+    int number;
+    int threads;
+    region_work *work; /* NULL: end */
+    void *shared;
+};
+
+struct pool {
+    atomic_uint left; /* threads that the region at hand waits for */
+    atomic_int asleep;
+    atomic_int alive; /* threads, until the last one gives the memory back */
+    int threads;      /* started, and 1 */
+    struct slot slot[MOST];
+};
+
+static _Thread_local struct pool *pool __attribute__((__tls_model__("initial-exec")));
+
+int redcc_pool_threads(void) {
+    return pool ? pool->threads : 1;
+}
+
+static void arrive(struct pool *it) {
+    if (atomic_fetch_sub(&it->left, 1) == 1)
+        redcc_wake(&it->left, &it->asleep);
+}
+
+/* ---- the threads ------------------------------------------------------------------------------
+ */
+
+static void nothing(void *unused) {
+    (void)unused;
+}
+
+static void *serve(void *given) {
+    struct slot *slot = given;
+    struct pool *const it = slot->pool;
+    /* This object must not be unloaded while a thread executes its code. */
+    __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
+    redcc_within = 1; /* a loop in a loop's body is not to run in parallel */
+    unsigned seen = 0;
+    arrive(it);
+    for (;;) {
+        redcc_wait_idle(&slot->region, seen, &slot->asleep);
+        seen = atomic_load(&slot->region);
+        if (!slot->work)
+            break;
+        slot->work(slot->number, slot->threads, slot->shared);
+        arrive(it);
+    }
+    if (atomic_fetch_sub(&it->alive, 1) == 1)
+        redcc_system_unmap(it, sizeof *it);
+    return NULL;
+}
+
+static void begin(struct slot *slot, int threads, region_work *work, void *shared) {
+    slot->threads = threads;
+    slot->work = work;
+    slot->shared = shared;
+    atomic_fetch_add(&slot->region, 1);
+    redcc_wake(&slot->region, &slot->asleep);
+}
+
+static void wait_for_all(struct pool *it, int threads) {
+    for (unsigned left; (left = atomic_load(&it->left)) > 0;)
+        redcc_wait_while(&it->left, left, &it->asleep, threads);
+}
+
+/* ---- of the calling thread --------------------------------------------------------------------
+ */
+
+/* The thread ends: its threads are not waited for, they may still be asleep. */
+static void end(void *given) {
+    struct pool *it = given;
+    pool = NULL;
+    for (int number = 1; number < it->threads; number++)
+        begin(&it->slot[number], 0, NULL, NULL);
+    if (atomic_fetch_sub(&it->alive, 1) == 1)
+        redcc_system_unmap(it, sizeof *it);
+}
+
+static bool can_start(void) {
+    return pthread_create && pthread_detach && pthread_attr_init && pthread_attr_destroy &&
+           pthread_attr_setstacksize && __cxa_thread_atexit_impl;
+}
+
+static struct pool *make(void) {
+    struct pool *it = redcc_system_map((sizeof *it + 4095) / 4096 * 4096);
+    if (!it)
+        return NULL;
+    it->threads = 1;
+    atomic_store(&it->alive, 1);
+    if (__cxa_thread_atexit_impl(end, it, (void *)(uintptr_t)nothing) == 0)
+        return it;
+    redcc_system_unmap(it, sizeof *it);
+    return NULL;
+}
+
+static bool start(struct pool *it, const pthread_attr_t *attributes) {
+    struct slot *slot = &it->slot[it->threads];
+    pthread_t thread;
+    slot->pool = it;
+    slot->number = it->threads;
+    atomic_fetch_add(&it->alive, 1);
+    atomic_fetch_add(&it->left, 1);
+    if (pthread_create(&thread, attributes, serve, slot) != 0) {
+        atomic_fetch_sub(&it->alive, 1);
+        atomic_fetch_sub(&it->left, 1);
+        return false;
+    }
+    pthread_detach(thread);
+    it->threads++;
+    return true;
+}
+
+int redcc_pool_prepare(int threads, size_t stack) {
+    pthread_attr_t attributes;
+    threads = threads < MOST ? threads : MOST;
+    if (threads <= redcc_pool_threads())
+        return threads;
+    if (!can_start() || !(pool || (pool = make())) || pthread_attr_init(&attributes) != 0)
+        return redcc_pool_threads();
+    if (stack)
+        pthread_attr_setstacksize(&attributes, stack);
+    while (pool->threads < threads && start(pool, &attributes))
+        ;
+    pthread_attr_destroy(&attributes);
+    wait_for_all(pool, pool->threads);
+    return pool->threads;
+}
+
+void redcc_pool_run(int threads, region_work *work, void *shared) {
+    struct pool *const it = pool;
+    assert(it && threads <= it->threads && atomic_load(&it->left) == 0);
+    atomic_store(&it->left, (unsigned)threads - 1);
+    for (int number = 1; number < threads; number++)
+        begin(&it->slot[number], threads, work, shared);
+    work(0, threads, shared);
+    wait_for_all(it, threads);
+}
