@@ -282,3 +282,9 @@ bool redcc_account(struct execution *execution) {
         account_refused(execution, now);
     return run->plan != NULL || execution->binned;
 }
+
+void redcc_note_misnamed(redcc_loop *loop, long count) {
+    struct loop_state *state = redcc_state_of(loop);
+    if (state)
+        atomic_fetch_add(&state->reported.statistics.validated.misnamed, count);
+}

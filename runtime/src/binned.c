@@ -42,8 +42,11 @@ int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands
     } else if (errno) {
         redcc_note_error(run, worker->last);
     }
-    if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands))
+    if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands)) {
+        for (uint32_t s = 0; s < execution->state->binning.loop->stream_count; s++)
+            bins[s].calls = worker->call->calls;
         return 1;
+    }
     end(thread, worker);
     return 0;
 }

@@ -9,6 +9,7 @@
 #include "base/signals.h"
 #include "base/team.h"
 #include "base/trace.h"
+#include "library.h"
 #include "settings.h"
 #include "unmade.h"
 
@@ -329,7 +330,7 @@ void redcc_sequential_end(redcc_loop *loop) {
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
-    *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
+    *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
     const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);

@@ -105,6 +105,9 @@ void redcc_threads_end(struct loop_state *state);
  *  done. */
 bool redcc_account(struct execution *execution);
 
+/** Counts updates of rows that a slice did not name: validation has failed. */
+void redcc_note_misnamed(redcc_loop *loop, long count);
+
 /** Tells auto what came of a call; reason: why there was no plan, or NONE. */
 void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
                      const struct outcome *outcome, enum reason reason);

@@ -52,6 +52,16 @@ static void tell_comparison(const struct reported *loop) {
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
 }
 
+/* The first of them have been named when they were found. */
+static bool tell_misnamed(const struct reported *loop) {
+    const long count = atomic_load(&loop->statistics.validated.misnamed);
+    if (count == 0)
+        return false;
+    begin_line(loop);
+    fprintf(stderr, "%ld updates of rows that the slice does not name\n", count);
+    return true;
+}
+
 static void tell(const struct reported *loop) {
     const struct validated *it = &loop->statistics.validated;
     if (!ran_in_parallel(loop)) {
@@ -82,7 +92,7 @@ bool redcc_report_validation(void) {
         tell(loop);
         loops++;
         parallel += ran_in_parallel(loop);
-        broken = broken || loop->statistics.validated.broken > 0;
+        broken = broken || loop->statistics.validated.broken > 0 || tell_misnamed(loop);
     }
     if (loops == 0)
         fputs("redcc: validated: 0 loops ran in parallel: no translated loop was executed\n",

@@ -242,7 +242,7 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from, int wid
 
 /** Writes the first `count` iterations of the block as runs of one each. Returns how many. */
 REDCC_INLINE int redcc_block_rest(const redcc_block *block, int count, redcc_int origin,
-                                  redcc_run *rest) {
+                                  redcc_iterations *rest) {
     int i;
     for (i = 0; i < count; i++) {
         rest[i].begin = (redcc_u32)(block->k[i] - origin);
@@ -302,10 +302,10 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     while (redcc_next(&redcc__worker)) {                                                           \
-        redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
-        const redcc_run *redcc__run_end = redcc__worker.run_end;                                   \
+        redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                        \
+        const redcc_iterations *redcc__run_end = redcc__worker.run_end;                            \
         const int redcc__width = redcc_lanes_of(&redcc__worker);                                   \
-        redcc_run redcc__rest[REDCC_MOST_LANES];                                                   \
+        redcc_iterations redcc__rest[REDCC_MOST_LANES];                                            \
         REDCC_PREFETCH_BEGIN(redcc__width > redcc__prefetches ? redcc__width : redcc__prefetches)  \
         if (redcc__width) {                                                                        \
             const int redcc__guarded = 0;                                                          \

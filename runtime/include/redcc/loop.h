@@ -15,9 +15,6 @@
 #ifndef REDCC_LOOP_FORM_H
 #define REDCC_LOOP_FORM_H
 
-#define REDCC_INLINE                                                                               \
-    static __inline__ __attribute__((__always_inline__, __unused__, __no_instrument_function__))
-
 /** No multiplication and addition is contracted into one rounding in the function that follows, and
  *  from the beginning of a block on. gcc contracts functions, when all is inlined; clang
  *  expressions, unless it is given -ffp-contract=fast, of which no text can talk it out. */
@@ -337,8 +334,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 /** Hands out chunks to execute, run by run, guarded or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     while (redcc_next(&redcc__worker)) {                                                           \
-        redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
-        const redcc_run *const redcc__run_end = redcc__worker.run_end;                             \
+        redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                        \
+        const redcc_iterations *const redcc__run_end = redcc__worker.run_end;                      \
         REDCC_PREFETCH_BEGIN(redcc__prefetches)                                                    \
         REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }

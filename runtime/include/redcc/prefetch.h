@@ -102,8 +102,8 @@ typedef struct redcc_ahead {
     redcc_int k;
     redcc_int end; /* of its run */
     redcc_int origin;
-    const redcc_run *run; /* the next one */
-    const redcc_run *run_end;
+    const redcc_iterations *run; /* the next one */
+    const redcc_iterations *run_end;
 } redcc_ahead;
 
 /** On to the next run. Returns 0: there is none left. */

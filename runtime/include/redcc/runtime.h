@@ -29,10 +29,6 @@
                                                                                            : -1]   \
         __attribute__((__unused__))
 
-/** In #if: are float and double evaluated in their own types? gcc says 16 instead of 0 where there
- *  are registers for _Float16 as well. */
-#define REDCC_EVALUATES_IN_TYPE (__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16)
-
 /** In #if: is each floating-point operation rounded by itself, to its own type, wherever it stands?
  *  Then two copies of one expression give the same bits. Where subscripts are computed so, a loop
  *  runs in parallel only then. gcc tells all that matters by macros, also after pragmas; clang
@@ -61,157 +57,12 @@
 #define REDCC_IS_ON___NO_SIGNED_ZEROS__ 0
 #endif
 
-__extension__ typedef long long redcc_int;           /**< counts of iterations */
-__extension__ typedef unsigned long long redcc_word; /**< keys */
-typedef __SIZE_TYPE__ redcc_size;                    /**< bytes */
-typedef unsigned int redcc_u32;
+#include <redcc/structures.h>
 
-typedef enum redcc_operator {
-    REDCC_SUM, /**< `+`; also `-` of the contribution */
-    REDCC_PRODUCT,
-    REDCC_MINIMUM,
-    REDCC_MAXIMUM,
-    REDCC_AND, /**< bitwise */
-    REDCC_OR,
-    REDCC_XOR
-} redcc_operator;
-
-typedef enum redcc_type {
-    REDCC_INT8,
-    REDCC_UINT8,
-    REDCC_INT16,
-    REDCC_UINT16,
-    REDCC_INT32,
-    REDCC_UINT32,
-    REDCC_INT64,
-    REDCC_UINT64,
-    REDCC_FLOAT,
-    REDCC_DOUBLE,
-    REDCC_LONG_DOUBLE,
-    REDCC_FLOAT_COMPLEX,
-    REDCC_DOUBLE_COMPLEX,
-    REDCC_OTHER_TYPE /**< no private copies of it can be made; methods without them will do */
-} redcc_type;
-
-/** What a result may differ in from the sequential loop's. */
-typedef enum redcc_order {
-    REDCC_ORDER_SERIAL, /**< in nothing: the same bits at every thread count */
-    REDCC_ORDER_FIXED,  /**< the same bits in every run and at every thread count */
-    REDCC_ORDER_ANY
-} redcc_order;
-
-/** One reduction array of a loop. */
-typedef struct redcc_array {
-    const char *name;    /**< as the user wrote it: "b", "A->value" */
-    redcc_u32 operation; /**< a redcc_operator; here and below the size of an int, whatever
-                              -fshort-enums makes of enumerations */
-    redcc_u32 type;      /**< a redcc_type */
-    redcc_u32 element;   /**< bytes of a scalar element */
-    redcc_u32 unit;      /**< bytes of what one touch covers at least, and owners are cut at: a row
-                              b[i], or the element where there are no rows */
-} redcc_array;
-
-/** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel.
- */
-typedef struct redcc_source {
-    const char *name;
-    int is_subscript; /**< what it holds decides which elements are touched: a plan may be used
-                           again only while it is unchanged */
-} redcc_source;
-
-/** Structures that a compiler option packs (-fpack-struct) are not those of the library. */
-typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
-    __attribute__((__unused__));
-
-enum {
-    /** The subscripts depend on nothing but the key, the trip count and the sources marked
-     *  is_subscript, listed in the order in which the slice reads them, so that a plan may be used
-     *  again once these are found unchanged. Without it every execution inspects anew. */
-    REDCC_VERIFIABLE = 1,
-    /** The order was asked for explicitly at translation (not just the default). */
-    REDCC_ORDER_EXPLICIT = 2,
-    /** Some update needs the order of each element kept: only methods that promise it will do. */
-    REDCC_ORDER_NEEDED = 4,
-    /** Iterations that touch no element are to be executed as well. */
-    REDCC_EVERY_ITERATION = 8,
-    /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
-    REDCC_BINNED = 16,
-    /** Its executor can prefetch what iterations to come touch (prefetch.h). */
-    REDCC_PREFETCHES = 32,
-    /** Times a set of 2, 4 and 8: so many iterations at once can be executed (lanes.h). */
-    REDCC_LANES_UNIT = 64,
-    /** They are compiled for the processor that all of the program is compiled for. */
-    REDCC_LANES_ANYWHERE = 1024,
-    /** Where the slice read by values that the loop has yet to write, it might read what is not
-     *  there. So before an inspection one thread has all iterations told in order; where one would
-     *  update what `known` says is read, worker->last becomes 0, and the slice returns at once; */
-    REDCC_DRY_RUN = 2048,
-    /** the same where redcc_is_over says of what it has told as read. */
-    REDCC_DRY_RUN_OF_READS = 4096,
-    /** In place of REDCC_PREFETCHES: its iterations are so light that it pays only where they come
-     *  in no order. */
-    REDCC_LIGHT = 8192
-};
-
-/** A loop, as the translator knows it; one static object for each. */
-typedef struct redcc_loop {
-    const char *file;
-    int line;
-    const char *function;
-    redcc_u32 order; /**< a redcc_order, asked for at translation; REDCC_ORDER overrides it */
-    unsigned flags;
-    unsigned array_count;
-    const redcc_array *arrays;
-    unsigned source_count;
-    const redcc_source *sources;
-    unsigned key_count;
-    void *state; /**< the runtime's; starts as 0 */
-} redcc_loop;
-
-/** Bytes [first, end). In `known`, end == 0 says: not known before the inspection, redcc_read tells
- *  it; first is then the pointer that its addresses move with when a plan is used again. 0: none,
- * also where they lie in several objects: of a plan that is kept, all bytes between the first and
- * the last one read are compared. */
-typedef struct redcc_extent {
-    const char *first;
-    const char *end;
-} redcc_extent;
-
-/** One execution of a loop; lives on the caller's stack from redcc_enter to redcc_leave. */
-typedef struct redcc_call {
-    redcc_loop *loop;
-    redcc_int trip;  /**< iterations */
-    int threads;     /**< ask OpenMP for so many */
-    int decided;     /**< the runtime's, as what follows */
-    void *execution; /**< */
-} redcc_call;
-
-/** Consecutive iterations of a chunk, relative to its origin. */
-typedef struct redcc_run {
-    redcc_u32 begin;
-    redcc_u32 count_and_guard; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
-} redcc_run;
-
-struct redcc_hook;
-
-/** The elements of one array that a thread owns: those at [first, first + size), where there is a
- *  map only those in units that it gives to `self`. */
-typedef struct redcc_owner {
-    const char *first;
-    redcc_size size;
-    const unsigned char *map; /* the owner of each unit from `first`; 0: no map */
-    redcc_size unit;          /* bytes; of a map */
-    redcc_u32 self;
-    struct redcc_hook *hook; /* 0, or: it decides, and sees every update (nothing is inside) */
-} redcc_owner;
-
-/** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration.
- */
-typedef struct redcc_entry {
-    const char *address;
-    redcc_u32 array;
-    redcc_u32 bytes;
-} redcc_entry;
+#ifndef REDCC_LIBRARY
+/** Iterations of a chunk, by the name that generated text has for them. */
+typedef redcc_iterations redcc_run;
+#endif
 
 #ifdef _OPENMP
 /* Of OpenMP, what the calls below need; omp.h may follow. */
@@ -220,48 +71,6 @@ extern int omp_get_num_threads(void);
 extern int omp_get_thread_num(void);
 extern int omp_in_parallel(void);
 #endif
-
-#define REDCC_END_OF_ITERATION 0xffffffffu
-
-/** So many iterations in a row within the window, and the next ones are probed (redcc_is_settled).
- *  Where owners alternate, hardly any iteration is looked at twice. */
-#define REDCC_SETTLED 8
-/** Bytes that redcc_touch takes at most. */
-#define REDCC_LONGEST_TOUCH 0x40000000
-
-/** How a chunk is executed, beside what it computes. */
-typedef struct redcc_manner {
-    int prefetches; /**< is what iterations to come touch to be prefetched? */
-    int lanes; /**< iterations at once, one of those that the descriptor names; 0: one by one */
-} redcc_manner;
-
-/** One thread's part in an execution; lives on that thread's stack. */
-typedef struct redcc_worker {
-    redcc_call *call;
-    /* set by redcc_inspect: tell the addresses of iterations first, first + stride, ... < last */
-    redcc_int first;
-    redcc_int last;
-    redcc_int stride;
-    redcc_entry *entry; /* the next free one */
-    redcc_entry *entry_end;
-    const redcc_owner *window; /* what one owner owns; indexed as arrays. A touch within it makes
-                                  no entry, */
-    int inside;                /* it only sets this, */
-    int outside;               /* and one that makes an entry sets that; of this iteration */
-    redcc_int alike;           /* whole iterations within the window since the last flush */
-    redcc_extent *sources;     /* of this thread; indexed as redcc_loop.sources */
-    /* set by redcc_next: the chunk */
-    redcc_int origin;
-    const redcc_run *run;
-    const redcc_run *run_end;
-    void *const *base;        /* where to write, as if it were the array; indexed as arrays */
-    const redcc_owner *owner; /* indexed as arrays; in a dry run, as sources: what was found to be
-                                 none of what is updated */
-    void *execution;          /* the runtime's, as what follows */
-    int thread;
-    redcc_manner manner; /* set by redcc_next */
-    redcc_int position;
-} redcc_worker;
 
 #if defined(__GNUC__)
 #ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
@@ -423,146 +232,6 @@ static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, r
     extent->end = (const char *)(redcc_size)end;
 }
 
-/** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
-static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,
-                                   redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array];
-    const redcc_size into = (redcc_size)address - (redcc_size)window->first;
-    redcc_entry *entry;
-    if (into < window->size && bytes <= window->size - into) {
-        worker->inside = 1;
-        return;
-    }
-    worker->outside = 1;
-    entry = worker->entry;
-    entry->address = (const char *)address;
-    entry->array = array;
-    entry->bytes = (redcc_u32)bytes;
-    worker->entry = entry + 1;
-    if (worker->entry == worker->entry_end)
-        redcc_flush(worker);
-}
-
-/** Inspector: the same of all that lies from `first` to before `end`, however much. */
-static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, const char *first,
-                                        const char *end) {
-    for (; end - first > REDCC_LONGEST_TOUCH; first += REDCC_LONGEST_TOUCH)
-        redcc_touch(worker, array, first, REDCC_LONGEST_TOUCH);
-    redcc_touch(worker, array, first, (redcc_size)(end - first));
-}
-
-/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`.
- */
-static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const void *address,
-                                  redcc_size bytes) {
-    redcc_extent *extent = &worker->sources[source];
-    const char *first = (const char *)address;
-    if (first < extent->first || !extent->first)
-        extent->first = first;
-    if (first + bytes > extent->end)
-        extent->end = first + bytes;
-}
-
-/** Inspector: 1 in a dry run (worker->alike < 0) where something that was told of the source has
- * been updated before; the dry run is over then, and the slice must use nothing of it. */
-static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
-    const redcc_extent *told = &worker->sources[source];
-    const redcc_owner *clear;
-    redcc_size into;
-    if (worker->alike >= 0)
-        return 0;
-    clear = &worker->owner[source];
-    into = (redcc_size)told->first - (redcc_size)clear->first;
-    return !(into < clear->size && (redcc_size)(told->end - told->first) <= clear->size - into) &&
-           redcc_is_stale(worker, source);
-}
-
-/** Inspector: the addresses of one iteration are told. */
-static __inline__ void redcc_iteration_done(redcc_worker *worker) {
-    if (worker->inside && !worker->outside) {
-        worker->inside = 0;
-        worker->alike++;
-        return;
-    }
-    worker->entry->address = 0;
-    worker->entry->array = REDCC_END_OF_ITERATION;
-    worker->entry->bytes = 0;
-    worker->entry++;
-    worker->outside = 0;
-    redcc_flush(worker); /* the window may be another one for the next iteration */
-}
-
-/** Inspector, of one iteration that may not have to be told: does it touch something within the
- *  window, does it touch or read something outside of what is known? Begins as {0, 0}. */
-typedef struct redcc_probe {
-    int inside;
-    int outside;
-} redcc_probe;
-
-/** Are the last iterations told all within the window, so that the next ones are likely to be? Then
- *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read (or the same of
- *  a row by its number) for what is to be told; those that redcc_is_alike are counted in
- * worker->alike, the first that is not is told. Never while there is no window or the stride is
- * not 1. */
-static __inline__ int redcc_is_settled(const redcc_worker *worker) {
-    return worker->alike >= REDCC_SETTLED;
-}
-
-/* In what follows compilers keep all but `address` and `row` in registers over a loop. */
-
-/** Are `bytes` bytes at `address` not all within the `size` bytes at `first`? */
-static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
-                                   redcc_size bytes) {
-    const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* where they may begin */
-    return (redcc_size)address - (redcc_size)first >= places;
-}
-
-/** The same of row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
-static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const void *base,
-                                       redcc_int row, redcc_size bytes) {
-    const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
-    const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
-    const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
-    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row; */
-    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last */
-    return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
-}
-
-static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
-                                         redcc_u32 array, const void *address, redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array];
-    probe->inside = 1;
-    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
-}
-
-static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
-                                             redcc_u32 array, const void *base, redcc_int row,
-                                             redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array];
-    probe->inside = 1;
-    probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
-}
-
-static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
-                                        redcc_u32 source, const void *address, redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source];
-    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
-    probe->outside |= redcc_leaves(known->first, size, address, bytes);
-}
-
-static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_worker *worker,
-                                            redcc_u32 source, const void *base, redcc_int row,
-                                            redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source];
-    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
-    probe->outside |= redcc_row_leaves(known->first, size, base, row, bytes);
-}
-
-/** Need the iteration that was probed not be told? */
-static __inline__ int redcc_is_alike(const redcc_probe *probe) {
-    return probe->inside && !probe->outside;
-}
-
 /** Executor, guarded form: may this thread write at `address`? Asked before each update of an
  *  element, or before one of several elements that begin there and lie in one unit. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
@@ -572,19 +241,7 @@ static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) 
     return owner->hook && redcc_hooked(owner->hook, address);
 }
 
-/** May this thread write to any of the bytes at `address`, as far as is known without the hook? */
-static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
-                                      redcc_size bytes) {
-    const redcc_size into = (redcc_size)((const char *)address - owner->first);
-    const redcc_size last = into + bytes - 1;
-    if (owner->hook)
-        return 1;
-    if (!owner->map)
-        return last < owner->size + bytes - 1;
-    return bytes > owner->unit ||
-           (into < owner->size && owner->map[into / owner->unit] == owner->self) ||
-           (last < owner->size && owner->map[last / owner->unit] == owner->self);
-}
+#include <redcc/steps.h>
 
 #include "loop.h"
 

@@ -5,7 +5,59 @@
 #include "base/share.h"
 #include "plan/elements.h"
 
+#include <assert.h>
 #include <string.h>
+
+/* Records of doubles, for rows of floats: in which type the update was computed. */
+static void apply_wide(const redcc_applied *applied, redcc_operator operation, size_t count) {
+    float *const rows = applied->rows[0];
+    const double *const records = applied->records;
+    for (size_t k = 0; k < applied->count; k++)
+        for (size_t i = 0; i < count; i++) {
+            float *const to = &rows[applied->place[k] * count + i];
+            const double x = records[k * count + i];
+            *to = (float)(operation == REDCC_PRODUCT ? *to * x : *to + x);
+        }
+}
+
+/* Has the library a function for the stream's records? */
+static bool is_plain(const redcc_array *array, const redcc_stream *stream, bool *wide) {
+    const struct element_rule *rule =
+        redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type);
+    if (!rule || stream->array_count != 1 || stream->tag_bits != 0 ||
+        stream->rows[0] % rule->size != 0)
+        return false;
+    *wide = array->type == REDCC_FLOAT && stream->record == 2 * stream->rows[0] &&
+            (array->operation == REDCC_SUM || array->operation == REDCC_PRODUCT);
+    return *wide || stream->record == stream->rows[0];
+}
+
+bool redcc_bins_can_apply(const redcc_binned *loop) {
+    bool wide;
+    for (uint32_t s = 0; s < loop->stream_count; s++)
+        if (!loop->streams[s].apply &&
+            !is_plain(&loop->loop.arrays[loop->streams[s].arrays[0]], &loop->streams[s], &wide))
+            return false;
+    return true;
+}
+
+static void apply_records(const redcc_binned *loop, const redcc_stream *stream,
+                          const redcc_applied *applied) {
+    const redcc_array *array = &loop->loop.arrays[stream->arrays[0]];
+    bool wide = false;
+    if (stream->apply) {
+        stream->apply(applied);
+        return;
+    }
+    const bool plain = is_plain(array, stream, &wide);
+    assert(plain);
+    (void)plain;
+    if (wide)
+        apply_wide(applied, (redcc_operator)array->operation, stream->rows[0] / sizeof(float));
+    else
+        redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type)
+            ->apply(applied, stream->rows[0] / array->element);
+}
 
 /* All threads' records of one bin, in the order of the loop. */
 static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
@@ -26,7 +78,7 @@ static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
                                            .count = records.count,
                                            .ahead = REDCC_RECORDS_AHEAD,
                                            .operands = operands};
-            stream->apply(&applied);
+            apply_records(binning->loop, stream, &applied);
         }
     }
 }

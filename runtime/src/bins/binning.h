@@ -151,6 +151,9 @@ void redcc_bins_tell_written(const struct binning *binning);
 
 /* ---- apply.c --------------------------------------------------------------------------------- */
 
+/** Can the records of all streams be applied, by functions of the loop's or of the library's? */
+bool redcc_bins_can_apply(const redcc_binned *loop);
+
 /** The thread's part of applying all records. operands: the program's. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands);
 

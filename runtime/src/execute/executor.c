@@ -183,7 +183,7 @@ static bool hand_out_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_int left = runner->in_order_end - worker->position;
     const redcc_int count = left < REDCC_RUN_MOST ? left : REDCC_RUN_MOST;
-    runner->whole = (redcc_run){0, 2 * (redcc_u32)count};
+    runner->whole = (redcc_iterations){0, 2 * (redcc_u32)count};
     worker->origin = worker->position;
     worker->run = &runner->whole;
     worker->run_end = worker->run + 1;
@@ -375,7 +375,7 @@ static void note_error(const redcc_worker *worker) {
     const struct runner *runner = worker->execution;
     if (runner->step != STEP_EXECUTE && runner->step != STEP_REST)
         return;
-    const redcc_run *last = worker->run_end - 1;
+    const redcc_iterations *last = worker->run_end - 1;
     redcc_note_error(runner->run, worker->origin + last->begin + last->count_and_guard / 2);
 }
 

@@ -20,16 +20,18 @@
 
 #include "base/range.h"
 
+#include <stdatomic.h>
 #include <stdbool.h>
 
 struct plan;
 
 /** What REDCC_VALIDATE=1 found. */
 struct validated {
-    long executions;  /* compared with the sequential loop */
-    long passed_over; /* not compared: of a scattered array no copy can be made */
-    long broken;      /* of these, where the promise was not kept */
-    double largest;   /* difference, in ulps */
+    long executions;      /* compared with the sequential loop */
+    long passed_over;     /* not compared: of a scattered array no copy can be made */
+    long broken;          /* of these, where the promise was not kept */
+    atomic_long misnamed; /* updates of rows that a slice did not name (redcc/parallel.h) */
+    double largest;       /* difference, in ulps */
     const char *array;
     char name[64];     /* of the array where it was found */
     redcc_int element; /* counted from the array's first one */

@@ -17,7 +17,7 @@ struct walk {
 
 /* To the next run, where the one at hand is used up. False: there is none. */
 static bool advance(struct walk *walk) {
-    redcc_run run;
+    redcc_iterations run;
     while (walk->count == 0) {
         if (redcc_runs_read(&walk->runs, &run, 1) == 1) {
             walk->begin = walk->origin + run.begin;

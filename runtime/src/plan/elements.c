@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#define ALWAYS_INLINE static inline __attribute__((__always_inline__))
+
 /* NAME, type stored, neutral element, does `x` leave the element as it is (then it is not written:
  * perhaps no iteration wrote it)?, `b` with `x` brought in */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
@@ -69,6 +71,27 @@
         for (size_t i = 0; i < count; i++)                                                         \
             for (size_t copy = 0; copy < copies; copy++)                                           \
                 bring_##NAME(&element[i], ((const TYPE *)from[copy])[i]);                          \
+    }                                                                                              \
+    ALWAYS_INLINE void apply_rows_##NAME(const redcc_applied *applied, size_t count) {             \
+        TYPE *const rows = applied->rows[0];                                                       \
+        const TYPE *const records = applied->records;                                              \
+        for (size_t k = 0; k < applied->count; k++) {                                              \
+            TYPE *const row = &rows[applied->place[k] * count];                                    \
+            if (applied->ahead)                                                                    \
+                __builtin_prefetch(&rows[applied->place[k + applied->ahead] * count], 1);          \
+            for (size_t i = 0; i < count; i++) {                                                   \
+                const TYPE b = row[i], x = records[k * count + i];                                 \
+                row[i] = count > 1 && (IS_NEUTRAL) ? b : COMBINED;                                 \
+            }                                                                                      \
+        }                                                                                          \
+    }                                                                                              \
+    static void apply_##NAME(const redcc_applied *applied, size_t count) {                         \
+        if (count == 1)                                                                            \
+            apply_rows_##NAME(applied, 1);                                                         \
+        else if (count == 3)                                                                       \
+            apply_rows_##NAME(applied, 3);                                                         \
+        else                                                                                       \
+            apply_rows_##NAME(applied, count);                                                     \
     }
 ALL_RULES(DEFINE)
 
@@ -100,7 +123,7 @@ enum {
 };
 
 #define ENTRY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                           \
-    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME},
+    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME, apply_##NAME},
 static const struct element_rule rules[NUMBERED] = {ALL_RULES(ENTRY)};
 
 const struct element_rule *redcc_element_rule(redcc_operator operation, redcc_type type) {

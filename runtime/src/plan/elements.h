@@ -9,7 +9,7 @@
 #ifndef REDCC_ELEMENTS_H
 #define REDCC_ELEMENTS_H
 
-#include "redcc/runtime.h"
+#include "redcc/bins.h"
 
 #include <stddef.h>
 
@@ -21,6 +21,8 @@ struct element_rule {
     void (*merge)(void *to, const void *from, size_t count);
     /** to[i] = to[i] op from[0][i] op from[1][i] ...: figure 9 (a), element by element. */
     void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count);
+    /** Brings records of `count` elements each into rows of as many, in order. */
+    void (*apply)(const redcc_applied *applied, size_t count);
 };
 
 /** The rule for an operator and a type; NULL where there is none (REDCC_OTHER_TYPE, the minimum of

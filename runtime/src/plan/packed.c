@@ -15,7 +15,7 @@
  * modulo 2^32: tasks of one chunk may go back. */
 enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
 
-static bool is_short(redcc_u32 gap, redcc_run run) {
+static bool is_short(redcc_u32 gap, redcc_iterations run) {
     return gap < GAPS && run.count_and_guard < COUNTS;
 }
 
@@ -24,7 +24,7 @@ static size_t pack_chunk(const struct schedule *schedule, const struct chunk *ch
     size_t words = 0;
     redcc_u32 at = 0;
     for (size_t r = chunk->run_begin; r < chunk->run_end; r++) {
-        const redcc_run run = schedule->run[r];
+        const redcc_iterations run = schedule->run[r];
         const redcc_u32 gap = run.begin - at;
         const bool brief = is_short(gap, run);
         at = run.begin + run.count_and_guard / 2;
@@ -72,7 +72,7 @@ struct run_reader redcc_runs_of(const struct schedule *schedule, const struct ch
                                .run_end = schedule->run + chunk->run_end};
 }
 
-static size_t copy_runs(struct run_reader *reader, redcc_run *to, size_t room) {
+static size_t copy_runs(struct run_reader *reader, redcc_iterations *to, size_t room) {
     const size_t left = (size_t)(reader->run_end - reader->run);
     const size_t count = left < room ? left : room;
     if (count == 0)
@@ -102,7 +102,7 @@ typedef uint16_t four_words __attribute__((vector_size(8)));
 typedef uint32_t four __attribute__((vector_size(16)));
 
 /* Four runs of a word each, of which the first follows iteration at[0] (all of `at` are alike). */
-static four read_four(const uint16_t *word, redcc_run *to, four at) {
+static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     const four none = {0, 0, 0, 0};
     four_words words;
     memcpy(&words, word, sizeof words);
@@ -120,7 +120,7 @@ static four read_four(const uint16_t *word, redcc_run *to, four at) {
 }
 
 /* As many runs of a word each as come next, four at a time; returns how many. */
-static size_t read_short(struct run_reader *reader, redcc_run *to, size_t room) {
+static size_t read_short(struct run_reader *reader, redcc_iterations *to, size_t room) {
     const uint16_t *word = reader->word;
     four at = {reader->at, reader->at, reader->at, reader->at};
     size_t count = 0;
@@ -133,7 +133,7 @@ static size_t read_short(struct run_reader *reader, redcc_run *to, size_t room) 
     return count;
 }
 #else
-static size_t read_short(const struct run_reader *reader, const redcc_run *to, size_t room) {
+static size_t read_short(const struct run_reader *reader, const redcc_iterations *to, size_t room) {
     (void)reader;
     (void)to;
     (void)room;
@@ -142,19 +142,19 @@ static size_t read_short(const struct run_reader *reader, const redcc_run *to, s
 #endif
 
 /* A run of one word or of five. */
-static redcc_run read_run(struct run_reader *reader) {
+static redcc_iterations read_run(struct run_reader *reader) {
     const uint16_t *word = reader->word;
     const bool brief = *word & (COUNTS - 1);
     const redcc_u32 gap =
         brief ? (redcc_u32)*word >> GAP_SHIFT : word[1] | (redcc_u32)word[2] << 16;
     const redcc_u32 both = brief ? *word & (COUNTS - 1) : word[3] | (redcc_u32)word[4] << 16;
-    const redcc_run run = {reader->at + gap, both};
+    const redcc_iterations run = {reader->at + gap, both};
     reader->at = run.begin + both / 2;
     reader->word += brief ? 1 : LONG_RUN;
     return run;
 }
 
-size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room) {
+size_t redcc_runs_read(struct run_reader *reader, redcc_iterations *to, size_t room) {
     size_t count = 0;
     if (!reader->word)
         return copy_runs(reader, to, room);
@@ -166,14 +166,14 @@ size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room) {
     return count;
 }
 
-static redcc_u32 length_of(redcc_run run) {
+static redcc_u32 length_of(redcc_iterations run) {
     return run.count_and_guard / 2;
 }
 
 /* The next run, or what is left of one. False: there is none. */
-static bool read_next(struct run_reader *reader, redcc_run *to) {
+static bool read_next(struct run_reader *reader, redcc_iterations *to) {
     *to = reader->rest;
-    reader->rest = (redcc_run){0, 0};
+    reader->rest = (redcc_iterations){0, 0};
     if (length_of(*to) > 0)
         return true;
     if (reader->word == reader->word_end && reader->run == reader->run_end)
@@ -183,16 +183,16 @@ static bool read_next(struct run_reader *reader, redcc_run *to) {
 }
 
 /* Leaves all but the first `count` iterations to the reader. */
-static redcc_run split(struct run_reader *reader, redcc_run run, redcc_u32 count) {
+static redcc_iterations split(struct run_reader *reader, redcc_iterations run, redcc_u32 count) {
     const redcc_u32 guard = run.count_and_guard & 1;
-    reader->rest = (redcc_run){run.begin + count, run.count_and_guard - 2 * count};
-    return (redcc_run){run.begin, 2 * count + guard};
+    reader->rest = (redcc_iterations){run.begin + count, run.count_and_guard - 2 * count};
+    return (redcc_iterations){run.begin, 2 * count + guard};
 }
 
-size_t redcc_runs_read_part(struct run_reader *reader, redcc_run *to, size_t room,
+size_t redcc_runs_read_part(struct run_reader *reader, redcc_iterations *to, size_t room,
                             redcc_int *iterations) {
     size_t count = 0;
-    redcc_run run;
+    redcc_iterations run;
     while (count<room && * iterations> 0 && read_next(reader, &run)) {
         if ((redcc_int)length_of(run) > *iterations)
             run = split(reader, run, (redcc_u32)*iterations);

@@ -21,7 +21,7 @@ static bool room_for_run(struct schedule *schedule) {
     if (schedule->run_count < schedule->run_capacity)
         return true;
     const size_t more = schedule->run_capacity ? schedule->run_capacity * 2 : 64;
-    redcc_run *run = redcc_memory_resize(schedule->run, more * sizeof *run);
+    redcc_iterations *run = redcc_memory_resize(schedule->run, more * sizeof *run);
     if (!run)
         return false;
     schedule->run = run;
@@ -32,7 +32,7 @@ static bool room_for_run(struct schedule *schedule) {
 /* Lengthens the last run by as much of [begin, begin + count) as it can take; returns how much. */
 static redcc_int lengthen(struct schedule *schedule, const struct chunk *chunk, redcc_int begin,
                           redcc_int count, bool guarded) {
-    redcc_run *run = &schedule->run[schedule->run_count - 1];
+    redcc_iterations *run = &schedule->run[schedule->run_count - 1];
     const redcc_int length = run->count_and_guard / 2;
     if (chunk->run_begin == chunk->run_end || (run->count_and_guard & 1) != guarded ||
         chunk->origin + run->begin + length != begin)
@@ -65,7 +65,7 @@ static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin
         return false;
     struct chunk *chunk = &schedule->chunk[schedule->chunk_count - 1];
     schedule->run[schedule->run_count++] =
-        (redcc_run){(redcc_u32)(begin - chunk->origin), 2 * (redcc_u32)count + guarded};
+        (redcc_iterations){(redcc_u32)(begin - chunk->origin), 2 * (redcc_u32)count + guarded};
     chunk->run_end = schedule->run_count;
     return true;
 }
@@ -99,7 +99,7 @@ bool redcc_schedule_append(struct schedule *schedule, const struct schedule *oth
     for (size_t c = 0; c < other->chunk_count; c++) {
         const struct chunk *chunk = &other->chunk[c];
         for (size_t r = chunk->run_begin; r < chunk->run_end; r++) {
-            const redcc_run run = other->run[r];
+            const redcc_iterations run = other->run[r];
             if (!redcc_schedule_add(schedule, stage, chunk->origin + run.begin,
                                     run.count_and_guard / 2, run.count_and_guard & 1))
                 return false;
@@ -139,7 +139,7 @@ void redcc_schedule_finish(struct schedule *schedule) {
     redcc_runs_pack(schedule);
     if (schedule->run_capacity - schedule->run_count >= 64 && !schedule->packed) {
         const size_t count = schedule->run_count;
-        redcc_run *run = redcc_memory_resize(schedule->run, count * sizeof *run);
+        redcc_iterations *run = redcc_memory_resize(schedule->run, count * sizeof *run);
         schedule->run = run ? run : schedule->run;
         schedule->run_capacity = run ? count : schedule->run_capacity;
     }

@@ -30,7 +30,7 @@ struct schedule {
     struct chunk *chunk;
     size_t chunk_count;
     size_t chunk_capacity;
-    redcc_run *run;
+    redcc_iterations *run;
     size_t run_count;
     size_t run_capacity;
     uint16_t *packed; /* the runs instead; NULL: they are not packed */
@@ -73,22 +73,22 @@ void redcc_runs_pack(struct schedule *schedule);
 
 /** Where a reader of a chunk's runs stands. All zero: at the end. */
 struct run_reader {
-    const redcc_run *run;
-    const redcc_run *run_end;
+    const redcc_iterations *run;
+    const redcc_iterations *run_end;
     const uint16_t *word; /* packed */
     const uint16_t *word_end;
     redcc_u32 at;   /* where the run before ends */
-    redcc_run rest; /* of a run that was read in part */
+    redcc_iterations rest; /* of a run that was read in part */
 };
 
 /** To the first run of a chunk of the schedule. */
 struct run_reader redcc_runs_of(const struct schedule *schedule, const struct chunk *chunk);
 
 /** The next runs, `room` >= 1 at most, into `to`; returns how many: 0 at the end. */
-size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room);
+size_t redcc_runs_read(struct run_reader *reader, redcc_iterations *to, size_t room);
 
 /** As redcc_runs_read, runs of *iterations > 0 in all at most; takes from it what they have. */
-size_t redcc_runs_read_part(struct run_reader *reader, redcc_run *to, size_t room,
+size_t redcc_runs_read_part(struct run_reader *reader, redcc_iterations *to, size_t room,
                             redcc_int *iterations);
 
 /** Gives back its memory. */

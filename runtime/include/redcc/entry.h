@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** How an object with loops of redcc/parallel.h enters the runtime: by one function. */
+#ifndef REDCC_ENTRY_H
+#define REDCC_ENTRY_H
+
+#include <redcc/structures.h>
+
+/** The version of what this file, structures.h and parallel_steps.h share with the runtime. */
+enum { REDCC_INTERFACE = 1 };
+
+/** A loop in a file. The runtime alone writes to it. */
+typedef struct redcc_site {
+    redcc_binned binned;
+    const redcc_calls *calls; /* set by the first redcc_run */
+} redcc_site;
+
+/** One execution. */
+typedef struct redcc_attempt {
+    redcc_int trip;
+    redcc_int first;
+    void *const *bases;
+    const redcc_extent *known;
+    const redcc_word *key;
+} redcc_attempt;
+
+/** What each thread does: it inspects and executes what it is handed. */
+typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, const void *context);
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+/** Executes a loop. 1: it is done. 0: nothing was written, the sequential loop must run; `version`
+ *  is that of the caller. Thread-safe. */
+int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
+              redcc_member *member, const void *context);
+#ifdef __cplusplus
+}
+#endif
+
+/** A row that is brought into its array when the rows end: of bins, locks, compensated sums. */
+typedef struct redcc_kept_row {
+    redcc_u32 array;
+    redcc_u32 bytes;
+    void *row;    /* where it belongs */
+    void *values; /* what the body added */
+} redcc_kept_row;
+
+#endif

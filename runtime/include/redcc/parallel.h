@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * redcc/parallel.h: irregular reductions in parallel, with the bits of the sequential loop.
+ *
+ * A loop adds to elements or rows b[i] of arrays, and i comes from memory. It is described by a few
+ * small functions; the runtime learns from them which iterations update which rows, gives each row
+ * to one thread, and executes the loop. Each row gets its updates in the order of the loop, so the
+ * result is that of the sequential loop, bit for bit, at every number of threads.
+ * docs/by-hand.md has the first steps, examples/by-hand four whole programs.
+ *
+ *     struct NAME {...};                the context: the values and pointers that the loop uses
+ *     REDCC_SLICE(NAME, int t) {...}    names the rows that iteration t updates and reads
+ *     REDCC_BODY(NAME, int t) {...}     executes iteration t
+ *     REDCC_DESCRIBE(NAME) {...}        one execution: how many iterations, where the arrays are
+ *     static const redcc_array NAME_arrays[] = {...};      the arrays that are updated
+ *     static const redcc_source NAME_sources[] = {...};    the arrays that are read
+ *     static const redcc_stream NAME_streams[] = {...};    (optional) arrays whose updates may be
+ * kept
+ *
+ *     #define REDCC_LOOP NAME
+ *     #define REDCC_WHERE "file.c", 12, "function"         for reports
+ *     #define REDCC_ARRAYS 1                               entries of NAME_arrays
+ *     #define REDCC_SOURCES 2                              entries of NAME_sources; 0: there are
+ * none #include <redcc/define_loop.h>                       has the options, and defines
+ *
+ *     int NAME_run(const struct NAME *)      1: the loop is done. 0: nothing was written; execute
+ * the sequential loop, then call void NAME_over(void)                   (the runtime learns from
+ * the time in between) void NAME_execute(const struct NAME *) does the loop in any case: NAME_run,
+ * or else the body for each iteration in order, then NAME_over
+ *
+ * In all functions `loop` is the context (constant) and `it` what the calls below take. NAME_run
+ * may be called by several threads at once; then one of them runs in parallel, the others
+ * sequentially.
+ *
+ * SLICE. Any number of times, in any order; a row too many costs time, a row too few gives wrong
+ * results (REDCC_VALIDATE=1 finds it). Values that decide which rows are named may come only from
+ * the context, from sources marked as subscripts, and from what redcc_depends_on names.
+ *     redcc_updates(it, ARRAY, base, row)    the iteration may update base[row]
+ *     redcc_reads(it, SOURCE, base, row)     it may read base[row]; only of redcc_reads_named
+ * sources redcc_updates_bytes(it, ARRAY, address, bytes), redcc_reads_bytes(it, SOURCE, address,
+ * bytes) the same where rows do not begin at a constant base redcc_reads_ahead(it, base, row)
+ * base[row] is read, which only prefetches ask for
+ *
+ * BODY. It writes to the arrays by these calls alone, reads none of them, and may be executed more
+ * than once for one iteration: it leaves nothing behind but its updates. ARRAY is a constant.
+ *     redcc_base(it, ARRAY, loop->b)         where to write in place of loop->b (perhaps a copy)
+ *     redcc_add(it, ARRAY, &b[i], value)     b[i] += value. Also redcc_subtract, redcc_multiply,
+ *                                            redcc_and, redcc_or, redcc_xor;
+ *     redcc_minimum, redcc_maximum           if (value < b[i]) b[i] = value; and by >
+ *     redcc_row(it, ARRAY, &b[i])            a pointer to update the row by: &b[i] or, if another
+ *                                            thread does that, a row that nobody reads. Valid until
+ *                                            the iteration's end or redcc_rows_end(it). Each
+ * element is updated at most once, by the array's operator (or by
+ *                                            - for +) with a value of the element's type. Rows are
+ *                                            asked for in the order of their updates.
+ *     redcc_rows_end(it)                     ends the rows so far; at most 16 may be open at once
+ *     redcc_may_update(it, ARRAY, &b[i])     before an update that is written out: it is made only
+ *                                            if this gives 1. Not where updates are kept.
+ *     redcc_concerns(it, ARRAY, &b[i])       0: this thread does not update that row now, so that
+ * an inner iteration may be left out
+ *
+ * DESCRIBE. Once each; read before NAME_run returns. Nothing is to be read through pointers here.
+ *     redcc_iterations(it, first, count)     t = first, first + 1, ... (or REDCC_STEP)
+ *     redcc_updates_array(it, ARRAY, base)
+ *     redcc_reads_rows(it, SOURCE, base, row, count)   these rows are read, at most
+ *     redcc_reads_named(it, SOURCE, base)    the slice names the rows by redcc_reads
+ *     redcc_depends_on(it, KEY, value)       other values that rows depend on; KEY counts from 0
+ *     redcc_give_up(it, condition)           leaves this execution to the sequential loop
+ *
+ * ENTRIES. Names are those of the reports. A row is what one redcc_updates covers.
+ *     REDCC_ARRAY(name, operator, type, n)   rows of n numbers; operator: REDCC_SUM (also for -),
+ *                                            REDCC_PRODUCT, REDCC_MINIMUM, REDCC_MAXIMUM,
+ * REDCC_AND, REDCC_OR, REDCC_XOR; type: int, double, ..., one word REDCC_SUBSCRIPTS(name) decides
+ * which rows are updated. A plan is used again while all that was read of these is unchanged
+ *     REDCC_READ(name)                       is read only for values
+ *     REDCC_KEPT(ARRAY, type, n)             updates may be kept and made later, in order (binning:
+ *                                            for subscripts that change in each call). n: of a row,
+ *                                            or 1 where redcc_add and the like are used. All arrays
+ *                                            have one, in their order, or none. Then the body must
+ * be free of divisions, loop bounds and addresses that depend on memory which an update might
+ * overlap.
+ *
+ * The object refers to one symbol, redcc_run, weakly: where the runtime is not linked, NAME_run
+ * gives 0. With -DREDCC_OFF it refers to none. Compiled by your flags: no OpenMP option is needed,
+ * and none is in the way. C89 with GNU extensions to C23, and C++; gcc 9, clang 14 and later. Sizes
+ * are in bytes unless they are called rows or counts. Misuse that can be seen stops the program
+ * with a message where the file is compiled without optimisation or with -DREDCC_CHECKED. Including
+ * this file forbids the contraction of a * b + c in the rest of the file, as two copies of one
+ * expression would be contracted differently.
+ */
+#ifndef REDCC_PARALLEL_H
+#define REDCC_PARALLEL_H
+
+#if defined(__clang__)
+#pragma clang fp contract(off)
+#elif defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF)
+#pragma GCC optimize("fp-contract=off")
+#endif
+#pragma GCC system_header
+
+#include <redcc/parallel_steps.h>
+
+#define REDCC_SLICE(name, counter)                                                                 \
+    REDCC_INLINE void name##_slice(const redcc_slice *it, counter, const struct name *loop)
+#define REDCC_BODY(name, counter)                                                                  \
+    REDCC_INLINE void name##_body(redcc_body *it, counter, const struct name *loop)
+/** A body of some hundred operations: compiled once for all modes. With it: REDCC_ONE_BODY. */
+#define REDCC_HEAVY_BODY(name, counter)                                                            \
+    REDCC_ONCE void name##_body(redcc_body *it, counter, const struct name *loop)
+#define REDCC_DESCRIBE(name)                                                                       \
+    REDCC_INLINE void name##_describe(redcc_description *it, const struct name *loop)
+
+#define REDCC_ARRAY(name, operation, type, n)                                                      \
+    { name, operation, REDCC_TYPE_OF(type), sizeof(type), (n) * sizeof(type) }
+#define REDCC_SUBSCRIPTS(name)                                                                     \
+    { name, 1 }
+#define REDCC_READ(name)                                                                           \
+    { name, 0 }
+#define REDCC_KEPT(array, type, n) REDCC_KEPT_BY(0, array, type, n, (n) * sizeof(type))
+/** By an apply function of the file's own (0: the library's), with records of so many bytes: a
+ * float to which doubles are added has records of 8. */
+#define REDCC_KEPT_BY(apply, array, type, n, bytes)                                                \
+    { apply, 1, {array, 0, 0, 0}, {(n) * sizeof(type), 0, 0, 0}, bytes, 0, REDCC_IS_INTEGER(type) }
+
+/* ---- slices ---- */
+
+#define redcc_updates(it, array, base, row)                                                        \
+    redcc_slice_update_row(it, array, &(base)[row], base, (redcc_int)(row), sizeof((base)[row]))
+#define redcc_reads(it, source, base, row)                                                         \
+    redcc_slice_read_row(it, source, &(base)[row], base, (redcc_int)(row), sizeof((base)[row]))
+#define redcc_updates_bytes(it, array, address, bytes) redcc_slice_update(it, array, address, bytes)
+#define redcc_reads_bytes(it, source, address, bytes) redcc_slice_read(it, source, address, bytes)
+#define redcc_reads_ahead(it, base, row)                                                           \
+    redcc_slice_ahead(it, (redcc_size)(base) + (redcc_size)(row) * sizeof *(base), sizeof *(base))
+/** 1: the slice returns at once. After an update, and after a read that may be of what was updated,
+ *  in loops whose subscripts may be updated by them (REDCC_DRY_RUN). */
+#define redcc_is_finished(it) redcc_slice_finished(it)
+#define redcc_is_outdated(it, source) redcc_slice_outdated(it, source)
+
+/* ---- bodies ---- */
+
+#define redcc_base(it, array, pointer) ((__typeof__(pointer))(it)->base[array])
+#define redcc_row(it, array, row)                                                                  \
+    ((__typeof__(row))redcc_row_of(                                                                \
+        it, array, (void *)(row),                                                                  \
+        sizeof *(row) + 0 * sizeof(char[sizeof *(row) <= REDCC_ROW_BYTES ? 1 : -1])))
+#define redcc_rows_end(it) redcc_end_rows(it)
+#define redcc_may_update(it, array, at) redcc_is_mine(it, array, at, sizeof *(at))
+#define redcc_concerns(it, array, at) redcc_is_concerned(it, array, at, sizeof *(at))
+
+#define redcc_add(it, array, at, value) REDCC_UPDATE_BY(it, array, at, +=, value, value)
+#define redcc_subtract(it, array, at, value)                                                       \
+    REDCC_UPDATE_BY(it, array, at, -=, value, REDCC_NEGATED(*(at) + (value), value))
+#define redcc_multiply(it, array, at, value) REDCC_UPDATE_BY(it, array, at, *=, value, value)
+#define redcc_and(it, array, at, value) REDCC_UPDATE_BY(it, array, at, &=, value, value)
+#define redcc_or(it, array, at, value) REDCC_UPDATE_BY(it, array, at, |=, value, value)
+#define redcc_xor(it, array, at, value) REDCC_UPDATE_BY(it, array, at, ^=, value, value)
+#define redcc_minimum(it, array, at, value) REDCC_REPLACE_IF(it, array, at, <, value)
+#define redcc_maximum(it, array, at, value) REDCC_REPLACE_IF(it, array, at, >, value)
+
+/* ---- descriptions ---- */
+
+#define redcc_iterations(it, from, count)                                                          \
+    ((it)->first = (redcc_int)(from), (it)->trip = (redcc_int)(count))
+#define redcc_updates_array(it, array, start)                                                      \
+    ((it)->counts_only ? (void)0 : (void)((it)->bases[array] = (void *)(start)))
+#define redcc_reads_rows(it, source, start, row, count)                                            \
+    redcc_describe_rows(it, source, (const void *)(start), (redcc_int)(row), (redcc_int)(count),   \
+                        sizeof *(start))
+#define redcc_reads_named(it, source, start) redcc_describe_named(it, source, (const void *)(start))
+#define redcc_depends_on(it, number, value)                                                        \
+    ((it)->counts_only ? (void)0 : (void)((it)->extra[number] = (redcc_word)(value)))
+#define redcc_give_up(it, condition) ((it)->gives_up |= (condition) ? 1 : 0)
+
+#endif

@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What a slice and a body do while a loop is inspected and executed, inlined: addresses are
+ * recorded or compared, owners are asked, updates are pushed to bins. redcc/parallel.h and
+ * redcc/runtime.h include this file.
+ */
+#ifndef REDCC_STEPS_H
+#define REDCC_STEPS_H
+
+#include <redcc/structures.h>
+
+#define REDCC_INLINE                                                                               \
+    static __inline__ __attribute__((__always_inline__, __unused__, __no_instrument_function__))
+
+/** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
+static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,
+                                   redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    const redcc_size into = (redcc_size)address - (redcc_size)window->first;
+    redcc_entry *entry;
+    if (into < window->size && bytes <= window->size - into) {
+        worker->inside = 1;
+        return;
+    }
+    worker->outside = 1;
+    entry = worker->entry;
+    entry->address = (const char *)address;
+    entry->array = array;
+    entry->bytes = (redcc_u32)bytes;
+    worker->entry = entry + 1;
+    if (worker->entry == worker->entry_end)
+        worker->call->calls->flush(worker);
+}
+
+/** Inspector: the same of all that lies from `first` to before `end`, however much. */
+static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, const char *first,
+                                        const char *end) {
+    for (; end - first > REDCC_LONGEST_TOUCH; first += REDCC_LONGEST_TOUCH)
+        redcc_touch(worker, array, first, REDCC_LONGEST_TOUCH);
+    redcc_touch(worker, array, first, (redcc_size)(end - first));
+}
+
+/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`.
+ */
+static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const void *address,
+                                  redcc_size bytes) {
+    redcc_extent *extent = &worker->sources[source];
+    const char *first = (const char *)address;
+    if (first < extent->first || !extent->first)
+        extent->first = first;
+    if (first + bytes > extent->end)
+        extent->end = first + bytes;
+}
+
+/** Inspector: 1 in a dry run (worker->alike < 0) where something that was told of the source has
+ * been updated before; the dry run is over then, and the slice must use nothing of it. */
+static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
+    const redcc_extent *told = &worker->sources[source];
+    const redcc_owner *clear;
+    redcc_size into;
+    if (worker->alike >= 0)
+        return 0;
+    clear = &worker->owner[source];
+    into = (redcc_size)told->first - (redcc_size)clear->first;
+    return !(into < clear->size && (redcc_size)(told->end - told->first) <= clear->size - into) &&
+           worker->call->calls->is_stale(worker, source);
+}
+
+/** Inspector: the addresses of one iteration are told. */
+static __inline__ void redcc_iteration_done(redcc_worker *worker) {
+    if (worker->inside && !worker->outside) {
+        worker->inside = 0;
+        worker->alike++;
+        return;
+    }
+    worker->entry->address = 0;
+    worker->entry->array = REDCC_END_OF_ITERATION;
+    worker->entry->bytes = 0;
+    worker->entry++;
+    worker->outside = 0;
+    worker->call->calls->flush(worker); /* the window may be another one for the next iteration */
+}
+
+/** Inspector, of one iteration that may not have to be told: does it touch something within the
+ *  window, does it touch or read something outside of what is known? Begins as {0, 0}. */
+typedef struct redcc_probe {
+    int inside;
+    int outside;
+} redcc_probe;
+
+/** Are the last iterations told all within the window, so that the next ones are likely to be? Then
+ *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read (or the same of
+ *  a row by its number) for what is to be told; those that redcc_is_alike are counted in
+ * worker->alike, the first that is not is told. Never while there is no window or the stride is
+ * not 1. */
+static __inline__ int redcc_is_settled(const redcc_worker *worker) {
+    return worker->alike >= REDCC_SETTLED;
+}
+
+/* In what follows compilers keep all but `address` and `row` in registers over a loop. */
+
+/** Are `bytes` bytes at `address` not all within the `size` bytes at `first`? */
+static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
+                                   redcc_size bytes) {
+    const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* where they may begin */
+    return (redcc_size)address - (redcc_size)first >= places;
+}
+
+/** The same of row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const void *base,
+                                       redcc_int row, redcc_size bytes) {
+    const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
+    const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
+    const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
+    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row; */
+    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last */
+    return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
+}
+
+static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
+                                         redcc_u32 array, const void *address, redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    probe->inside = 1;
+    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
+}
+
+static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
+                                             redcc_u32 array, const void *base, redcc_int row,
+                                             redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    probe->inside = 1;
+    probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
+}
+
+static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
+                                        redcc_u32 source, const void *address, redcc_size bytes) {
+    const redcc_extent *known = &worker->sources[source];
+    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
+    probe->outside |= redcc_leaves(known->first, size, address, bytes);
+}
+
+static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_worker *worker,
+                                            redcc_u32 source, const void *base, redcc_int row,
+                                            redcc_size bytes) {
+    const redcc_extent *known = &worker->sources[source];
+    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
+    probe->outside |= redcc_row_leaves(known->first, size, base, row, bytes);
+}
+
+/** Need the iteration that was probed not be told? */
+static __inline__ int redcc_is_alike(const redcc_probe *probe) {
+    return probe->inside && !probe->outside;
+}
+
+/** May this thread write to any of the bytes at `address`, as far as is known without the hook? */
+static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
+                                      redcc_size bytes) {
+    const redcc_size into = (redcc_size)((const char *)address - owner->first);
+    const redcc_size last = into + bytes - 1;
+    if (owner->hook)
+        return 1;
+    if (!owner->map)
+        return last < owner->size + bytes - 1;
+    return bytes > owner->unit ||
+           (into < owner->size && owner->map[into / owner->unit] == owner->self) ||
+           (last < owner->size && owner->map[last / owner->unit] == owner->self);
+}
+
+/* ---- bins ---- */
+
+/** Records of `bytes` bytes that fill whole cache lines together, at most 32. */
+#define REDCC_LINE_RECORDS(bytes)                                                                  \
+    ((bytes) == 0                                                                                  \
+         ? 1u                                                                                      \
+         : (redcc_u32)REDCC_CACHE_LINE / (((bytes) & (0u - (bytes))) > (redcc_u32)REDCC_CACHE_LINE \
+                                              ? (redcc_u32)REDCC_CACHE_LINE                        \
+                                              : ((bytes) & (0u - (bytes)))))
+
+/** Bytes of these lines, and of the line of places behind them: what a bin is combined in. */
+#define REDCC_LINES_BYTES(bytes) (REDCC_LINE_RECORDS(bytes) * (bytes))
+#define REDCC_COMBINED_BYTES(bytes) (REDCC_LINES_BYTES(bytes) + (redcc_u32)REDCC_CACHE_LINE)
+
+/** The row and the update's number in a place. */
+#define REDCC_PLACE_ROW(place, tag_bits) ((place) & ((1u << (REDCC_PLACE_BITS - (tag_bits))) - 1u))
+#define REDCC_PLACE_TAG(place, tag_bits) ((place) >> (REDCC_PLACE_BITS - (tag_bits)))
+
+/** Apply functions: what is wanted soon. */
+#define REDCC_APPLY_AHEAD(applied, k, row, tag_bits)                                               \
+    do {                                                                                           \
+        if ((applied)->ahead)                                                                      \
+            __builtin_prefetch(                                                                    \
+                &(row)[REDCC_PLACE_ROW((applied)->place[(k) + (applied)->ahead], tag_bits)]);      \
+    } while (0)
+
+/** Are the chunk's updates made on private copies? Then by redcc_update, else by redcc_push; of all
+ *  streams, or of none. Only where each stream is `exact`. */
+#define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
+
+/** Writes `bytes` bytes, whole lines, past the caches. */
+REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes) {
+#if defined(__x86_64__) && defined(__SSE2__) && defined(__GNUC__)
+    typedef double redcc_vector __attribute__((__vector_size__(16), __may_alias__));
+    redcc_size done;
+    for (done = 0; done < bytes; done += sizeof(redcc_vector))
+        __asm__("movntdq %1, %0"
+                : "=m"(*(redcc_vector *)(void *)(to + done))
+                : "x"(*(const redcc_vector *)(const void *)(from + done)));
+#else
+    __builtin_memcpy(to, from, bytes);
+#endif
+}
+
+/** The line that will be written soon. */
+REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
+#if defined(__x86_64__) && defined(__GNUC__)
+    __asm__ volatile("prefetchw %0" : : "m"(*(const char *)address));
+#else
+    __builtin_prefetch(address, 1);
+#endif
+}
+
+/** In the place of an update where REDCC_ARE_COPIED: it is made at once, on the thread's own copy;
+ *  otherwise as redcc_push. */
+REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
+                               redcc_u32 tag, const void *record) {
+    const redcc_size into = (redcc_size)row - (redcc_size)bins->first;
+    const redcc_u16 place = (redcc_u16)(tag << (REDCC_PLACE_BITS - stream->tag_bits));
+    void *rows[REDCC_STREAM_ARRAYS];
+    redcc_applied one;
+    redcc_u32 array;
+    if (__builtin_expect(into >= bins->span, 0)) {
+        bins->calls->push_outside(bins->buffer, row);
+        return;
+    }
+    for (array = 0; array < stream->array_count; array++)
+        rows[array] = bins->copy[array] + into * stream->rows[array];
+    one.rows = rows;
+    one.place = &place;
+    one.records = record;
+    one.count = 1;
+    one.ahead = 0;
+    one.operands = bins->operands;
+    stream->apply(&one);
+}
+
+/* Appends to the lines of the bin, which are written once they are full. */
+REDCC_INLINE redcc_u32 redcc_push_combined(const redcc_bins *bins, redcc_size bin, redcc_u32 number,
+                                           redcc_u16 place, const void *record, redcc_u32 bytes) {
+    const redcc_u32 records = REDCC_LINE_RECORDS(bytes);
+    char *const line = bins->lines + bin * REDCC_COMBINED_BYTES(bytes);
+    redcc_u16 *const places = (redcc_u16 *)(void *)(line + REDCC_LINES_BYTES(bytes));
+    if (bytes)
+        __builtin_memcpy(line + (redcc_size)(number % records) * bytes, record, bytes);
+    places[number % REDCC_LINE_PLACES] = place;
+    number++;
+    if (bytes && number % records == 0)
+        redcc_write_lines(bins->records + (redcc_size)(number - records) * bytes, line,
+                          REDCC_LINES_BYTES(bytes));
+    if (number % REDCC_LINE_PLACES == 0)
+        redcc_write_lines((char *)(bins->places + (number - REDCC_LINE_PLACES)),
+                          (const char *)places, REDCC_CACHE_LINE);
+    return number;
+}
+
+REDCC_INLINE redcc_u32 redcc_push_direct(const redcc_bins *bins, redcc_u32 number, redcc_u16 place,
+                                         const void *record, redcc_u32 bytes) {
+    char *const to = bins->records + (redcc_size)number * bytes;
+    bins->places[number] = place;
+    if (bytes) {
+        __builtin_memcpy(to, record, bytes);
+        redcc_prefetch_to_write(to + (redcc_size)REDCC_RECORDS_AHEAD * bytes);
+    }
+    return number + 1;
+}
+
+/**
+ * In the place of an update: the row, counted in rows of the stream's arrays from their bases, is
+ * to be updated by update number `tag` with what *record (stream->record bytes) holds. `stream` is
+ * the descriptor's own entry, so that the compiler sees its fields.
+ */
+REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
+                             redcc_u32 tag, const void *record) {
+    const redcc_size into = (redcc_size)row - (redcc_size)bins->first;
+    redcc_size bin;
+    redcc_u32 number;
+    redcc_u16 place;
+    if (__builtin_expect(into >= bins->span, 0)) {
+        bins->calls->push_outside(bins->buffer, row);
+        return;
+    }
+    bin = into >> bins->shift;
+    place = (redcc_u16)(tag << (REDCC_PLACE_BITS - stream->tag_bits) |
+                        (redcc_u32)(into - (bin << bins->shift)));
+    number = bins->cursor[bin];
+    number = bins->lines ? redcc_push_combined(bins, bin, number, place, record, stream->record)
+                         : redcc_push_direct(bins, number, place, record, stream->record);
+    if (__builtin_expect(number % REDCC_BLOCK_RECORDS == 0, 0))
+        number = bins->calls->push_block(bins->buffer, bin, number);
+    bins->cursor[bin] = number;
+}
+
+/** Where row 0 of the array would be, if the copy held it. */
+REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream,
+                                   redcc_u32 part) {
+    return (void *)((redcc_size)bins->copy[part] -
+                    (redcc_size)bins->first * (redcc_size)stream->rows[part]);
+}
+
+/** Flags of a loop with a form for bins: where contributions are rounded to their types when they
+ *  are kept, as they are everywhere. */
+#if (defined(__FLT_EVAL_METHOD__) && !REDCC_EVALUATES_IN_TYPE) ||                                  \
+    (defined(__i386__) && !defined(__SSE2_MATH__))
+#define REDCC_BINS_FLAG 0
+#else
+#define REDCC_BINS_FLAG REDCC_BINNED
+#endif
+
+#endif

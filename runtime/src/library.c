@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "library.h"
+
+#include "execute/rows.h"
+#include "redcc/bins.h"
+#include "redcc/entry.h"
+#include "settings.h"
+
+static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
+    const redcc_loop *loop = worker->call->loop;
+    redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
+}
+
+const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
+                                   .bytes = sizeof(redcc_calls),
+                                   .inspect = redcc_inspect,
+                                   .flush = redcc_flush,
+                                   .is_stale = redcc_is_stale,
+                                   .next = redcc_next,
+                                   .claims_last = redcc_claims_last,
+                                   .hooked = redcc_hooked,
+                                   .bins_next = redcc_bins_next,
+                                   .push_outside = redcc_push_outside,
+                                   .push_block = redcc_push_block,
+                                   .least_trip = &redcc_least_trip,
+                                   .unasked_iterations = &redcc_unasked_iterations,
+                                   .timed_loops = &redcc_timed_loops,
+                                   .sequential_end = redcc_sequential_end,
+                                   .fill = redcc_rows_fill,
+                                   .settle = redcc_rows_settle,
+                                   .misuse = stop_at_misuse};

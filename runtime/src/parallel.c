@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The one function that objects with loops of redcc/parallel.h refer to. */
+#include "redcc/entry.h"
+
+#include "base/region.h"
+#include "bins/binning.h"
+#include "library.h"
+#include "loop.h"
+#include "settings.h"
+#include "slices.h"
+
+#include <stdatomic.h>
+#include <stdio.h>
+
+/* What the threads of one execution share. */
+struct shared {
+    redcc_call call;
+    const redcc_attempt *attempt;
+    redcc_member *member;
+    const void *context;
+};
+
+static void work(int number, int threads, void *given) {
+    struct shared *shared = given;
+    redcc_worker worker;
+    redcc_join(&worker, &shared->call, number, threads);
+    shared->member(&worker, shared->attempt, shared->context);
+}
+
+static void say_other_version(redcc_u32 version) {
+    static atomic_bool said;
+    if (!atomic_exchange(&said, true))
+        fprintf(stderr,
+                "redcc: loops compiled for version %u of the interface run sequentially: this "
+                "runtime has version %d\n",
+                version, REDCC_INTERFACE);
+}
+
+static void prepare(redcc_site *site) {
+    if (__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
+        return;
+    /* The same is stored by each thread that is among the first. */
+    if (site->binned.loop.flags & REDCC_BINNED && !redcc_bins_can_apply(&site->binned))
+        site->binned.loop.flags &= ~(unsigned)REDCC_BINNED;
+    __atomic_store_n(&site->calls, &redcc_library, __ATOMIC_RELEASE);
+}
+
+#ifndef REDCC_HIDDEN
+__attribute__((__visibility__("default")))
+#endif
+int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
+              redcc_member *member, const void *context) {
+    if (version != REDCC_INTERFACE) {
+        say_other_version(version);
+        return 0;
+    }
+    prepare(site);
+    redcc_loop *loop = &site->binned.loop;
+    if (loop->flags & REDCC_LIGHT && !redcc_is_worth_entering(attempt->trip))
+        return 0;
+    struct shared shared = {.attempt = attempt, .member = member, .context = context};
+    if (redcc_enter(&shared.call, loop, attempt->trip, attempt->bases, attempt->known, attempt->key,
+                    redcc_region_threads(), redcc_region_is_nested()))
+        redcc_region_run(shared.call.threads, work, &shared);
+    if (!redcc_leave(&shared.call))
+        return 0;
+    redcc_sequential_done(loop);
+    if (redcc_settings()->validate)
+        redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
+    return 1;
+}
