@@ -21,8 +21,11 @@ install(FILES ${PROJECT_BINARY_DIR}/cmake/redcc-config.cmake
 # The prefix, seen from the folder of redcc.pc.
 file(RELATIVE_PATH redcc_prefix_from_pkgconfig /prefix/${redcc_pkgconfig_folder} /prefix)
 string(REGEX REPLACE "/$" "" redcc_prefix_from_pkgconfig "${redcc_prefix_from_pkgconfig}")
-configure_file(${PROJECT_SOURCE_DIR}/cmake/redcc.pc.in ${PROJECT_BINARY_DIR}/cmake/redcc.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/cmake/redcc.pc DESTINATION ${redcc_pkgconfig_folder})
+foreach(package redcc redcc-runtime)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${package}.pc.in
+                 ${PROJECT_BINARY_DIR}/cmake/${package}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/cmake/${package}.pc DESTINATION ${redcc_pkgconfig_folder})
+endforeach()
 
 set(redcc_pages redcc redcc-cc)
 if(REDCC_EXAMPLES)

@@ -143,7 +143,7 @@ static void free_results(struct results *it) {
     }
 EXECUTE(/* by hand */)
 EXECUTE(_plain)
-#ifdef _OPENMP
+#ifdef WITH_OPENMP
 EXECUTE(_reduction)
 EXECUTE(_atomic)
 #else

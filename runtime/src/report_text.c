@@ -3,6 +3,7 @@
 #include "report.h"
 
 #include "base/clock.h"
+#include "base/region.h"
 #include "base/system.h"
 #include "settings.h"
 #include "variables.h"
@@ -242,7 +243,8 @@ bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool tol
 static void write_advice(FILE *out) {
     const long lost = redcc_system_cores_lost() - lost_before;
     const double seconds = redcc_seconds() - began_at;
-    const bool told = redcc_environment("GOMP_SPINCOUNT") || redcc_environment("KMP_BLOCKTIME");
+    const bool told = redcc_region_is_own() || redcc_environment("GOMP_SPINCOUNT") ||
+                      redcc_environment("KMP_BLOCKTIME");
     if (redcc_advises_sleep(lost, seconds, redcc_environment("OMP_WAIT_POLICY"), told))
         fprintf(
             out,

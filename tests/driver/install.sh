@@ -14,7 +14,7 @@ for file in bin/redcc bin/redcc-cc include/redcc/runtime.h \
   share/bash-completion/completions/fabric; do
   expect_file "$prefix/$file"
 done
-for file in libredcc_rt.a libredcc_rt.so pkgconfig/redcc.pc cmake/redcc/redcc-config.cmake cmake/redcc/redcc-config-version.cmake; do
+for file in libredcc_rt.a libredcc_rt.so pkgconfig/redcc.pc pkgconfig/redcc-runtime.pc cmake/redcc/redcc-config.cmake cmake/redcc/redcc-config-version.cmake; do
   expect_file "$library/$file"
 done
 if [ -e "$BUILD/examples/fabric/fabric" ]; then

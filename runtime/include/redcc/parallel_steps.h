@@ -52,6 +52,8 @@ template <typename redcc_t> struct redcc_same<redcc_t, redcc_t> {
 #define REDCC_IS_FLOATING(value)                                                                   \
     (REDCC_IS_REAL(value) || REDCC_IS_COMPLEX(value, float) || REDCC_IS_COMPLEX(value, double))
 #define REDCC_IS_INTEGER(type) (!REDCC_IS_FLOATING((type)0))
+/* __real__: of complex numbers it must compile as well. */
+#define REDCC_IS_UNSIGNED(zero) (__real__((__typeof__(zero))-1) > 0)
 #define REDCC_NUMBER_TYPE(zero, bytes)                                                             \
     (REDCC_IS_TYPE(zero, float)         ? REDCC_FLOAT                                              \
      : REDCC_IS_TYPE(zero, double)      ? REDCC_DOUBLE                                             \
@@ -63,7 +65,7 @@ template <typename redcc_t> struct redcc_same<redcc_t, redcc_t> {
                                                         : (bytes) == 2 ? REDCC_INT16               \
                                                         : (bytes) == 4 ? REDCC_INT32               \
                                                                        : REDCC_INT64) +            \
-                                  ((__typeof__(zero))-1 > (__typeof__(zero))0)))
+                                  REDCC_IS_UNSIGNED(zero)))
 
 /* ---- descriptions ---- */
 
