@@ -44,7 +44,7 @@ REDCC_DESCRIBE(product) {
 }
 
 #define REDCC_LOOP product
-#define REDCC_WHERE "product.c", 57, "product"
+#define REDCC_WHERE "product.c", 56, "product"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 4
 #define REDCC_STREAMS

@@ -46,7 +46,7 @@ REDCC_DESCRIBE(springs) {
 }
 
 #define REDCC_LOOP springs
-#define REDCC_WHERE "springs.c", 54, "springs"
+#define REDCC_WHERE "springs.c", 58, "springs"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 2
 #define REDCC_STREAMS

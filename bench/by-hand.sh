@@ -1,0 +1,22 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# examples/by-hand: each loop as it is written, by hand, by OpenMP's `reduction` and by its `atomic`;
+# milliseconds of an execution, medians of rounds that take the versions in turn, with the tenth and
+# the ninetieth percentile. Two programs: in the one that has OpenMP regions of its own, its library
+# opens those of redcc's as well; in the other the runtime's own threads execute them.
+#   SIDE=400 ROUNDS=15 THREADS=2
+. bench/common.sh
+SIDE=${SIDE:-400} ROUNDS=${ROUNDS:-15} THREADS=${THREADS:-2}
+csv=$results/by-hand.csv
+load_note
+cmake --build --preset release --target by-hand by-hand-openmp >/dev/null
+echo "program,loop,version,ms,ms_10,ms_90" >"$csv"
+export OMP_NUM_THREADS=$THREADS OMP_STACKSIZE=512M
+for loop in springs product histogram assemble; do
+  for program in by-hand by-hand-openmp; do
+    (ulimit -s unlimited && "$build/examples/by-hand/$program" time "$loop" "$SIDE" "$ROUNDS") |
+      sed "s/^/$program,/" >>"$csv"
+  done
+done
+column -s, -t "$csv"
+echo "kept: $csv"
