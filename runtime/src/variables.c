@@ -18,6 +18,8 @@ static const char *const names[] = {
     /* Those that redcc and redcc-cc read, tool/driver; they may still be set when the program runs.
      */
     "REDCC_BUILD_REPORT",
+    "REDCC_CACHE",
+    "REDCC_CACHE_SIZE",
     "REDCC_CC",
     "REDCC_CC_DEPTH",
     "REDCC_DISABLE",

@@ -11,7 +11,7 @@
 #   work       optional: what is timed, as the gain
 # and may set `build_rounds`, how often a build is timed (3).
 set -u
-export LC_ALL=C.UTF-8 OMP_WAIT_POLICY=passive
+export LC_ALL=C.UTF-8 OMP_WAIT_POLICY=passive REDCC_CACHE=off
 real_compiler=${REAL_COMPILER:-gcc}
 jobs=${JOBS:-2}
 
@@ -97,11 +97,15 @@ loops() {
     "$PACKAGES_FOLDER/builds/$package/loops.jsonl"
 }
 
-# One build by each compiler, one after the other: processor seconds with redcc-cc and without.
+# One build by each compiler, one after the other: processor seconds by redcc-cc that remembers nothing, by
+# the compiler alone, and by redcc-cc that remembers the first.
 build_round() {
+  local cache=$PACKAGES_FOLDER/builds/$package/cache
+  rm -rf "$cache"
   build_with timed-plain "$real_compiler"
-  build_with timed-redcc "$PREFIX/bin/redcc-cc"
-  echo "$(seconds_of timed-redcc) $(seconds_of timed-plain)"
+  REDCC_CACHE=$cache build_with timed-cold "$PREFIX/bin/redcc-cc"
+  REDCC_CACHE=$cache build_with timed-warm "$PREFIX/bin/redcc-cc"
+  echo "$(seconds_of timed-cold) $(seconds_of timed-plain) $(seconds_of timed-warm)"
 }
 
 # How much longer the build takes: the builds made for the tests, and further ones.
@@ -114,21 +118,20 @@ build_ratio() {
   awk '{print $1 / $2}' "$folder/build-rounds" | median
 }
 
-# The builds alone, $ROUNDS times (5): least seconds of each, and the ratio's median and bounds.
+# The builds alone, $ROUNDS times (5): least seconds of each, and the ratios' medians and bounds.
 time_builds() { # NAME
-  local round rounds
+  local round rounds column
   package=$1
   . "${BASH_SOURCE[0]%/*}/$package.sh"
   fetch
   rounds=$(for round in $(seq "${ROUNDS:-5}"); do build_round; done) || exit 1
-  awk '{print $1 / $2}' <<<"$rounds" | sort -g | awk -v name="$package" \
-    -v redcc="$(cut -d ' ' -f 1 <<<"$rounds" | sort -g | head -n 1)" \
-    -v plain="$(cut -d ' ' -f 2 <<<"$rounds" | sort -g | head -n 1)" '
-    { v[NR] = $1 }
-    END {
-      printf "%s: %s s by the compiler, %s s by redcc-cc (least of %d); ", name, plain, redcc, NR
-      printf "%.2f times as long (%.2f to %.2f)\n", v[int((NR + 1) / 2)], v[1], v[NR]
-    }'
+  printf '%s: %s s by the compiler' "$package" "$(cut -d ' ' -f 2 <<<"$rounds" | sort -g | head -n 1)"
+  for column in 1 3; do
+    printf '; redcc-cc %s: %s times as long' "$([ $column = 1 ] && echo cold || echo warm)" \
+      "$(awk -v c=$column '{print $c / $2}' <<<"$rounds" | sort -g |
+        awk '{v[NR] = $1} END {printf "%.2f (%.2f to %.2f)", v[int((NR + 1) / 2)], v[1], v[NR]}')"
+  done
+  echo
 }
 
 # The quotients' median, with first and third quartile.

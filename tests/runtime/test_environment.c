@@ -187,7 +187,8 @@ static void unknown_variables_are_noted(void **unused) {
     (void)unused;
     const struct outcome found =
         run("REDCC_METHDO=serial OMP_NUM_THREADS=2 REDCC_KEEP=/x REDCC_DISABEL=1 REDCC_CC=gcc "
-            "REDCC_OPTS= REDCC_STRICT=1 REDCC_ROOT=/x REDCC_BUILD_REPORT=x XREDCC_METHOD=1",
+            "REDCC_OPTS= REDCC_STRICT=1 REDCC_ROOT=/x REDCC_BUILD_REPORT=x REDCC_CACHE=off "
+            "REDCC_CACHE_SIZE=1M XREDCC_METHOD=1",
             programs[0], "300 2");
     assert_int_equal(found.status, 0);
     assert_string_equal(found.errors,

@@ -49,7 +49,7 @@ static bool add_program(arena *a, word_list *list, const char *self, const char 
 }
 
 /* Programs that run the compiler named after them. */
-static bool is_launcher(const char *word) {
+bool compiler_is_launcher(const char *word) {
     static const char *const names[] = {"ccache", "sccache", "distcc", "icecc", "colorgcc"};
     for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(path_base(word), names[i]) == 0)
@@ -68,7 +68,7 @@ static void take_from_front(arena *a, const char *self, unsigned count, char *co
                             compiler *c) {
     while (c->taken < count && names_compiler(a, words[c->taken])) {
         const char *word = words[c->taken++];
-        if (add_program(a, &c->words, self, word) && !is_launcher(word))
+        if (add_program(a, &c->words, self, word) && !compiler_is_launcher(word))
             return;
     }
 }
@@ -114,7 +114,7 @@ static bool is_for_another_machine(const char *base) {
 
 static void describe(arena *a, compiler *c) {
     unsigned last = 0;
-    while (last + 1 < c->words.count && is_launcher(c->words.items[last]))
+    while (last + 1 < c->words.count && compiler_is_launcher(c->words.items[last]))
         last++;
     for (unsigned i = last; i < c->words.count; i++)
         words_add(a, &c->bare, c->words.items[i]);

@@ -27,6 +27,8 @@ compiler compiler_choose(arena *a, const char *self, unsigned count, char *const
 /** Whether the compiler is run by a launcher (ccache), which may look up what it compiled before.
  */
 bool compiler_has_launcher(const compiler *c);
+/** Whether the program runs the compiler that is named after it (ccache, distcc). */
+bool compiler_is_launcher(const char *word);
 
 /** The compiler's OpenMP library, by its path; NULL where there is none (clang comes without). Asks
  *  the compiler; what it says passes through a file in `scratch_folder`. */

@@ -14,6 +14,7 @@
 
 #include "driver/build.h"
 #include "driver/build_report.h"
+#include "driver/cache.h"
 #include "driver/files.h"
 #include "driver/temporary.h"
 
@@ -31,7 +32,8 @@ static const char help_text[] =
     "  --redcc-help          print this\n"
     "  --redcc-version       print the version of redcc-cc\n"
     "Environment: REDCC_CC, REDCC_OPTS, REDCC_DISABLE=1, REDCC_KEEP=DIR, REDCC_BUILD_REPORT=FILE,\n"
-    "REDCC_STRICT=1, REDCC_ROOT=PREFIX. The manual page redcc-cc(1) explains them.\n";
+    "REDCC_STRICT=1, REDCC_ROOT=PREFIX, REDCC_CACHE=DIR|off, REDCC_CACHE_SIZE=SIZE. The manual "
+    "page redcc-cc(1) explains them.\n";
 
 static int enter(void) {
     const char *value = getenv(depth_variable);
@@ -170,6 +172,7 @@ static _Noreturn void translate_and_build(session *s) {
     translation *translations = ARENA_ARRAY(s->memory, translation, s->command.c_count);
     unsigned count = 0;
     session_read_options(s);
+    s->cache = cache_open(s);
     for (unsigned i = 0; i < s->command.count && !process_signal(); i++)
         if (s->command.items[i].kind == INPUT_C) {
             translations[count] = translate(s, &s->command.items[i], count);

@@ -21,6 +21,7 @@ typedef struct session {
     bool only_reports;  /**< --redcc-report: translate and report, compile nothing */
     bool verbose;       /**< -v */
     bool strict;        /**< $REDCC_STRICT: a source that would be left alone ends the build */
+    struct cache *cache; /**< where answers are kept (cache.h); NULL: nowhere */
     const char *report; /**< where the build's report goes; NULL: nowhere */
     const char *folder; /**< for temporaries; NULL before there is one */
     VECTOR(shared_folder) shared; /**< those that other calls may use at the same time */

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "driver/build_report.h"
+#include "driver/cache.h"
 #include "driver/dependencies.h"
 #include "driver/files.h"
 #include "driver/identity.h"
@@ -55,13 +56,21 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--report=json");
         words_add(a, &words, arena_format(a, "--report-file=%s", t->report));
     }
+    const char *list = temporary(s, t, "inputs");
+    if (t->cached)
+        words_add(a, &words, arena_format(a, "--inputs-file=%s", list));
     words_add(a, &words, "--");
     if (s->real.standard)
         words_add(a, &words, s->real.standard);
     command_add_parse_options(a, &words, &s->command);
     if (!s->real.is_clang && (s->command.meaning & OPTION_THREADS))
         words_add(a, &words, "-pthread");
-    return session_run(s, &words, (process_streams){s->input, messages, messages});
+    const cached_run run = {.program = CACHE_TRANSLATOR,
+                            .words = &words,
+                            .streams = {s->input, messages, messages},
+                            .outputs = {t->text, messages, t->report},
+                            .read = list};
+    return cached_run_program(s, t->cached, &run);
 }
 
 typedef enum outcome { OUTCOME_FAILED, OUTCOME_UNCHANGED, OUTCOME_CHANGED } outcome;
@@ -107,8 +116,14 @@ static bool list_files(session *s, translation *t) {
     words_add(a, &words, "-x");
     words_add(a, &words, "c");
     words_add(a, &words, t->source->text);
-    process_streams quiet = {s->input, "/dev/null", "/dev/null"};
-    return session_run(s, &words, quiet) == 0 && (s->show || dependencies_read(a, rule, &t->read));
+    const cached_run run = {.program = CACHE_COMPILER,
+                            .words = &words,
+                            .streams = {s->input, "/dev/null", "/dev/null"},
+                            .outputs = {rule}};
+    const bool is_listed = cached_run_program(s, t->cached, &run) == 0 &&
+                           (s->show || dependencies_read(a, rule, &t->read));
+    cached_compiler_read(t->cached, &t->read);
+    return is_listed;
 }
 
 /* gcc's -fopenmp defines _REENTRANT as -pthread does, and the source may ask for it. A -D of the
@@ -146,13 +161,39 @@ static bool may_mention_openmp(session *s, const word_list *files) {
            dependencies_mention(s->memory, &own, "_Pragma");
 }
 
+/* openmp_would_change, which preprocesses the source twice. */
+static const char *openmp_asked_once(session *s, const translation *t) {
+    static const char about[] = "OpenMP would change it";
+    word_list words = {0};
+    words_add(s->memory, &words, t->source->text);
+    command_add_options(s->memory, &words, &s->command, OPTION_DEPENDENCY);
+    const char *kept = cached_text(s, t->cached, about, &words);
+    const char *why = kept ? kept : openmp_would_change(s, t->source, t->folder);
+    if (!kept)
+        cached_keep_text(s, t->cached, about, &words, why ? why : "");
+    return why && *why ? why : NULL;
+}
+
+/* The compiler's OpenMP library, which was there when the compiler was asked, and is. */
+static const char *openmp_library(session *s, const translation *t) {
+    static const char about[] = "its OpenMP library";
+    const word_list none = {0};
+    const char *kept = cached_text(s, t->cached, about, &none);
+    if (kept && access(kept, F_OK) == 0)
+        return kept;
+    const char *path = compiler_openmp(s->memory, &s->real, t->folder);
+    if (path)
+        cached_keep_text(s, t->cached, about, &none, path);
+    return path;
+}
+
 /* What the source or a header of its says that the translated text would be given another meaning
  * by; NULL: nothing. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
     const bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
     if (openmp_is_off && may_mention_openmp(s, &files)) {
-        const char *why = openmp_would_change(s, t->source, t->folder);
+        const char *why = openmp_asked_once(s, t);
         if (why)
             return why;
     }
@@ -182,7 +223,7 @@ static const char *obstacle(session *s, translation *t) {
         return NULL;
     if (strchr(t->text, '=')) /* a prefix map would part at it */
         return "its name, or that of the temporary folder, holds a '='";
-    if (!compiler_openmp(s->memory, &s->real, t->folder))
+    if (!openmp_library(s, t))
         return "the compiler has no OpenMP library";
     const char *precompiled = precompiled_header(s, t);
     if (precompiled)
@@ -207,7 +248,11 @@ static const char *list_predefined(session *s, const translation *t) {
     for (unsigned i = 0; i < sizeof ask / sizeof *ask; i++)
         words_add(a, &words, ask[i]);
     remove(list);
-    return session_run(s, &words, (process_streams){NULL, list, "/dev/null"}) == 0 ? list : NULL;
+    const cached_run run = {.program = CACHE_COMPILER,
+                            .words = &words,
+                            .streams = {NULL, list, "/dev/null"},
+                            .outputs = {list}};
+    return cached_run_program(s, t->cached, &run) == 0 ? list : NULL;
 }
 
 /* A text that asks which compiler this is was read as clang's: it is translated once more, read
@@ -295,10 +340,12 @@ translation translate(session *s, const item *source, unsigned number) {
     t.text = temporary(s, &t, t.is_input ? "stdin.c" : path_base(source->text));
     if (s->report)
         t.report = arena_format(s->memory, "%s.json", t.text);
+    t.cached = cached_begin(s, source, t.file);
     outcome result = try_translator(s, &t);
     const char *why = result == OUTCOME_CHANGED ? obstacle(s, &t) : NULL;
     if (result == OUTCOME_CHANGED && !why)
         why = translate_for_compiler(s, &t);
+    cached_end(s, t.cached);
     if (result != OUTCOME_FAILED && wants_remarks(s))
         show_remarks(s, &t);
     if (result != OUTCOME_FAILED)

@@ -11,6 +11,7 @@ typedef struct translation {
     const char *folder;     /**< the source's own folder for temporaries */
     const char *text;       /**< the translated text; NULL: compile the source itself */
     const char *predefined; /**< lists the compiler's own macros; NULL: clang's were good enough */
+    struct cached *cached;  /**< what is kept of the source (cache.h); NULL: nothing is */
     const char *report;     /**< the JSON report, to be kept; NULL: none */
     word_list read;         /**< all files that the source is made of, itself first */
     bool is_input;          /**< the source is standard input */

@@ -5,6 +5,7 @@
 
 #include <clang-c/Index.h>
 
+#include "frontend/frontend.h"
 #include "ir/ir.h"
 #include "support/map.h"
 #include "support/vector.h"
@@ -158,6 +159,8 @@ void find_compiler_words(converter *c);
 
 /** Sets the unit's header_pragmas. */
 void find_header_pragmas(converter *c);
+/** Sets the result's files, in the arena. */
+void list_inclusions(arena *a, CXTranslationUnit clang, frontend_result *result);
 /** Sets the unit's includes_itself. */
 void find_own_inclusion(converter *c);
 /** Sets is_skipped of the unit's directives. */

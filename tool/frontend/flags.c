@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "frontend/frontend.h"
 #include "frontend/predefined.h"
 #include "support/compiler_options.h"
 #include "support/source.h"
@@ -77,6 +78,13 @@ static void add_headers(arena *a, parse_flags *chosen) {
         add(a, chosen, "-resource-dir");
         add(a, chosen, REDCC_CLANG_RESOURCES);
     }
+}
+
+frontend_folders frontend_header_folders(arena *a) {
+    return (frontend_folders){
+        .own = is_folder(REDCC_CLANG_RESOURCES) ? REDCC_CLANG_RESOURCES "/include" : NULL,
+        .of_gcc = gcc_include_folder(a),
+    };
 }
 
 bool add_gcc_headers(arena *a, parse_flags *flags) {

@@ -311,6 +311,7 @@ static void run(void *data) {
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, name, &t->result);
+        list_inclusions(t->arena, clang, &t->result);
         ir_unit *unit = convert(t->arena, t->source, name, clang, &chosen);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||

@@ -16,7 +16,17 @@ typedef struct frontend_result {
     const ir_unit *unit; /* NULL: nothing could be parsed at all */
     unsigned diagnostic_count;
     const frontend_diagnostic *diagnostics;
+    unsigned file_count;
+    const char *const *files; /* that were read, the source itself among them, as they were found */
 } frontend_result;
+
+/** Folders in which the parser looks for its own headers, and for gcc's where its own do not do. In
+ *  the arena; NULL where there is none. */
+typedef struct frontend_folders {
+    const char *own;
+    const char *of_gcc;
+} frontend_folders;
+frontend_folders frontend_header_folders(arena *a);
 
 /**
  * Parses `src` with the compiler flags given (a gcc or clang command line's; what libclang must

@@ -45,6 +45,7 @@ const char options_help[] =
     "  --all                report loops without an irregular update too\n"
     "  --dump=ir            print what the translator understood of the source, for debugging\n"
     "  --in-process         do without the process that guards against a parser that crashes\n"
+    "  --inputs-file=FILE   write what the result depends on: libraries, folders, files read\n"
     "  --explain REASON     print what is known of a reason for a refusal: R204, or its slug;\n"
     "                       list: all of them\n"
     "  --help, --version\n"
@@ -69,6 +70,7 @@ typedef enum option_name {
     OPTION_EXPLAIN,
     OPTION_HELP,
     OPTION_IN_PROCESS,
+    OPTION_INPUTS_FILE,
     OPTION_LANES,
     OPTION_ORDER,
     OPTION_PREDEFINED,
@@ -93,6 +95,7 @@ static const struct long_option {
     {"--explain=", OPTION_EXPLAIN},
     {"--help", OPTION_HELP},
     {"--in-process", OPTION_IN_PROCESS},
+    {"--inputs-file=", OPTION_INPUTS_FILE},
     {"--lanes=", OPTION_LANES},
     {"--order=", OPTION_ORDER},
     {"--predefined=", OPTION_PREDEFINED},
@@ -261,6 +264,9 @@ static const char *set_option(arena *a, options *o, option_name name, const char
     case OPTION_IN_PROCESS:
         o->in_process = true;
         return NULL;
+    case OPTION_INPUTS_FILE:
+        o->report.inputs_file = value;
+        return *value ? NULL : "--inputs-file takes the name of a file";
     case OPTION_LANES:
         return read_lanes(a, o, value);
     case OPTION_ORDER:
@@ -383,6 +389,8 @@ static const char *check_together(arena *a, const options *o) {
         return "a report that is not text needs --report-file=FILE, or --analyze";
     if (o->in_process && o->analyze && o->inputs.count != 1)
         return "--in-process takes one input file";
+    if (o->report.inputs_file && (o->analyze || o->database_folder))
+        return "--inputs-file goes with -o, and with neither --analyze nor -p";
     if (o->inputs.count == 0 && o->require)
         return "--require takes an input file";
     return NULL;

@@ -9,11 +9,12 @@
 
 typedef VECTOR(const char *) string_list;
 
-/** Of what is said of the loops. */
+/** Of what is said of the loops, and of what the result was made of. */
 typedef struct report_options {
     report_form form;
     bool form_is_given;
-    const char *file; /* NULL: standard output */
+    const char *file;        /* NULL: standard output */
+    const char *inputs_file; /* --inputs-file; NULL: none */
 } report_options;
 
 typedef struct options {

@@ -12,6 +12,7 @@
 #include "redcc/compile_commands.h"
 #include "redcc/compilers.h"
 #include "redcc/explain.h"
+#include "redcc/inputs_list.h"
 #include "redcc/output.h"
 #include "redcc/self_check.h"
 #include "redcc/verify.h"
@@ -335,6 +336,9 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
     if (wrong)
         return fail(NULL, wrong);
     const frontend_result parsed = parse(a, file, &flags);
+    wrong = o->report.inputs_file ? inputs_list_write(a, o->report.inputs_file, &parsed) : NULL;
+    if (wrong)
+        return fail(NULL, wrong);
     if (has_errors(&parsed))
         return fail_to_parse(file, &parsed);
     if (o->dump_ir)

@@ -1,0 +1,265 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The cache of translations: it is used when nothing has changed, and never when anything has.
+# The loop of x.c is irregular where a header defines PARALLEL: whether the object calls the runtime shows
+# which header the translation was made of.
+. "$(dirname "$0")/library.sh"
+redcc_cc=$REDCC_CC_PROGRAM
+export REDCC_CACHE="$work/cache" XDG_CACHE_HOME="$work/xdg"
+
+source='#include "h.h"
+void count(int n, const int *restrict key, int *restrict h) {
+#ifdef PARALLEL
+    for (int t = 0; t < n; t++)
+        h[key[t]]++;
+#else
+    for (int t = 0; t < n; t++)
+        h[t] = key[t] + 1;
+#endif
+}
+'
+yes='#define PARALLEL 1'
+no=' #define SERIAL 1' # as long as the other
+
+fresh() { # CASE: an empty folder with the source and its header, and an empty cache
+  begin "$1"
+  rm -rf "$work/cache"
+  printf '%s' "$source" >x.c
+  echo "$yes" >h.h
+  prime
+}
+# The first call learns which libraries the translator has.
+prime() { echo 'int zero;' >zero.c && "$redcc_cc" -c zero.c -o zero.o || fail "$case_name: prime"; rm -f zero.c zero.o; }
+# says ARGUMENTS...: "hit" or "miss", "parallel" or "serial", of compiling x.c.
+says() {
+  local kept=miss form=serial
+  rm -f x.o
+  "$redcc_cc" -v -O1 -c "$@" x.c -o x.o 2>notes || fail "$case_name: $* does not compile"
+  grep -q 'redcc-cc: note: .*from the cache' notes && kept=hit
+  nm x.o | grep -q redcc_ && form=parallel
+  echo "$kept $form"
+}
+expect() { # WHAT EXPECTED [ARGUMENTS...]
+  local what=$1 expected=$2 got
+  shift 2
+  got=$(says "$@")
+  expect_equal "$case_name, $what" "$expected" "$got"
+}
+
+fresh "the same again"
+export REDCC_OPTS=--report=text
+for time in first second; do
+  "$redcc_cc" -O1 -c x.c -o "$time.o" 2>"$time.remarks" || fail "$case_name"
+  REDCC_OPTS='' REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" -O1 -c x.c -o "$time.o" || fail "$case_name"
+done
+expect_same first.o second.o
+expect_same first.remarks second.remarks
+expect_match second.remarks "remark: loop in 'count' runs in parallel"
+expect_equal "$case_name: reports" 1 "$(sort -u report | wc -l)"
+expect_equal "$case_name: reports" 2 "$(wc -l <report)"
+unset REDCC_OPTS
+expect "without remarks" "miss parallel"
+expect "again" "hit parallel"
+touch x.c h.h
+expect "times alone" "hit parallel"
+end
+
+begin "a new folder learns with its first source"
+rm -rf "$work/cache"
+printf '%s' "$source" >x.c && echo "$yes" >h.h
+expect first "miss parallel"
+expect second "miss parallel"
+expect third "hit parallel"
+end
+
+fresh "what changes without a trace in times and sizes"
+expect first "miss parallel"
+cp -p h.h old && echo "$no" >h.h && touch -r old h.h
+expect "the header" "miss serial"
+expect "the header" "hit serial"
+cp -p old h.h
+expect "back" "hit parallel"
+cp -p x.c old && sed -i 's/PARALLEL/PARALLEK/' x.c && touch -r old x.c
+expect "the source" "miss serial"
+end
+
+fresh "headers that appear, vanish and move"
+mkdir one two
+mv h.h two/
+expect first "miss parallel" -Ione -Itwo
+expect second "hit parallel" -Ione -Itwo
+echo "$no" >one/h.h
+expect "one that comes before" "miss serial" -Ione -Itwo
+expect "another order" "miss parallel" -Itwo -Ione
+rm one/h.h
+expect "it is gone" "hit parallel" -Ione -Itwo
+echo "$no" >h.h
+expect "beside the source" "miss serial" -Ione -Itwo
+rm h.h && rmdir one
+expect "no folder" "miss parallel" -Ione -Itwo
+mkdir one && echo "$no" >one/h.h
+expect "the folder comes" "hit serial" -Ione -Itwo
+CPATH=$PWD/one expect "CPATH" "miss parallel" -Itwo
+rm one/h.h && mv two/h.h one/h.h && ln -s ../one/h.h two/h.h
+expect "a link" "miss parallel" -Itwo
+echo "$no" >other && rm two/h.h && ln -s ../other two/h.h
+expect "the link leads elsewhere" "miss serial" -Itwo
+end
+
+fresh "two names of one file, or two files"
+mkdir a b
+printf '#pragma once\n#include "../%s/p.h"\n#ifdef SEEN\n#define PARALLEL 1\n#endif\n#define SEEN 1\n' b >a/p.h
+ln -s ../a/p.h b/p.h
+echo '#include "a/p.h"' >h.h
+expect "one file" "miss serial"
+expect "one file" "hit serial"
+rm b/p.h && cp a/p.h b/p.h && touch -d yesterday b/p.h # gcc takes files of one content and time for one
+expect "a copy" "miss parallel"
+end
+
+fresh "what is asked for and not included"
+printf '#if __has_include("extra.h")\n#define PARALLEL 1\n#endif\n' >h.h
+expect first "miss serial"
+expect second "hit serial"
+touch extra.h
+expect "it is there" "miss parallel"
+printf '#define WHICH "which.h"\n#include WHICH\n' >h.h
+echo "$yes" >which.h
+expect "by a macro" "miss parallel"
+echo "$no" >which.h
+expect "by a macro" "miss serial"
+printf '#inc\\\nlude "which.h"\n' >h.h
+expect "in two lines" "miss serial"
+expect "in two lines" "hit serial"
+echo "$yes" >which.h
+expect "in two lines" "miss parallel"
+printf '/* a */ %%: /* b */ include /* c */ "which.h"\r\n' >h.h
+expect "by a digraph" "miss parallel"
+echo "$no" >which.h
+expect "by a digraph" "miss serial"
+echo "#define NOW __TIME__" >h.h
+expect "the time" "miss serial"
+expect "the time" "miss serial"
+end
+
+fresh "options, variables, folders"
+echo "$no" >h.h
+expect first "miss serial"
+expect "a macro" "miss parallel" -DPARALLEL
+echo "$yes" >first.h
+expect "-include" "miss parallel" -include first.h
+expect "-include" "hit parallel" -include first.h
+echo "$no" >first.h
+expect "-include" "miss serial" -include first.h
+SOURCE_DATE_EPOCH=1 expect "SOURCE_DATE_EPOCH" "miss serial"
+REDCC_OPTS=--order=any expect "REDCC_OPTS" "miss serial"
+REDCC_OPTS=--order=any expect "REDCC_OPTS" "hit serial"
+REDCC_OPTS="--inputs-file=$PWD/list" expect "an option that writes" "miss serial"
+REDCC_OPTS="--inputs-file=$PWD/list" expect "an option that writes" "miss serial"
+mkdir other && cp x.c h.h other/ && cd other || exit 1
+expect "another folder, the same" "hit serial"
+echo "$yes" >h.h
+expect "another folder" "miss parallel"
+cd .. || exit 1
+expect "back" "hit serial"
+end
+
+fresh "the compiler's own macros"
+make_compiler() { # FLAG
+  printf '#include <unistd.h>\nint main(int n, char **a) { char *b[999]; int k = 1; b[0] = "cc"; b[k++] = "%s";
+    for (int i = 1; i < n; i++) b[k++] = a[i];
+    b[k] = 0; return execvp("cc", b); }\n' "$1" | cc -x c - -o mycc || fail "$case_name"
+}
+printf '#define PARALLEL 1\n#if defined(__SSP__)\n#undef PARALLEL\n#endif\n' >h.h
+export REDCC_CC="$PWD/mycc"
+make_compiler -O1
+prime
+expect "first" "miss parallel"
+expect "second" "hit parallel"
+make_compiler -fstack-protector
+expect "another program of the same name" "miss serial"
+printf '#!/bin/sh\nexec cc "$@"\n' >mycc
+expect "a script, which is anybody's guess" "miss parallel"
+expect "a script" "miss parallel"
+unset REDCC_CC
+end
+
+fresh "standard input, and what cannot be parsed"
+for time in 1 2; do "$redcc_cc" -v -O1 -x c -c - -o "$time.o" <x.c 2>notes || fail "$case_name"; done
+expect_match notes 'stdin: translated before'
+expect_same 1.o 2.o
+echo 'int f(void) { return ; ' >x.c
+for time in 1 2; do
+  "$redcc_cc" -v -c x.c 2>notes && fail "$case_name"
+  grep 'compiled as it is' notes >"$time.why"
+done
+expect_match notes 'translated before'
+expect_same 1.why 2.why
+end
+
+fresh "damage"
+expect first "miss parallel"
+cp -r "$work/cache" "$work/good"
+spoil() { # WHAT COMMAND...: each entry by the command; then the object is right, and so are the entries
+  local what=$1 entry
+  shift
+  rm -rf "$work/cache" && cp -r "$work/good" "$work/cache"
+  find "$work/cache" -type f | while read -r entry; do "$@" "$entry"; done
+  prime
+  expect "$what" "miss parallel"
+  expect "$what, mended" "hit parallel"
+}
+spoil "cut short" truncate -s -1
+spoil "changed" sh -c 'printf X | dd of="$0" bs=1 seek=$(($(stat -c %s "$0") - 1)) conv=notrunc status=none'
+find "$work/cache" -type f | while read -r entry; do rm "$entry" && mkdir "$entry"; done
+expect "folders" "miss parallel"
+rm -rf "$work/good"
+end
+
+fresh "no folder, no room"
+touch "$work/plain"
+for folder in "$work/plain" /proc/none off relative; do
+  REDCC_CACHE=$folder expect "$folder" "miss parallel"
+done
+expect_no_file relative
+expect_match notes 'REDCC_CACHE takes the absolute path of a folder, or off'
+rm -rf "$work/cache" && mkdir "$work/cache" && chmod 777 "$work/cache"
+expect "everybody may write it" "miss parallel"
+[ -z "$(ls -A "$work/cache")" ] || fail "$case_name: a folder that others may write was used"
+REDCC_CACHE='' expect "the usual place" "miss parallel"
+expect_file "$work/xdg/redcc"
+REDCC_CACHE_SIZE=many REDCC_CACHE='' expect "a wrong size" "miss parallel"
+expect_match notes "REDCC_CACHE_SIZE takes a number of bytes, with K, M or G, not 'many'"
+end
+
+fresh "the limit"
+# what was used lately is kept, what was not goes, and what a killed writer has left
+mkdir -p "$work/cache/0"
+head -c 100000 /dev/zero >"$work/cache/0/old" && head -c 3000 /dev/zero >"$work/cache/0/.new-left"
+touch -d '3 hours ago' "$work/cache/0/old" "$work/cache/0/.new-left"
+for share in 1 2 3 4 5 6 7 8 9 a b c d e f; do mkdir -p "$work/cache/$share" && cp -p "$work"/cache/0/{old,.new-left} "$work/cache/$share/"; done
+for number in 1 2 3; do
+  echo "int v$number;" >"$number.c"
+  REDCC_CACHE_SIZE=1M "$redcc_cc" -c $number.c || fail "$case_name"
+done
+left=$(find "$work/cache" -name old | wc -l)
+[ "$left" -ge 10 ] && [ "$left" -le 15 ] || fail "$case_name: $left of 16 old entries, 3 shares were written"
+expect_equal "$case_name: parts" "$left" "$(find "$work/cache" -name .new-left | wc -l)"
+REDCC_CACHE_SIZE=1M expect "after it" "miss parallel"
+REDCC_CACHE_SIZE=1M expect "after it" "hit parallel"
+end
+
+fresh "many at once"
+for number in 1 2 3 4; do mkdir $number && cp x.c h.h $number/; done
+echo "$no" >2/h.h
+for round in 1 2; do
+  seq 4 | xargs -P 4 -I N sh -c 'cd N && "$0" -O1 -c x.c -o x.o' "$redcc_cc" || fail "$case_name"
+  for number in 1 2 3 4; do
+    form=$(nm $number/x.o | grep -q redcc_ && echo yes || echo no)
+    expect_equal "$case_name $round.$number" "$(case $number in 2) echo no ;; *) echo yes ;; esac)" "$form"
+  done
+done
+[ -z "$(find "$work/cache" -name '.new-*')" ] || fail "$case_name: parts of entries are left"
+end
+
+finish

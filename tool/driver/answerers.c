@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/answerers.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "driver/files.h"
+#include "driver/program_identity.h"
+
+struct cache {
+    store kept;
+    digest compiler;
+    digest program;       /* the translator without its libraries */
+    digest libraries_key; /* of what is known of them */
+    digest translator;
+    bool knows_translator;
+    word_list folders;
+};
+
+const store *answerers_store(const session *s) {
+    return &s->cache->kept;
+}
+
+const digest *answerers_identity(const session *s, cache_program program) {
+    const struct cache *c = s->cache;
+    if (program == CACHE_COMPILER)
+        return &c->compiler;
+    return c->knows_translator ? &c->translator : NULL;
+}
+
+bool answerers_options_are_plain(const word_list *options) {
+    static const char *const plain[] = {
+        "--all", "--assume-noalias", "--lanes=", "--order=", "--pure=", "--report=text"};
+    for (unsigned i = 0; i < options->count; i++) {
+        bool is_plain = false;
+        for (size_t k = 0; k < sizeof plain / sizeof *plain; k++)
+            is_plain |= strncmp(options->items[i], plain[k], strlen(plain[k])) == 0;
+        if (!is_plain)
+            return false;
+    }
+    return true;
+}
+
+/* ---- the compiler
+ * -------------------------------------------------------------------------------- */
+
+/* The programs that the compiler's name starts: launchers, and the compiler itself. */
+static bool add_programs(session *s, const store *kept, digester *d) {
+    const word_list *words = &s->real.words;
+    unsigned i = 0;
+    do
+        if (!identity_add_program(s->memory, kept, d, words->items[i]))
+            return false;
+    while (compiler_is_launcher(words->items[i]) && ++i < words->count);
+    for (i = 0; i < words->count; i++)
+        digest_text(d, words->items[i]);
+    return true;
+}
+
+/* What the compiler answers to some words of its own, which concern no source. */
+static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
+                                const char *const *question) {
+    arena *a = s->memory;
+    word_list words = {0};
+    words_add_all(a, &words, &s->real.words);
+    digester d = digest_begin();
+    digest_text(&d, "a question");
+    digest_add(&d, of_whom->bytes, sizeof of_whom->bytes);
+    for (; *question; question++) {
+        words_add(a, &words, *question);
+        digest_text(&d, *question);
+    }
+    const digest key = digest_end(&d);
+    store_part part;
+    if (store_get(a, kept, &key, 1, &part))
+        return arena_copy(a, part.bytes, part.length);
+    const char *to = arena_format(a, "%s/question", s->folder);
+    unlink(to);
+    if (process_run(a, &words, (process_streams){NULL, to, to}) != 0)
+        return NULL;
+    size_t length;
+    const char *text = file_read(a, to, &length);
+    if (text)
+        store_put(a, kept, &key, 1, &(store_part){text, length});
+    return text;
+}
+
+/* The folders in what -v prints, those that are not there as well, in any language; other paths may
+ * be among them. */
+static void add_printed_folders(arena *a, const char *text, word_list *folders) {
+    for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        const size_t end = strcspn(line, "\n");
+        const char *quote = memchr(line, '"', end);
+        if (line[0] == ' ' && line[1] == '/')
+            words_add(a, folders, arena_copy(a, line + 1, end - 1));
+        else if (quote && quote[1] == '/')
+            words_add(a, folders, arena_copy(a, quote + 1, strcspn(quote + 1, "\"\n")));
+    }
+}
+
+/* Names of shared libraries may lead to other ones after this file has changed. */
+static bool add_loader(session *s, const store *kept, digester *d) {
+    static const char path[] = "/etc/ld.so.cache";
+    word_list files = {0};
+    if (access(path, F_OK) == 0)
+        words_add(s->memory, &files, path);
+    return identity_add_files(s->memory, kept, d, &files);
+}
+
+static bool find_compiler(session *s, struct cache *c) {
+    static const char *const ask_folders[] = {"-v", "-E", "-x", "c", "/dev/null", NULL};
+    static const char *const ask_proper[] = {"-print-prog-name=cc1", NULL};
+    digester d = digest_begin();
+    identity_add_environment(s->memory, &d);
+    if ((s->real.is_clang && !add_loader(s, &c->kept, &d)) || !add_programs(s, &c->kept, &d))
+        return false;
+    digester all = d;
+    const digest driver = digest_end(&d);
+    const char *proper = ask_compiler(s, &c->kept, &driver, ask_proper);
+    if (!proper)
+        return false;
+    word_list files = {0};
+    if (!s->real.is_clang) /* clang has it in itself */
+        words_add(s->memory, &files, arena_copy(s->memory, proper, strcspn(proper, "\n")));
+    if (!identity_add_files(s->memory, &c->kept, &all, &files))
+        return false;
+    c->compiler = digest_end(&all);
+    const char *printed = ask_compiler(s, &c->kept, &c->compiler, ask_folders);
+    if (printed)
+        add_printed_folders(s->memory, printed, &c->folders);
+    return printed != NULL;
+}
+
+/* ---- the translator
+ * ------------------------------------------------------------------------------ */
+
+/* Takes in what the translator has named: its libraries by contents, its folders. */
+static void know_translator(session *s, struct cache *c, const char *list, size_t length) {
+    digester d = digest_begin();
+    digest_add(&d, c->program.bytes, sizeof c->program.bytes);
+    word_list libraries = {0};
+    for (const char *at = list; at < list + length; at += strlen(at) + 1) {
+        if (*at == 'l')
+            words_add(s->memory, &libraries, arena_string(s->memory, at + 1));
+        else if (*at == 'd')
+            words_add(s->memory, &c->folders, arena_string(s->memory, at + 1));
+    }
+    c->knows_translator = identity_add_files(s->memory, &c->kept, &d, &libraries);
+    c->translator = digest_end(&d);
+}
+
+static bool find_translator(session *s, struct cache *c) {
+    store_part list;
+    digester d = digest_begin();
+    digest_text(&d, "the translator");
+    identity_add_environment(s->memory, &d);
+    if (!identity_add_program(s->memory, &c->kept, &d, s->tools.translator))
+        return false;
+    digester with_loader = d;
+    c->program = digest_end(&d);
+    if (!add_loader(s, &c->kept, &with_loader))
+        return false;
+    c->libraries_key = digest_end(&with_loader);
+    if (store_get(s->memory, &c->kept, &c->libraries_key, 1, &list) && list.length > 0 &&
+        list.bytes[list.length - 1] == 0)
+        know_translator(s, c, list.bytes, list.length);
+    return true;
+}
+
+void answerers_learn_translator(session *s, const char *list) {
+    size_t length;
+    struct cache *c = s->cache;
+    if (!c || c->knows_translator)
+        return;
+    const char *text = file_read(s->memory, list, &length);
+    if (!text || length == 0 || text[length - 1] != 0)
+        return;
+    buffer own = {0};
+    for (const char *at = text; at < text + length; at += strlen(at) + 1)
+        if (*at != 'f')
+            buffer_append(&own, at, strlen(at) + 1);
+    if (own.length > 0)
+        store_put(s->memory, &c->kept, &c->libraries_key, 1, &(store_part){own.data, own.length});
+    buffer_free(&own);
+}
+
+struct cache *answerers_find(session *s, const store *kept) {
+    struct cache *c = ARENA_NEW(s->memory, struct cache);
+    c->kept = *kept;
+    return s->tools.translator && find_compiler(s, c) && find_translator(s, c) ? c : NULL;
+}
+
+/* ---- where headers are looked for
+ * ---------------------------------------------------------------- */
+
+static bool begins(const char *text, const char *with) {
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* What one item says of headers; NULL, or why that is not followed. */
+static const char *add_of_item(session *s, closure_request *request, const item *one) {
+    static const char *const folders[] = {"-I", "-iquote", "-isystem", "-idirafter"};
+    static const char *const files[] = {"-include", "-imacros"};
+    static const char *const others[] = {"-i",       "-I",     "--sysroot", "-B",
+                                         "-F",       "-specs", "--specs",   "-Wp,",
+                                         "-fplugin", "-X",     "--include", "--imacros"};
+    const option *known = one->kind == INPUT_NOT ? option_find(one->text) : NULL;
+    const char *name = known ? known->name : one->text, *value = item_argument(one);
+    if (one->kind != INPUT_NOT || begins(one->text, "-Wp,-D") || begins(one->text, "-Wp,-U"))
+        return NULL;
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
+        if (strcmp(name, folders[i]) == 0 && *value && *value != '=' && *value != '-' &&
+            !begins(value, "$SYSROOT")) {
+            words_add(s->memory, &request->folders, value);
+            return NULL;
+        }
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (strcmp(name, files[i]) == 0 && *value) {
+            words_add(s->memory, &request->included, value);
+            return NULL;
+        }
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (begins(one->text, others[i]))
+            return arena_format(s->memory, "'%s' is not followed", one->text);
+    return NULL;
+}
+
+static void add_of_variable(arena *a, const char *name, word_list *folders) {
+    const char *list = getenv(name);
+    while (list && *list) {
+        const size_t length = strcspn(list, ":");
+        words_add(a, folders, length ? arena_copy(a, list, length) : ".");
+        list += length + (list[length] == ':');
+    }
+}
+
+const char *answerers_add_folders(session *s, closure_request *request) {
+    static const char *const usual[] = {"/usr/local/include", "/include", "/usr/include"};
+    static const char *const implied[] = {"stdc-predef.h", "redcc/runtime.h"};
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const char *why = add_of_item(s, request, &s->command.items[i]);
+        if (why)
+            return why;
+    }
+    add_of_variable(s->memory, "CPATH", &request->folders);
+    add_of_variable(s->memory, "C_INCLUDE_PATH", &request->folders);
+    words_add_all(s->memory, &request->folders, &s->cache->folders);
+    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++)
+        words_add(s->memory, &request->folders, usual[i]);
+    if (s->tools.include)
+        words_add(s->memory, &request->folders, s->tools.include);
+    for (size_t i = 0; i < sizeof implied / sizeof *implied; i++)
+        words_add(s->memory, &request->included, implied[i]);
+    return NULL;
+}

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/cache.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "driver/answerers.h"
+#include "driver/closure.h"
+#include "driver/files.h"
+
+enum { OUTPUTS = sizeof((cached_run *)NULL)->outputs / sizeof(char *), PARTS = OUTPUTS + 1 };
+
+typedef struct kept_answer {
+    digest key;
+    unsigned count;
+    store_part parts[PARTS];
+} kept_answer;
+
+struct cached {
+    closure_request request;
+    closure found;
+    const char *stranger; /* a file that was read and is not of the closure; NULL: none was */
+    VECTOR(kept_answer) fresh;
+};
+
+struct cache *cache_open(session *s) {
+    const char *wrong = NULL;
+    const store kept = store_open(s->memory, &wrong);
+    if (wrong)
+        session_warn(s, "%s", wrong);
+    if (!kept.folder || s->show || !answerers_options_are_plain(&s->options))
+        return NULL;
+    return answerers_find(s, &kept);
+}
+
+/* ---- a source ----------------------------------------------------------------------------------
+ */
+
+cached *cached_begin(session *s, const item *source, const char *file) {
+    const bool is_input = strcmp(source->text, "-") == 0;
+    if (!s->cache)
+        return NULL;
+    cached *c = ARENA_NEW(s->memory, cached);
+    c->request = (closure_request){.file = file, .name = is_input ? "stdin" : source->text};
+    const char *why = answerers_add_folders(s, &c->request);
+    if (!why) {
+        c->found = closure_find(s->memory, &c->request);
+        why = c->found.unknown;
+    }
+    if (why)
+        session_explain(s, "%s: not cached: %s", source->text, why);
+    return why ? NULL : c;
+}
+
+/* ---- keys --------------------------------------------------------------------------------------
+ */
+
+static bool is_output(const cached_run *run, const char *path) {
+    for (unsigned i = 0; i < OUTPUTS; i++)
+        if (run->outputs[i] && strcmp(run->outputs[i], path) == 0)
+            return true;
+    return false;
+}
+
+/* A word, without the name of the temporary folder, which is another in each call; what lies in the
+ * folder and is no output is read. */
+static void add_word(session *s, digester *d, const cached_run *run, const char *word) {
+    const char *at = s->folder ? strstr(word, s->folder) : NULL;
+    if (!at) {
+        digest_text(d, word);
+        return;
+    }
+    const char *rest = at + strlen(s->folder);
+    digest_text(d, arena_format(s->memory, "%.*s\1%s", (int)(at - word), word, rest));
+    if (!run || !is_output(run, at))
+        digest_text(d, file_read(s->memory, at, NULL));
+}
+
+static digest key_of(session *s, const cached *c, cache_program program, const char *about,
+                     const word_list *words, const cached_run *run) {
+    digester d = digest_begin();
+    digest_text(&d, REDCC_VERSION);
+    digest_text(&d, about);
+    const digest *of_program = answerers_identity(s, program);
+    digest_add(&d, of_program->bytes, sizeof of_program->bytes);
+    digest_add(&d, c->found.state.bytes, sizeof c->found.state.bytes);
+    for (unsigned i = 0; i < words->count; i++)
+        add_word(s, &d, run, words->items[i]);
+    return digest_end(&d);
+}
+
+/* ---- outputs: 'a' absent, 's' the source's bytes, 'b' and bytes ---------------------------------
+ */
+
+static store_part part_of_file(session *s, const cached *c, const char *path) {
+    size_t length, source_length;
+    const char *bytes = path ? file_read(s->memory, path, &length) : NULL;
+    if (!bytes)
+        return (store_part){"a", 1};
+    const char *source = file_read(s->memory, c->request.file, &source_length);
+    if (source && source_length == length && memcmp(source, bytes, length) == 0)
+        return (store_part){"s", 1};
+    char *part = arena_allocate(s->memory, length + 1);
+    part[0] = 'b';
+    memcpy(part + 1, bytes, length);
+    return (store_part){part, length + 1};
+}
+
+static bool write_file(const char *path, const char *bytes, size_t length) {
+    FILE *file = fopen(path, "wb");
+    if (!file)
+        return false;
+    const bool good = fwrite(bytes, 1, length, file) == length;
+    return fclose(file) == 0 && good;
+}
+
+static bool write_part(session *s, const cached *c, const store_part *part, const char *path) {
+    size_t length;
+    if (!path || part->length == 0 || part->bytes[0] == 'a')
+        return part->length > 0;
+    if (part->bytes[0] == 'b')
+        return write_file(path, part->bytes + 1, part->length - 1);
+    const char *source = file_read(s->memory, c->request.file, &length);
+    return source && write_file(path, source, length);
+}
+
+static bool write_outputs(session *s, const cached *c, const cached_run *run,
+                          const store_part *parts) {
+    bool good = true;
+    for (unsigned i = 0; i < OUTPUTS; i++)
+        good = good && write_part(s, c, &parts[i + 1], run->outputs[i]);
+    for (unsigned i = 0; !good && i < OUTPUTS; i++)
+        if (run->outputs[i])
+            unlink(run->outputs[i]);
+    return good;
+}
+
+/* ---- runs --------------------------------------------------------------------------------------
+ */
+
+static void keep(session *s, cached *c, const kept_answer *answer) {
+    VECTOR_PUSH(s->memory, &c->fresh, *answer);
+}
+
+/* A name of this call's folder in an answer would lead nowhere in the next. */
+static bool names_folder(const session *s, const store_part *part) {
+    return memmem(part->bytes, part->length, s->folder, strlen(s->folder)) != NULL;
+}
+
+/* Does the run's answer depend on nothing but its inputs? A translator that fails because of a full
+ * disk does not say the same for ever; one that cannot parse the source does. */
+static bool is_lasting(session *s, const cached_run *run, int status) {
+    if (status != 1 || run->program != CACHE_TRANSLATOR)
+        return status == 0;
+    const char *said = run->streams.error ? file_read(s->memory, run->streams.error, NULL) : NULL;
+    return said && strstr(said, ": cannot be parsed; nothing was written\n");
+}
+
+static void check_file(cached *c, const char *path) {
+    if (!c->stranger && !closure_has(&c->found, path))
+        c->stranger = path;
+}
+
+/* Checks what the translator lists. */
+static void check_list(session *s, cached *c, const char *list) {
+    size_t length;
+    const char *text = file_read(s->memory, list, &length);
+    if (!text) {
+        c->stranger = "what the translator has read";
+        return;
+    }
+    for (const char *at = text; at < text + length; at += strlen(at) + 1)
+        if (*at == 'f' && strcmp(at + 1, "<stdin>") != 0)
+            check_file(c, at + 1);
+}
+
+static void keep_run(session *s, cached *c, const cached_run *run, const digest *key, int status) {
+    kept_answer answer = {.key = *key, .count = PARTS};
+    answer.parts[0] = (store_part){arena_format(s->memory, "%d", status), 1};
+    for (unsigned i = 0; i < OUTPUTS; i++) {
+        answer.parts[i + 1] = part_of_file(s, c, run->outputs[i]);
+        if (names_folder(s, &answer.parts[i + 1]))
+            return;
+    }
+    keep(s, c, &answer);
+}
+
+int cached_run_program(session *s, cached *c, const cached_run *run) {
+    if (!c)
+        return session_run(s, run->words, run->streams);
+    if (run->read)
+        unlink(run->read);
+    if (!answerers_identity(s, run->program)) {
+        const int status = session_run(s, run->words, run->streams);
+        answerers_learn_translator(s, run->read);
+        return status;
+    }
+    store_part parts[PARTS];
+    const digest key = key_of(s, c, run->program, "a run", run->words, run);
+    if (store_get(s->memory, answerers_store(s), &key, PARTS, parts) && parts[0].length == 1 &&
+        write_outputs(s, c, run, parts)) {
+        if (run->program == CACHE_TRANSLATOR)
+            session_explain(s, "%s: translated before, from the cache", c->request.name);
+        return parts[0].bytes[0] - '0';
+    }
+    const int status = session_run(s, run->words, run->streams);
+    if (run->read)
+        check_list(s, c, run->read);
+    if (is_lasting(s, run, status))
+        keep_run(s, c, run, &key, status);
+    return status;
+}
+
+const char *cached_text(session *s, cached *c, const char *about, const word_list *words) {
+    store_part part;
+    if (!c || !answerers_identity(s, CACHE_COMPILER))
+        return NULL;
+    const digest key = key_of(s, c, CACHE_COMPILER, about, words, NULL);
+    return store_get(s->memory, answerers_store(s), &key, 1, &part)
+               ? arena_copy(s->memory, part.bytes, part.length)
+               : NULL;
+}
+
+void cached_keep_text(session *s, cached *c, const char *about, const word_list *words,
+                      const char *text) {
+    if (!c || !answerers_identity(s, CACHE_COMPILER))
+        return;
+    kept_answer answer = {.key = key_of(s, c, CACHE_COMPILER, about, words, NULL), .count = 1};
+    answer.parts[0] = (store_part){text, strlen(text)};
+    if (!names_folder(s, &answer.parts[0]))
+        keep(s, c, &answer);
+}
+
+/* ---- what was read, and the end
+ * ------------------------------------------------------------------ */
+
+void cached_compiler_read(cached *c, const word_list *files) {
+    for (unsigned i = 0; c && i < files->count; i++)
+        if (strcmp(files->items[i], "-") != 0)
+            check_file(c, files->items[i]);
+}
+
+void cached_end(session *s, cached *c) {
+    if (!c || c->fresh.count == 0 || process_signal())
+        return;
+    if (c->stranger) {
+        session_explain(s, "%s: not cached: %s lies where it is not expected", c->request.name,
+                        c->stranger);
+        return;
+    }
+    const closure now = closure_find(s->memory, &c->request);
+    if (now.unknown || memcmp(&now.state, &c->found.state, sizeof now.state) != 0)
+        return;
+    for (unsigned i = 0; i < c->fresh.count; i++)
+        store_put(s->memory, answerers_store(s), &c->fresh.items[i].key, c->fresh.items[i].count,
+                  c->fresh.items[i].parts);
+}

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/closure.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "driver/files.h"
+#include "driver/include_names.h"
+
+typedef struct place {
+    dev_t device;
+    ino_t inode;
+} place;
+
+static place place_of(const struct stat *about) {
+    place p;
+    memset(&p, 0, sizeof p); /* it is a key: no byte may be left to chance */
+    p.device = about->st_dev;
+    p.inode = about->st_ino;
+    return p;
+}
+
+typedef struct search {
+    arena *arena;
+    word_list folders; /* of those that are searched, the ones that are there */
+    closure found;
+    digester state;
+    map *looked; /* paths */
+    map *met;    /* files and the folders in which they were met */
+    map *names;  /* that were looked for in all folders */
+    uintptr_t count;
+} search;
+
+static bool is_new(map *m, const char *key) {
+    void **at = map_at(m, key, strlen(key));
+    const bool made = *at == NULL;
+    *at = m;
+    return made;
+}
+
+static void read_names(search *s, const char *name, const char *text, size_t length);
+
+/* The bytes of an open file. */
+static char *read_open(arena *a, int file, size_t size) {
+    char *text = arena_allocate(a, size + 1);
+    size_t done = 0;
+    while (done < size) {
+        const ssize_t some = read(file, text + done, size - done);
+        if (some <= 0)
+            return NULL; /* it was cut short meanwhile */
+        done += (size_t)some;
+    }
+    return text;
+}
+
+/* Is this file met for the first time in this folder? "../a/x.h" leads back into a folder under
+ * ever longer names, and from there on to the same files. */
+static bool is_new_in_folder(search *s, const char *name, const struct stat *about) {
+    struct stat folder;
+    const char *path = path_folder(s->arena, name);
+    if (stat(*path ? path : ".", &folder) != 0)
+        return true;
+    const place places[] = {place_of(&folder), place_of(about)};
+    void **met = map_at(s->met, places, sizeof places);
+    const bool is_first = *met == NULL;
+    *met = s;
+    return is_first;
+}
+
+/* A file that is there: its name, bytes and number; and what it includes. */
+static void add_file(search *s, const char *name, int file) {
+    struct stat about;
+    if (fstat(file, &about) != 0 || (!S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode))) {
+        s->found.unknown = arena_format(s->arena, "%s is no plain file", name);
+        return;
+    }
+    digest_text(&s->state, name);
+    if (S_ISDIR(about.st_mode)) {
+        digest_text(&s->state, "a folder");
+        return;
+    }
+    const place p = place_of(&about);
+    void **number = map_at(s->found.files, &p, sizeof p);
+    if (!*number)
+        *number = (void *)++s->count;
+    const uintptr_t value = (uintptr_t)*number;
+    if (!is_new_in_folder(s, name, &about)) {
+        digest_add(&s->state, &value, sizeof value);
+        return;
+    }
+    char *text = read_open(s->arena, file, (size_t)about.st_size);
+    if (!text) {
+        s->found.unknown = arena_format(s->arena, "%s cannot be read", name);
+        return;
+    }
+    const uint64_t header[] = {value, (uint64_t)about.st_size};
+    digest_add(&s->state, header, sizeof header);
+    digest_add(&s->state, text, (size_t)about.st_size);
+    read_names(s, name, text, (size_t)about.st_size);
+}
+
+/* A precompiled form of a header would be read in its place, and is not C. */
+static void look_for_precompiled(search *s, const char *path, const char *ending) {
+    const char *other = arena_format(s->arena, "%s.%s", path, ending);
+    if (access(other, F_OK) == 0)
+        s->found.unknown = arena_format(s->arena, "%s is precompiled", other);
+}
+
+/* A path at which a header may lie. */
+static void look_at(search *s, const char *path) {
+    if (s->found.unknown || !is_new(s->looked, path))
+        return;
+    look_for_precompiled(s, path, "gch");
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0) {
+        if (errno != ENOENT && errno != ENOTDIR)
+            s->found.unknown = arena_format(s->arena, "%s cannot be read", path);
+        return;
+    }
+    add_file(s, path, file);
+    close(file);
+}
+
+static void look_below(search *s, const char *folder, const char *name) {
+    look_at(s, *folder ? arena_format(s->arena, "%s/%s", folder, name) : name);
+}
+
+static void look_everywhere(search *s, const char *name) {
+    if (!is_new(s->names, name))
+        return;
+    if (*name == '/') {
+        look_at(s, name);
+        return;
+    }
+    for (unsigned i = 0; i < s->folders.count; i++)
+        look_below(s, s->folders.items[i], name);
+}
+
+/* A header of -include. clang takes its other precompiled form, too. */
+static void look_for_included(search *s, const char *name, const char *folder) {
+    look_below(s, "", name);
+    look_below(s, folder, name);
+    look_everywhere(s, name);
+    look_for_precompiled(s, name, "pch");
+    for (unsigned i = 0; i < s->folders.count; i++)
+        look_for_precompiled(s, arena_format(s->arena, "%s/%s", s->folders.items[i], name), "pch");
+}
+
+static void read_names(search *s, const char *name, const char *text, size_t length) {
+    include_names names = {0};
+    const char *why = include_names_find(s->arena, text, length, &names);
+    if (why) {
+        s->found.unknown = arena_format(s->arena, "%s: %s", name, why);
+        return;
+    }
+    const char *folder = path_folder(s->arena, name);
+    for (unsigned i = 0; i < names.quoted.count; i++) {
+        if (*names.quoted.items[i] != '/')
+            look_below(s, folder, names.quoted.items[i]);
+        look_everywhere(s, names.quoted.items[i]);
+    }
+    for (unsigned i = 0; i < names.angled.count; i++)
+        look_everywhere(s, names.angled.items[i]);
+}
+
+/* Nothing lies in a folder that is not there, and one that comes later makes another state. */
+static void find_folders(search *s, const word_list *all) {
+    for (unsigned i = 0; i < all->count; i++) {
+        struct stat about;
+        const char *folder = all->items[i];
+        const bool is_there = stat(folder, &about) == 0 && S_ISDIR(about.st_mode);
+        if (!is_new(s->looked, arena_format(s->arena, "%s/", folder)))
+            continue;
+        digest_text(&s->state, folder);
+        digest_text(&s->state, is_there ? "there" : "absent");
+        if (is_there)
+            words_add(s->arena, &s->folders, folder);
+    }
+}
+
+closure closure_find(arena *a, const closure_request *request) {
+    search s = {.arena = a,
+                .found = {.files = map_new(a)},
+                .state = digest_begin(),
+                .looked = map_new(a),
+                .met = map_new(a),
+                .names = map_new(a)};
+    find_folders(&s, &request->folders);
+    const int file = open(request->file, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0)
+        s.found.unknown = arena_format(a, "%s cannot be read", request->name);
+    else {
+        add_file(&s, request->name, file);
+        close(file);
+    }
+    for (unsigned i = 0; i < request->included.count; i++)
+        look_for_included(&s, request->included.items[i], path_folder(a, request->name));
+    s.found.state = digest_end(&s.state);
+    return s.found;
+}
+
+bool closure_has(const closure *c, const char *path) {
+    struct stat about;
+    if (stat(path, &about) != 0)
+        return false;
+    const place p = place_of(&about);
+    return map_get(c->files, &p, sizeof p) != NULL;
+}
