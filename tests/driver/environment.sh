@@ -78,7 +78,7 @@ printf '%s' "$source_text" >x.c
 echo 'int f(void) { return 3; }' >'f f.c'
 export REDCC_BUILD_REPORT="$PWD/a report" REDCC_REPORT="$PWD/of the run"
 "$redcc_cc" -c x.c 'f f.c' || fail "$case_name"
-printf '{"redcc":"fake","file":"x.c","loops":[]}\n{"redcc":"fake","file":"f f.c","loops":[]}\n' >expected
+for name in x.c 'f f.c'; do printf '{"directory":"%s","redcc":"fake","file":"%s","loops":[]}\n' "$PWD" "$name"; done >expected
 sort expected >sorted && sort "$REDCC_BUILD_REPORT" | expect_same sorted /dev/stdin
 rm "$REDCC_BUILD_REPORT"
 FAKE_STATUS=1 "$redcc_cc" -c x.c
@@ -98,7 +98,7 @@ rm "$REDCC_BUILD_REPORT"
 expect_no_file "$REDCC_REPORT"
 for i in $(seq 16); do "$redcc_cc" -c x.c -o "$i.o" & done
 wait
-expect_equal "$case_name: lines" 16 "$(grep -cx '{"redcc":"fake","file":"x.c","loops":\[\]}' "$REDCC_BUILD_REPORT")"
+expect_equal "$case_name: lines" 16 "$(grep -cx '{"directory":"[^"]*","redcc":"fake","file":"x.c","loops":\[\]}' "$REDCC_BUILD_REPORT")"
 expect_equal "$case_name: lines" 16 "$(wc -l <"$REDCC_BUILD_REPORT")"
 REDCC_BUILD_REPORT=/proc/nowhere/report "$redcc_cc" -c x.c 2>messages || fail "$case_name"
 expect_match messages "warning: cannot append"

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <jansson.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -52,13 +53,28 @@ static bool append_line(const char *report, const buffer *line) {
     return close(file) == 0 && good;
 }
 
+/* Adds the object with one more member: the folder from which its names of files lead. */
+static void add_directory(buffer *line, const char *object) {
+    char here[PATH_MAX];
+    json_t *name = getcwd(here, sizeof here) ? json_text(here) : NULL;
+    char *text = name ? json_dumps(name, JSON_ENCODE_ANY | JSON_COMPACT) : NULL;
+    if (text && object[0] == '{')
+        buffer_format(line, "{\"directory\":%s,%s", text, object + 1);
+    else
+        buffer_text(line, object);
+    free(text);
+    json_decref(name);
+}
+
 bool build_report_append(arena *a, const char *json_file, const char *report) {
     const char *text = file_read(a, json_file, NULL);
     if (!text || !*text)
         return false;
-    buffer line = {0};
-    compact(text, &line);
+    buffer object = {0}, line = {0};
+    compact(text, &object);
+    add_directory(&line, object.data);
     bool good = append_line(report, &line);
+    buffer_free(&object);
     buffer_free(&line);
     return good;
 }
@@ -71,7 +87,7 @@ bool build_report_append_left_alone(const char *file, const char *why, const cha
     if (!text)
         return false;
     buffer line = {0};
-    buffer_text(&line, text);
+    add_directory(&line, text);
     buffer_byte(&line, '\n');
     free(text);
     bool good = append_line(report, &line);

@@ -15,11 +15,12 @@
  * set: that is the name of the run's report); NULL: nowhere. */
 const char *build_report_file(bool *by_run);
 
-/** Appends what a JSON file holds, on a line of its own, as a whole. False where either file cannot
+/** Appends what a JSON file holds, on a line of its own, as a whole, with a member "directory": the
+ *  current folder. False where either file cannot
  *  be read or written. */
 bool build_report_append(arena *a, const char *json_file, const char *report);
 
-/** Appends {"redcc": VERSION, "file": ..., "loops": [], "left_alone": why}. */
+/** Appends {"redcc": VERSION, "file": ..., "loops": [], "left_alone": why}, and "directory". */
 bool build_report_append_left_alone(const char *file, const char *why, const char *report);
 
 /** Prints what a build's report comes to: files translated, analysed and left alone, loops made

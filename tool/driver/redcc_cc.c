@@ -17,6 +17,7 @@
 #include "driver/cache.h"
 #include "driver/files.h"
 #include "driver/temporary.h"
+#include "html/html.h"
 
 /* How many redcc-cc stand above this one: one may (the compiler is a script that calls it by its
  * other name), two go round in a circle. */
@@ -29,6 +30,8 @@ static const char help_text[] =
     "  --redcc-show          print the commands that would run, run nothing\n"
     "  --redcc-report        translate and write the build's report, compile nothing\n"
     "  --redcc-summary FILE  print what the build's report in FILE comes to\n"
+    "  --redcc-html DIR [FILE...]\n"
+    "                        write the reports of a build and its runs as pages to DIR\n"
     "  --redcc-help          print this\n"
     "  --redcc-version       print the version of redcc-cc\n"
     "Environment: REDCC_CC, REDCC_OPTS, REDCC_DISABLE=1, REDCC_KEEP=DIR, REDCC_BUILD_REPORT=FILE,\n"
@@ -287,6 +290,8 @@ int main(int argc, char **argv) {
         fputs("redcc-cc: error: --redcc-summary wants one FILE, the build's report\n", stderr);
         return 2;
     }
+    if (argc > 1 && strcmp(argv[1], "--redcc-html") == 0)
+        return html_write(argc > 2 ? argv[2] : NULL, argc > 3 ? (unsigned)argc - 3 : 0, argv + 3);
     session s;
     memset(&s, 0, sizeof s);
     s.memory = arena_new();

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The reports of a build and of runs, read and joined: what became of each loop, and what it took.
+ */
+#ifndef HTML_REPORTS_H
+#define HTML_REPORTS_H
+
+#include <jansson.h>
+#include <stdbool.h>
+
+#include "support/arena.h"
+#include "support/vector.h"
+
+/** What a loop took in all runs. */
+typedef struct loop_time {
+    unsigned runs;      /**< that have it */
+    const json_t *last; /**< the loop's object in the last of them */
+    double seconds;     /**< inspecting, executing, and in the original loop where that was timed */
+    double process;     /**< seconds of the processes */
+    double lost;        /**< beyond the sequential loop's time, divided by the threads */
+    json_int_t built, reused, plans_lost, calls;
+} loop_time;
+
+typedef struct report_file report_file;
+
+/** One loop with one answer. */
+typedef struct report_loop {
+    const report_file *file; /**< NULL: only a run knows it */
+    const char *name;        /**< of the file, as reported */
+    const json_t *verdict;   /**< the loop's object in the build's report; NULL as above */
+    const char *function;
+    json_int_t line;
+    unsigned compilations; /**< in which it got this answer */
+    loop_time time;
+} report_loop;
+
+/** One source; several compilations of it are one. */
+struct report_file {
+    const char *name;       /**< as reported */
+    const char *path;       /**< where its text should be */
+    const char *left_alone; /**< why it was not translated; NULL: it was */
+    VECTOR(report_loop *) loops;
+    unsigned parallel, refused;
+};
+
+typedef struct reports {
+    arena *memory;
+    VECTOR(report_file *) files; /**< by name */
+    VECTOR(report_loop *) loops; /**< by time lost, then by time, then by place */
+    unsigned runs;
+    VECTOR(json_t *) owned; /**< JSON that the rest points into */
+} reports;
+
+/** Reads the files; each is a build's or a run's report, as its first object says. Returns NULL, or
+ *  in the arena what is wrong, with file and line. */
+const char *reports_read(reports *r, unsigned count, char *const *paths);
+void reports_free(reports *r);
+
+/** A member that is a text, "" where it is none. */
+const char *json_word(const json_t *object, const char *name);
+bool loop_is_parallel(const report_loop *loop);
+
+#endif
