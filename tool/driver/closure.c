@@ -9,6 +9,7 @@
 
 #include "driver/files.h"
 #include "driver/include_names.h"
+#include "support/source.h"
 
 typedef struct place {
     dev_t device;
@@ -174,6 +175,8 @@ static void find_folders(search *s, const word_list *all) {
         const bool is_there = stat(folder, &about) == 0 && S_ISDIR(about.st_mode);
         if (!is_new(s->looked, arena_format(s->arena, "%s/", folder)))
             continue;
+        if (source_ends_with(folder, ".hmap"))
+            s->found.unknown = arena_format(s->arena, "%s is a map of headers", folder);
         digest_text(&s->state, folder);
         digest_text(&s->state, is_there ? "there" : "absent");
         if (is_there)

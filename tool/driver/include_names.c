@@ -81,10 +81,17 @@ static bool is_directive(const char *text, const char *at) {
     return at >= text + 2 && at[-1] == ':' && at[-2] == '%' && begins_line(text, at - 2);
 }
 
-/* Adds the <name> or "name" at `at`; false where there is none. */
+/* May a macro begin at `at`? */
+static bool begins_name(char c) {
+    return isalpha((unsigned char)c) || c == '_' || c == '$' || c == '\\' ||
+           (unsigned char)c >= 0x80;
+}
+
+/* Adds the <name> or "name" at `at`; false where something else makes a name. What is neither is no
+ * directive that includes: words of a comment, or an error. */
 static bool add_name(arena *a, const char *at, include_names *names) {
     if (*at != '<' && *at != '"')
-        return false;
+        return !begins_name(*at);
     const char ends[] = {*at == '<' ? '>' : '"', '\n', '\r', 0};
     const size_t length = strcspn(at + 1, ends);
     if (at[1 + length] != ends[0])
