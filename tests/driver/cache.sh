@@ -130,6 +130,13 @@ echo "$yes" >which.h
 expect "by a macro" "miss parallel"
 echo "$no" >which.h
 expect "by a macro" "miss serial"
+printf '#ifdef WHICH\n#include WHICH\n#endif\n' >h.h
+expect "by a macro that is not there" "miss serial"
+expect "by a macro that is not there" "hit serial"
+echo "$yes" >which.h
+expect "by a macro of the command" "miss parallel" '-DWHICH="which.h"'
+echo "$no" >which.h
+expect "by a macro of the command" "miss serial" '-DWHICH="which.h"'
 printf '#inc\\\nlude "which.h"\n' >h.h
 expect "in two lines" "miss serial"
 expect "in two lines" "hit serial"

@@ -65,6 +65,8 @@ static const char *found(arena *a, const char *text) {
         buffer_format(&list, "\"%s\"", names.quoted.items[i]);
     for (unsigned i = 0; i < names.angled.count; i++)
         buffer_format(&list, "<%s>", names.angled.items[i]);
+    for (unsigned i = 0; i < names.macros.count; i++)
+        buffer_format(&list, "{%s}", names.macros.items[i]);
     const char *copy = arena_string(a, list.data);
     buffer_free(&list);
     return copy;
@@ -86,8 +88,13 @@ static void names_are_found_in_every_spelling(void **state) {
         {"#if __has_include(<a.h>) && __has_include_next ( \"b.h\" )", "\"b.h\"<a.h>"},
         {"#ifdef __has_include\n#if defined(__has_include)", ""},
         {"/*\n   #include's protect themselves */", ""},
-        {"#include MACRO", "?"},
-        {"#define HAS(x) __has_include(x)", "?"},
+        {"#include MACRO", "{MACRO}"},
+        {"#include MAKE(x)", "{MAKE}"},
+        {"#include _MACRO", "?{_MACRO}"},
+        {"#include linux", "?{linux}"},
+        {"#include M$", "?"},
+        {"#define HAS(x) __has_include(x)", "?{x}"},
+        {"#if __has_include(NAME)", "{NAME}"},
         {"#include <a.h", "?"},
         {"?\?=include <a.h>", "?"},
         {"inc?\?/\nlude", "?"},
@@ -104,11 +111,21 @@ static void names_are_found_in_every_spelling(void **state) {
     arena_free(a);
 }
 
+static void macros_that_are_only_asked_for(void **state) {
+    (void)state;
+    assert_false(include_names_may_define("#if defined( X )\n#include X\n#undef X\n#ifdef X", "X"));
+    assert_false(include_names_may_define("#define XY 1\n#define YX 1", "X"));
+    assert_true(include_names_may_define("#define X \"x.h\"", "X"));
+    assert_true(include_names_may_define("#define /* */ X \"x.h\"", "X"));
+    assert_true(include_names_may_define("#include Y\n#define Y X", "X"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(digests_are_those_of_the_standard),
         cmocka_unit_test(texts_do_not_run_into_each_other),
         cmocka_unit_test(names_are_found_in_every_spelling),
+        cmocka_unit_test(macros_that_are_only_asked_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

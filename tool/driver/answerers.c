@@ -239,10 +239,12 @@ const char *answerers_add_folders(session *s, closure_request *request) {
     static const char *const usual[] = {"/usr/local/include", "/include", "/usr/include"};
     static const char *const implied[] = {"stdc-predef.h", "redcc/runtime.h"};
     for (unsigned i = 0; i < s->command.count; i++) {
+        item_add(s->memory, &request->words, &s->command.items[i]);
         const char *why = add_of_item(s, request, &s->command.items[i]);
         if (why)
             return why;
     }
+    words_add_all(s->memory, &request->words, &s->real.words);
     add_of_variable(s->memory, "CPATH", &request->folders);
     add_of_variable(s->memory, "C_INCLUDE_PATH", &request->folders);
     words_add_all(s->memory, &request->folders, &s->cache->folders);

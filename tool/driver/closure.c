@@ -29,9 +29,10 @@ typedef struct search {
     word_list folders; /* of those that are searched, the ones that are there */
     closure found;
     digester state;
-    map *looked; /* paths */
-    map *met;    /* files and the folders in which they were met */
-    map *names;  /* that were looked for in all folders */
+    map *looked;             /* paths */
+    word_list texts, macros; /* of files; that would make names of headers */
+    map *met;                /* files and the folders in which they were met */
+    map *names;              /* that were looked for in all folders */
     uintptr_t count;
 } search;
 
@@ -157,6 +158,8 @@ static void read_names(search *s, const char *name, const char *text, size_t len
         s->found.unknown = arena_format(s->arena, "%s: %s", name, why);
         return;
     }
+    words_add(s->arena, &s->texts, names.text);
+    words_add_all(s->arena, &s->macros, &names.macros);
     const char *folder = path_folder(s->arena, name);
     for (unsigned i = 0; i < names.quoted.count; i++) {
         if (*names.quoted.items[i] != '/')
@@ -184,6 +187,20 @@ static void find_folders(search *s, const word_list *all) {
     }
 }
 
+/* May any text or word define a macro that makes the name of a header? */
+static void check_macros(search *s, const word_list *words) {
+    for (unsigned i = 0; !s->found.unknown && i < s->macros.count; i++) {
+        const char *macro = s->macros.items[i];
+        bool is_defined = false;
+        for (unsigned k = 0; k < s->texts.count; k++)
+            is_defined |= include_names_may_define(s->texts.items[k], macro);
+        for (unsigned k = 0; k < words->count; k++)
+            is_defined |= strstr(words->items[k], macro) != NULL;
+        if (is_defined)
+            s->found.unknown = arena_format(s->arena, "%s makes the name of a header", macro);
+    }
+}
+
 closure closure_find(arena *a, const closure_request *request) {
     search s = {.arena = a,
                 .found = {.files = map_new(a)},
@@ -201,6 +218,7 @@ closure closure_find(arena *a, const closure_request *request) {
     }
     for (unsigned i = 0; i < request->included.count; i++)
         look_for_included(&s, request->included.items[i], path_folder(a, request->name));
+    check_macros(&s, &request->words);
     s.found.state = digest_end(&s.state);
     return s.found;
 }

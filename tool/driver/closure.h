@@ -21,6 +21,7 @@ typedef struct closure_request {
     const char *name;   /**< what it is called; headers are looked for in this name's folder */
     word_list included; /**< of -include and -imacros */
     word_list folders;  /**< that are searched, in any order */
+    word_list words;    /**< of the command, which may define macros */
 } closure_request;
 
 typedef struct closure {

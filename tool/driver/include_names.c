@@ -81,17 +81,26 @@ static bool is_directive(const char *text, const char *at) {
     return at >= text + 2 && at[-1] == ':' && at[-2] == '%' && begins_line(text, at - 2);
 }
 
-/* May a macro begin at `at`? */
-static bool begins_name(char c) {
-    return isalpha((unsigned char)c) || c == '_' || c == '$' || c == '\\' ||
-           (unsigned char)c >= 0x80;
+/* Adds the macro at `at`, which may make a name. False where a compiler may define it by itself
+ * (reserved names, `linux`), or its name has other bytes than letters, digits and _. What is no
+ * name is no directive that includes: words of a comment, or an error. */
+static bool add_macro(arena *a, const char *at, include_names *names) {
+    size_t length = 0;
+    bool has_capital = false;
+    for (; is_word_byte(at[length]); length++)
+        has_capital |= at[length] >= 'A' && at[length] <= 'Z';
+    if (at[length] == '$' || at[length] == '\\' || (unsigned char)at[length] >= 0x80)
+        return false;
+    if (length == 0 || isdigit((unsigned char)*at))
+        return true;
+    words_add(a, &names->macros, arena_copy(a, at, length));
+    return has_capital && *at != '_';
 }
 
-/* Adds the <name> or "name" at `at`; false where something else makes a name. What is neither is no
- * directive that includes: words of a comment, or an error. */
+/* Adds the <name>, "name" or macro at `at`; false where the name cannot be seen. */
 static bool add_name(arena *a, const char *at, include_names *names) {
     if (*at != '<' && *at != '"')
-        return !begins_name(*at);
+        return add_macro(a, at, names);
     const char ends[] = {*at == '<' ? '>' : '"', '\n', '\r', 0};
     const size_t length = strcspn(at + 1, ends);
     if (at[1 + length] != ends[0])
@@ -123,6 +132,7 @@ const char *include_names_find(arena *a, const char *text, size_t length, includ
     if (strstr(text, "?\?=") || strstr(text, "?\?/"))
         return "it has trigraphs";
     text = without_splices(a, text, length);
+    names->text = text;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
         if (has_word(text, times[i]))
             return "it names the time";
@@ -139,4 +149,28 @@ const char *include_names_find(arena *a, const char *text, size_t length, includ
                 return "a macro makes the name of a header";
         }
     return NULL;
+}
+
+/* Is the word before `at` one that asks for a macro, or takes it away? */
+static bool is_asked_for(const char *text, const char *at) {
+    static const char *const askers[] = {"defined", "ifdef",        "ifndef", "undef",
+                                         "include", "include_next", "import"};
+    while (at > text && (is_blank(at[-1]) || at[-1] == '('))
+        at--;
+    const char *end = at;
+    while (at > text && is_word_byte(at[-1]))
+        at--;
+    for (size_t i = 0; i < sizeof askers / sizeof *askers; i++)
+        if (is(at, (size_t)(end - at), askers[i]))
+            return true;
+    return false;
+}
+
+bool include_names_may_define(const char *text, const char *macro) {
+    const size_t length = strlen(macro);
+    for (const char *at = text; (at = strstr(at, macro)); at += length)
+        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[length]) &&
+            !is_asked_for(text, at))
+            return true;
+    return false;
 }
