@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/answerers.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -14,7 +15,6 @@ struct cache {
     digest program;       /* the translator without its libraries */
     digest libraries_key; /* of what is known of them */
     digest translator;
-    bool knows_translator;
     word_list folders;
 };
 
@@ -24,9 +24,7 @@ const store *answerers_store(const session *s) {
 
 const digest *answerers_identity(const session *s, cache_program program) {
     const struct cache *c = s->cache;
-    if (program == CACHE_COMPILER)
-        return &c->compiler;
-    return c->knows_translator ? &c->translator : NULL;
+    return program == CACHE_COMPILER ? &c->compiler : &c->translator;
 }
 
 bool answerers_options_are_plain(const word_list *options) {
@@ -136,7 +134,7 @@ static bool find_compiler(session *s, struct cache *c) {
  * ------------------------------------------------------------------------------ */
 
 /* Takes in what the translator has named: its libraries by contents, its folders. */
-static void know_translator(session *s, struct cache *c, const char *list, size_t length) {
+static bool know_translator(session *s, struct cache *c, const char *list, size_t length) {
     digester d = digest_begin();
     digest_add(&d, c->program.bytes, sizeof c->program.bytes);
     word_list libraries = {0};
@@ -146,12 +144,51 @@ static void know_translator(session *s, struct cache *c, const char *list, size_
         else if (*at == 'd')
             words_add(s->memory, &c->folders, arena_string(s->memory, at + 1));
     }
-    c->knows_translator = identity_add_files(s->memory, &c->kept, &d, &libraries);
+    const bool is_known = identity_add_files(s->memory, &c->kept, &d, &libraries);
     c->translator = digest_end(&d);
+    return is_known;
+}
+
+/* Has the translator name its libraries and folders, by an empty source: once, and then kept. */
+static const char *ask_translator(session *s, const struct cache *c, size_t *length) {
+    arena *a = s->memory;
+    store_part kept;
+    if (store_get(a, &c->kept, &c->libraries_key, 1, &kept)) {
+        *length = kept.length;
+        return kept.bytes;
+    }
+    const char *list = arena_format(a, "%s/inputs", s->folder);
+    const char *empty = arena_format(a, "%s/empty.c", s->folder);
+    FILE *file = fopen(empty, "wb");
+    if (!file || fclose(file) != 0)
+        return NULL;
+    word_list words = {0};
+    words_add(a, &words, s->tools.translator);
+    words_add(a, &words, empty);
+    words_add(a, &words, "-o");
+    words_add(a, &words, arena_format(a, "%s/empty", s->folder));
+    words_add(a, &words, "--in-process");
+    words_add(a, &words, arena_format(a, "--inputs-file=%s", list));
+    const char *silent = "/dev/null";
+    if (process_run(a, &words, (process_streams){NULL, silent, silent}) != 0)
+        return NULL;
+    const char *text = file_read(a, list, length);
+    if (!text || *length == 0 || text[*length - 1] != 0)
+        return NULL;
+    buffer own = {0};
+    for (const char *at = text; at < text + *length; at += strlen(at) + 1)
+        if (*at != 'f') /* the empty source */
+            buffer_append(&own, at, strlen(at) + 1);
+    const char *result = arena_copy(a, own.data ? own.data : "", own.length);
+    *length = own.length;
+    buffer_free(&own);
+    if (*length > 0)
+        store_put(a, &c->kept, &c->libraries_key, 1, &(store_part){result, *length});
+    return *length > 0 ? result : NULL;
 }
 
 static bool find_translator(session *s, struct cache *c) {
-    store_part list;
+    size_t length;
     digester d = digest_begin();
     digest_text(&d, "the translator");
     identity_add_environment(s->memory, &d);
@@ -162,27 +199,8 @@ static bool find_translator(session *s, struct cache *c) {
     if (!add_loader(s, &c->kept, &with_loader))
         return false;
     c->libraries_key = digest_end(&with_loader);
-    if (store_get(s->memory, &c->kept, &c->libraries_key, 1, &list) && list.length > 0 &&
-        list.bytes[list.length - 1] == 0)
-        know_translator(s, c, list.bytes, list.length);
-    return true;
-}
-
-void answerers_learn_translator(session *s, const char *list) {
-    size_t length;
-    struct cache *c = s->cache;
-    if (!c || c->knows_translator)
-        return;
-    const char *text = file_read(s->memory, list, &length);
-    if (!text || length == 0 || text[length - 1] != 0)
-        return;
-    buffer own = {0};
-    for (const char *at = text; at < text + length; at += strlen(at) + 1)
-        if (*at != 'f')
-            buffer_append(&own, at, strlen(at) + 1);
-    if (own.length > 0)
-        store_put(s->memory, &c->kept, &c->libraries_key, 1, &(store_part){own.data, own.length});
-    buffer_free(&own);
+    const char *list = ask_translator(s, c, &length);
+    return list && know_translator(s, c, list, length);
 }
 
 struct cache *answerers_find(session *s, const store *kept) {

@@ -11,21 +11,18 @@
 /** Whether $REDCC_OPTS holds nothing but options whose only effect is on the translation itself. */
 bool answerers_options_are_plain(const word_list *options);
 
-/** Finds out, or remembers, who they are; NULL where the compiler is a script or cannot be asked.
+/** Finds out, or remembers, who they are; NULL where one is a script or cannot be asked.
  */
 struct cache *answerers_find(session *s, const store *kept);
 
 /** Where the answers are kept. */
 const store *answerers_store(const session *s);
 
-/** The program that answers, by contents; NULL where that is not known yet. */
+/** The program that answers, by contents. */
 const digest *answerers_identity(const session *s, cache_program program);
 
 /** Adds all folders in which headers of the command's sources may be looked for, and the headers
  *  that are included without being named in a source. Returns why they cannot be known, or NULL. */
 const char *answerers_add_folders(session *s, closure_request *request);
-
-/** Keeps which libraries and folders the translator has named in `list` (redcc --inputs-file). */
-void answerers_learn_translator(session *s, const char *list);
 
 #endif

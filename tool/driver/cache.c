@@ -191,11 +191,6 @@ int cached_run_program(session *s, cached *c, const cached_run *run) {
         return session_run(s, run->words, run->streams);
     if (run->read)
         unlink(run->read);
-    if (!answerers_identity(s, run->program)) {
-        const int status = session_run(s, run->words, run->streams);
-        answerers_learn_translator(s, run->read);
-        return status;
-    }
     store_part parts[PARTS];
     const digest key = key_of(s, c, run->program, "a run", run->words, run);
     if (store_get(s->memory, answerers_store(s), &key, PARTS, parts) && parts[0].length == 1 &&
@@ -214,7 +209,7 @@ int cached_run_program(session *s, cached *c, const cached_run *run) {
 
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words) {
     store_part part;
-    if (!c || !answerers_identity(s, CACHE_COMPILER))
+    if (!c)
         return NULL;
     const digest key = key_of(s, c, CACHE_COMPILER, about, words, NULL);
     return store_get(s->memory, answerers_store(s), &key, 1, &part)
@@ -224,7 +219,7 @@ const char *cached_text(session *s, cached *c, const char *about, const word_lis
 
 void cached_keep_text(session *s, cached *c, const char *about, const word_list *words,
                       const char *text) {
-    if (!c || !answerers_identity(s, CACHE_COMPILER))
+    if (!c)
         return;
     kept_answer answer = {.key = key_of(s, c, CACHE_COMPILER, about, words, NULL), .count = 1};
     answer.parts[0] = (store_part){text, strlen(text)};

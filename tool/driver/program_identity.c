@@ -32,16 +32,22 @@ static bool add_times(digester *d, const char *path, bool *is_settled) {
     return true;
 }
 
+/* Libraries have hundreds of megabytes: never as a whole in memory. */
 static bool add_contents(digester *d, const char *path) {
-    arena *scratch = arena_new();
-    size_t length;
-    const char *bytes = file_read(scratch, path, &length);
-    if (bytes) {
-        digest_add(d, &length, sizeof length);
-        digest_add(d, bytes, length);
+    FILE *file = fopen(path, "rb");
+    char part[65536];
+    uint64_t length = 0;
+    size_t count;
+    if (!file)
+        return false;
+    while ((count = fread(part, 1, sizeof part, file)) > 0) {
+        digest_add(d, part, count);
+        length += count;
     }
-    arena_free(scratch);
-    return bytes != NULL;
+    const bool good = !ferror(file);
+    fclose(file);
+    digest_add(d, &length, sizeof length);
+    return good;
 }
 
 bool identity_add_files(arena *a, const store *s, digester *d, const word_list *paths) {
