@@ -12,18 +12,18 @@
 typedef struct session {
     arena *memory;
     installation tools;
-    compiler real;      /**< the compiler */
-    word_list given;    /**< its arguments as given */
-    command command;    /**< the same, taken apart */
-    word_list options;  /**< $REDCC_OPTS */
-    bool contracts;     /**< order any: the compiler may fuse multiply and add */
-    bool show;          /**< --redcc-show: print what would run, run nothing */
-    bool only_reports;  /**< --redcc-report: translate and report, compile nothing */
-    bool verbose;       /**< -v */
-    bool strict;        /**< $REDCC_STRICT: a source that would be left alone ends the build */
+    compiler real;       /**< the compiler */
+    word_list given;     /**< its arguments as given */
+    command command;     /**< the same, taken apart */
+    word_list options;   /**< $REDCC_OPTS */
+    bool contracts;      /**< order any: the compiler may fuse multiply and add */
+    bool show;           /**< --redcc-show: print what would run, run nothing */
+    bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
+    bool verbose;        /**< -v */
+    bool strict;         /**< $REDCC_STRICT: a source that would be left alone ends the build */
     struct cache *cache; /**< where answers are kept (cache.h); NULL: nowhere */
-    const char *report; /**< where the build's report goes; NULL: nowhere */
-    const char *folder; /**< for temporaries; NULL before there is one */
+    const char *report;  /**< where the build's report goes; NULL: nowhere */
+    const char *folder;  /**< for temporaries; NULL before there is one */
     VECTOR(shared_folder) shared; /**< those that other calls may use at the same time */
     const char *input;   /**< what standard input held, in a file; NULL where it is no source */
     unsigned attempts;   /**< made so far: their files are numbered */

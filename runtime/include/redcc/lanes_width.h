@@ -3,7 +3,7 @@
  * What text for redcc_width lanes is compiled with (lanes.h): its names, which stand in REDCC_WIDE,
  * the list of its lanes, and its processor. To be included wherever redcc_width is defined anew.
  */
-#ifdef REDCC_EXECUTE_LANES /* behind lanes.h: what is undone by REDCC_QUIET_END */
+#ifdef REDCC_EXECUTE_LANES                  /* behind lanes.h: what is undone by REDCC_QUIET_END */
 #pragma GCC diagnostic ignored "-Wpedantic" /* vectors made of what is no constant */
 #pragma GCC diagnostic ignored "-Wdeclaration-after-statement"
 #endif

@@ -59,13 +59,14 @@ struct runner {
     uint32_t schedule; /* the plan's that it executes */
     uint32_t stage;    /* of execution */
     struct hooks hooks;
-    struct run_reader runs;      /* of the chunk at hand, still to be handed out */
-    redcc_iterations piece[REDCC_RUNS]; /* handed out, of runs that are packed, to be guarded or cut */
-    struct parts parts;          /* of a trial of manners */
-    redcc_iterations whole;             /* handed out, in order, without a plan, */
-    redcc_int in_order_end;      /* up to here */
-    void **base;                 /* [array_count] where it writes */
-    redcc_owner *owner;          /* [array_count] what it owns */
+    struct run_reader runs; /* of the chunk at hand, still to be handed out */
+    redcc_iterations
+        piece[REDCC_RUNS];  /* handed out, of runs that are packed, to be guarded or cut */
+    struct parts parts;     /* of a trial of manners */
+    redcc_iterations whole; /* handed out, in order, without a plan, */
+    redcc_int in_order_end; /* up to here */
+    void **base;            /* [array_count] where it writes */
+    redcc_owner *owner;     /* [array_count] what it owns */
 };
 
 /** Before the threads begin. */

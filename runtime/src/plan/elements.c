@@ -80,8 +80,10 @@
             if (applied->ahead)                                                                    \
                 __builtin_prefetch(&rows[applied->place[k + applied->ahead] * count], 1);          \
             for (size_t i = 0; i < count; i++) {                                                   \
-                const TYPE b = row[i], x = records[k * count + i];                                 \
-                row[i] = count > 1 && (IS_NEUTRAL) ? b : COMBINED;                                 \
+                TYPE *const to = &row[i];                                                          \
+                const TYPE b = *to, x = records[k * count + i];                                    \
+                if (count == 1 || !(IS_NEUTRAL)) /* no iteration may have come to it */            \
+                    *to = COMBINED;                                                                \
             }                                                                                      \
         }                                                                                          \
     }                                                                                              \

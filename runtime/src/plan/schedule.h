@@ -77,7 +77,7 @@ struct run_reader {
     const redcc_iterations *run_end;
     const uint16_t *word; /* packed */
     const uint16_t *word_end;
-    redcc_u32 at;   /* where the run before ends */
+    redcc_u32 at;          /* where the run before ends */
     redcc_iterations rest; /* of a run that was read in part */
 };
 
