@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* clang-format off */
 /**
  * Defines how threads inspect and execute the loop REDCC_LOOP (redcc/parallel.h): NAME_run,
  * NAME_over and NAME_execute. Included once for each loop, after its slice, body, description and
@@ -12,9 +13,11 @@
  *     #define REDCC_COUNTER type       of the counter; int if not defined
  *     #define REDCC_STEP expression    what the counter grows by; 1. It may use `loop`.
  *     #define REDCC_KEYS n             how many redcc_depends_on the description has; 0
- *     #define REDCC_FLAGS flags        of structures.h; REDCC_VERIFIABLE: rows depend on nothing
- * but what parallel.h names, so that a plan may be used again. Of short iterations, without loops:
- * | REDCC_LIGHT #define REDCC_ORDERED order      REDCC_ORDER_SERIAL; what the result may differ in
+ *     #define REDCC_FLAGS flags        of structures.h. REDCC_VERIFIABLE, the default: rows depend
+ *                                      on nothing but what parallel.h lists, so that a plan may be
+ *                                      used again. With short iterations without loops:
+ *                                      REDCC_VERIFIABLE | REDCC_LIGHT
+ *     #define REDCC_ORDERED order      what the result may differ in; REDCC_ORDER_SERIAL
  *     #define REDCC_STREAMS            there is NAME_streams
  *     #define REDCC_NAMED bits         of sources that the slice names while updates are kept
  *     #define REDCC_ONE_BODY           the body is a REDCC_HEAVY_BODY
@@ -22,6 +25,7 @@
  *                                      thread does that executed the last iteration
  * All of these are undefined at the end.
  */
+/* clang-format on */
 #pragma GCC system_header
 #ifdef __clang__
 #pragma clang diagnostic push

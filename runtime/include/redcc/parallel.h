@@ -1,84 +1,87 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* clang-format off */
 /**
  * redcc/parallel.h: irregular reductions in parallel, with the bits of the sequential loop.
  *
  * A loop adds to elements or rows b[i] of arrays, and i comes from memory. It is described by a few
- * small functions; the runtime learns from them which iterations update which rows, gives each row
- * to one thread, and executes the loop. Each row gets its updates in the order of the loop, so the
+ * small functions. From them the runtime learns which iterations update which rows; it gives each
+ * row to one thread, and executes the loop. Each row gets its updates in the order of the loop: the
  * result is that of the sequential loop, bit for bit, at every number of threads.
  * docs/by-hand.md has the first steps, examples/by-hand four whole programs.
  *
- *     struct NAME {...};                the context: the values and pointers that the loop uses
- *     REDCC_SLICE(NAME, int t) {...}    names the rows that iteration t updates and reads
- *     REDCC_BODY(NAME, int t) {...}     executes iteration t
- *     REDCC_DESCRIBE(NAME) {...}        one execution: how many iterations, where the arrays are
+ *     struct NAME {...};                 the context: the values and pointers that the loop uses
+ *     REDCC_SLICE(NAME, int t) {...}     names the rows that iteration t updates and reads
+ *     REDCC_BODY(NAME, int t) {...}      executes iteration t
+ *     REDCC_DESCRIBE(NAME) {...}         an execution: its iterations, where the arrays are
  *     static const redcc_array NAME_arrays[] = {...};      the arrays that are updated
  *     static const redcc_source NAME_sources[] = {...};    the arrays that are read
- *     static const redcc_stream NAME_streams[] = {...};    (optional) arrays whose updates may be
- * kept
+ *     static const redcc_stream NAME_streams[] = {...};    optional: arrays whose updates may be kept
  *
  *     #define REDCC_LOOP NAME
  *     #define REDCC_WHERE "file.c", 12, "function"         for reports
  *     #define REDCC_ARRAYS 1                               entries of NAME_arrays
- *     #define REDCC_SOURCES 2                              entries of NAME_sources; 0: there are
- * none #include <redcc/define_loop.h>                       has the options, and defines
+ *     #define REDCC_SOURCES 2                              entries of NAME_sources; 0: none
+ *     #include <redcc/define_loop.h>                       has the options, and defines:
  *
- *     int NAME_run(const struct NAME *)      1: the loop is done. 0: nothing was written; execute
- * the sequential loop, then call void NAME_over(void)                   (the runtime learns from
- * the time in between) void NAME_execute(const struct NAME *) does the loop in any case: NAME_run,
- * or else the body for each iteration in order, then NAME_over
+ *     int NAME_run(const struct NAME *)        1: the loop is done. 0: nothing was written; execute
+ *                                              the sequential loop, then call NAME_over()
+ *     void NAME_over(void)                     the runtime learns from the time in between
+ *     void NAME_execute(const struct NAME *)   does the loop in any case: by NAME_run, or else the
+ *                                              body for each iteration in order, then NAME_over
  *
- * In all functions `loop` is the context (constant) and `it` what the calls below take. NAME_run
- * may be called by several threads at once; then one of them runs in parallel, the others
- * sequentially.
+ * In all functions `loop` is the context (constant) and `it` what the calls below take. Several
+ * threads may call NAME_run at once: one of them runs in parallel, the others sequentially.
  *
- * SLICE. Any number of times, in any order; a row too many costs time, a row too few gives wrong
- * results (REDCC_VALIDATE=1 finds it). Values that decide which rows are named may come only from
- * the context, from sources marked as subscripts, and from what redcc_depends_on names.
- *     redcc_updates(it, ARRAY, base, row)    the iteration may update base[row]
- *     redcc_reads(it, SOURCE, base, row)     it may read base[row]; only of redcc_reads_named
- * sources redcc_updates_bytes(it, ARRAY, address, bytes), redcc_reads_bytes(it, SOURCE, address,
- * bytes) the same where rows do not begin at a constant base redcc_reads_ahead(it, base, row)
- * base[row] is read, which only prefetches ask for
+ * SLICE. Its calls may come any number of times and in any order. A row too many costs time, a row
+ * too few gives wrong results (REDCC_VALIDATE=1 finds it). Values that decide which rows are named
+ * come only from the context, from sources marked as subscripts, and from redcc_depends_on.
+ *     redcc_updates(it, ARRAY, base, row)              the iteration may update base[row]
+ *     redcc_reads(it, SOURCE, base, row)               it may read base[row]; for sources that the
+ *                                                      description gives by redcc_reads_named
+ *     redcc_updates_bytes(it, ARRAY, address, bytes)   the same where rows do not begin at
+ *     redcc_reads_bytes(it, SOURCE, address, bytes)    a constant base
+ *     redcc_reads_ahead(it, base, row)                 base[row] is read; for prefetches alone
  *
  * BODY. It writes to the arrays by these calls alone, reads none of them, and may be executed more
  * than once for one iteration: it leaves nothing behind but its updates. ARRAY is a constant.
- *     redcc_base(it, ARRAY, loop->b)         where to write in place of loop->b (perhaps a copy)
- *     redcc_add(it, ARRAY, &b[i], value)     b[i] += value. Also redcc_subtract, redcc_multiply,
- *                                            redcc_and, redcc_or, redcc_xor;
- *     redcc_minimum, redcc_maximum           if (value < b[i]) b[i] = value; and by >
- *     redcc_row(it, ARRAY, &b[i])            a pointer to update the row by: &b[i] or, if another
- *                                            thread does that, a row that nobody reads. Valid until
- *                                            the iteration's end or redcc_rows_end(it). Each
- * element is updated at most once, by the array's operator (or by
- *                                            - for +) with a value of the element's type. Rows are
- *                                            asked for in the order of their updates.
- *     redcc_rows_end(it)                     ends the rows so far; at most 16 may be open at once
- *     redcc_may_update(it, ARRAY, &b[i])     before an update that is written out: it is made only
- *                                            if this gives 1. Not where updates are kept.
- *     redcc_concerns(it, ARRAY, &b[i])       0: this thread does not update that row now, so that
- * an inner iteration may be left out
+ *     redcc_base(it, ARRAY, loop->b)      where to write in place of loop->b (perhaps a copy)
+ *     redcc_add(it, ARRAY, &b[i], v)      b[i] += v. Also redcc_subtract, redcc_multiply,
+ *                                         redcc_and, redcc_or, redcc_xor
+ *     redcc_minimum(it, ARRAY, &b[i], v)  if (v < b[i]) b[i] = v. redcc_maximum: by >
+ *     redcc_row(it, ARRAY, &b[i])         a pointer to update the row by: &b[i] or, if another
+ *                                         thread does that, a row that nobody reads. Valid until
+ *                                         the iteration's end or redcc_rows_end(it). Each element
+ *                                         is updated at most once, by the array's operator (or by
+ *                                         - for +) with a value of the element's type. Rows are
+ *                                         asked for in the order of their updates.
+ *     redcc_rows_end(it)                  ends the rows so far; at most 16 may be open at once
+ *     redcc_may_update(it, ARRAY, &b[i])  before an update that is written out: it is made only
+ *                                         if this gives 1. Not where updates are kept.
+ *     redcc_concerns(it, ARRAY, &b[i])    0: this thread does not update that row now, so that an
+ *                                         inner iteration may be left out
  *
- * DESCRIBE. Once each; read before NAME_run returns. Nothing is to be read through pointers here.
- *     redcc_iterations(it, first, count)     t = first, first + 1, ... (or REDCC_STEP)
+ * DESCRIBE. Each call once; read before NAME_run returns. It reads nothing through pointers.
+ *     redcc_iterations(it, first, count)               t = first, first + 1, ... (or REDCC_STEP)
  *     redcc_updates_array(it, ARRAY, base)
- *     redcc_reads_rows(it, SOURCE, base, row, count)   these rows are read, at most
- *     redcc_reads_named(it, SOURCE, base)    the slice names the rows by redcc_reads
- *     redcc_depends_on(it, KEY, value)       other values that rows depend on; KEY counts from 0
- *     redcc_give_up(it, condition)           leaves this execution to the sequential loop
+ *     redcc_reads_rows(it, SOURCE, base, row, count)   at most these rows are read
+ *     redcc_reads_named(it, SOURCE, base)              the slice names the rows by redcc_reads
+ *     redcc_depends_on(it, KEY, value)                 another value that rows depend on; KEY
+ *                                                      counts from 0
+ *     redcc_give_up(it, condition)                     leaves this execution to the sequential loop
  *
  * ENTRIES. Names are those of the reports. A row is what one redcc_updates covers.
  *     REDCC_ARRAY(name, operator, type, n)   rows of n numbers; operator: REDCC_SUM (also for -),
  *                                            REDCC_PRODUCT, REDCC_MINIMUM, REDCC_MAXIMUM,
- * REDCC_AND, REDCC_OR, REDCC_XOR; type: int, double, ..., one word REDCC_SUBSCRIPTS(name) decides
- * which rows are updated. A plan is used again while all that was read of these is unchanged
+ *                                            REDCC_AND, REDCC_OR, REDCC_XOR; type: one word
+ *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is used again
+ *                                            while all that was read of these is unchanged
  *     REDCC_READ(name)                       is read only for values
  *     REDCC_KEPT(ARRAY, type, n)             updates may be kept and made later, in order (binning:
  *                                            for subscripts that change in each call). n: of a row,
  *                                            or 1 where redcc_add and the like are used. All arrays
- *                                            have one, in their order, or none. Then the body must
- * be free of divisions, loop bounds and addresses that depend on memory which an update might
- * overlap.
+ *                                            have one, in their order, or none. Then the body has
+ *                                            no division, loop bound or address that depends on
+ *                                            memory which an update might overlap.
  *
  * The object refers to one symbol, redcc_run, weakly: where the runtime is not linked, NAME_run
  * gives 0. With -DREDCC_OFF it refers to none. Compiled by your flags: no OpenMP option is needed,
@@ -88,6 +91,7 @@
  * this file forbids the contraction of a * b + c in the rest of the file, as two copies of one
  * expression would be contracted differently.
  */
+/* clang-format on */
 #ifndef REDCC_PARALLEL_H
 #define REDCC_PARALLEL_H
 
