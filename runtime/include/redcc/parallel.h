@@ -15,7 +15,7 @@
  *     REDCC_DESCRIBE(NAME) {...}         an execution: its iterations, where the arrays are
  *     static const redcc_array NAME_arrays[] = {...};      the arrays that are updated
  *     static const redcc_source NAME_sources[] = {...};    the arrays that are read
- *     static const redcc_stream NAME_streams[] = {...};    optional: arrays whose updates may be kept
+ *     static const redcc_stream NAME_streams[] = {...};    optional: whose updates may be kept
  *
  *     #define REDCC_LOOP NAME
  *     #define REDCC_WHERE "file.c", 12, "function"         for reports
