@@ -45,11 +45,20 @@ static bool is_ours(const char *variable) {
     return strncmp(variable, "REDCC_", 6) == 0;
 }
 
+/* "REDCC_CACHE=off", whatever a shell that builds and runs has exported. */
+static bool is_of_build(const char *variable) {
+    const size_t length = strcspn(variable, "=");
+    for (size_t n = OF_RUN; n < NAMES; n++)
+        if (strlen(names[n]) == length && strncmp(variable, names[n], length) == 0)
+            return true;
+    return false;
+}
+
 bool redcc_any_variable(void) {
     if (!&__environ || !__environ)
         return true;
     for (char *const *each = __environ; *each; each++)
-        if (is_ours(*each))
+        if (is_ours(*each) && !is_of_build(*each))
             return true;
     return false;
 }

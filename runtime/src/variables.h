@@ -26,7 +26,8 @@ const char *redcc_environment(const char *name);
  *  translated program nor redcc and redcc-cc know. To be called once. */
 void redcc_note_unknown_variables(void);
 
-/** Is any variable set that begins as ours do, or is that not known? */
+/** Is any variable set that begins as ours do and is not one of the build alone, or is that not
+ * known? */
 bool redcc_any_variable(void);
 
 #endif

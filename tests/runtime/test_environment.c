@@ -400,6 +400,8 @@ static void expect_least_trip(const char *variables, const char *expected) {
 static void few_short_iterations(void **unused) {
     (void)unused;
     expect_least_trip("", "131072 unasked, from 1024\n");
+    expect_least_trip("REDCC_CACHE=off REDCC_OPTS=", "131072 unasked, from 1024\n");
+    expect_least_trip("REDCC_CACH=off", "0 unasked, from 1024\n");
     expect_least_trip("REDCC_METHOD=auto REDCC_ORDER=any", "0 unasked, from 1024\n");
     expect_least_trip("REDCC_METHOD=localwrite", "0 unasked, from 0\n");
     expect_least_trip("REDCC_SUM=compensated", "from 0\n");
