@@ -4,6 +4,7 @@
 # '!' must fail. And the manual page and the completion, which lie beside it, know the options of
 # some commands. Arguments: PROGRAM SCENES FOLDER DOCUMENT.
 source "$(dirname "$0")/app_common.sh"
+export ASAN_OPTIONS=detect_leaks=0 # Mesa keeps memory of its own until the end
 mkdir bin
 ln -s "$program" bin/fabric
 ln -s "${program%/*}/fabric-view" bin

@@ -96,7 +96,7 @@ static void assert_scalar(const loop_facts *facts, const scalar_update *scalar) 
            (scalar->is_extremum && scalar->statement->kind == IR_IF));
     assert(!scalar->is_extremum || (scalar->op >= IR_OP_LESS && scalar->op <= IR_OP_GREATER_EQUAL));
     assert(!scalar->is_extremum || (scalar->value && !scalar->is_repeated));
-    assert(!scalar->is_negated || (scalar->is_extremum && !scalar->is_conditional));
+    assert(!scalar->is_negated || scalar->is_extremum);
     assert(!scalar->place || scalar->is_extremum);
     assert(scalar->operand <= OPERAND_DOUBLE);
     assert(!scalar->is_repeated || scalar->operand == OPERAND_INTEGER);
