@@ -240,7 +240,7 @@ static void print_prices(void) {
             const double seconds = (double)(after.tv_sec - before.tv_sec) +
                                    1e-9 * (double)(after.tv_nsec - before.tv_nsec);
             printf("%4d more mappings, %s: %.1f us\n", counts[c], way ? "text" : "questions",
-                   1e6 * seconds / TIMES);
+                   1e6 * seconds / (int)TIMES);
         }
     }
 }
