@@ -58,6 +58,10 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     redcc_loop *loop = &site->binned.loop;
     if (loop->flags & REDCC_LIGHT && !redcc_is_worth_entering(attempt->trip))
         return 0;
+    /* Also where the loop then runs sequentially: a row that is named for another array may make
+     * arrays seem to overlap. */
+    if (redcc_settings()->validate)
+        redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct shared shared = {.attempt = attempt, .member = member, .context = context};
     if (redcc_enter(&shared.call, loop, attempt->trip, attempt->bases, attempt->known, attempt->key,
                     redcc_region_threads(), redcc_region_is_nested()))
@@ -65,7 +69,5 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (!redcc_leave(&shared.call))
         return 0;
     redcc_sequential_done(loop);
-    if (redcc_settings()->validate)
-        redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     return 1;
 }
