@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* clang-format off */
 /**
- * One loop of test_parallel.c: each iteration updates row i, and row OTHER(i), of an array. Before
- * it: CASE        the loop's name TYPE        of the array's elements; OPERATION, by which they are
- * updated; WIDTH of a row BODY(r)     updates row number r of `a` by redcc/parallel.h, in iteration
- * t PLAIN(r)    the same as it is written Defines test_CASE for cmocka.
+ * One loop of test_parallel.c: each iteration updates row i, and row OTHER(i), of an array. Before it:
+ *     CASE        the loop's name
+ *     TYPE        of the array's elements; OPERATION, by which they are updated; WIDTH of a row
+ *     BODY(r)     updates row number r of `a` by redcc/parallel.h, in iteration t
+ *     PLAIN(r)    the same as it is written
+ * Defines test_CASE for cmocka.
  */
+/* clang-format on */
 #define PASTE_(a, b) a##b
 #define PASTE(a, b) PASTE_(a, b)
 #define OF_CASE(part) PASTE(CASE, part)
