@@ -252,6 +252,27 @@ static void test_cloth_sleeps(void **state) {
     stage_end(&on);
 }
 
+/* ... and falls from the very time at which it goes, within a step. */
+static void test_cloth_wakes_within_a_step(void **state) {
+    (void)state;
+    const double gone = 4.005;
+    collider table = {.kind = COLLIDER_PLANE,
+                      .position = {0, 0, -0.1},
+                      .axis = {0, 0, 1},
+                      .friction = 0.5,
+                      .gap = 0.005,
+                      .until = gone};
+    stage on = lying_sheet(&table);
+    stage_begin(&on);
+    stage_run(&on, 200);
+    assert_true(simulation_steps_slept(on.sim) > 50);
+    assert_true(vector_length(on.sim->state.v[0]) == 0);
+    stage_run(&on, 10);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        assert_near(on.sim->state.v[i][2], -9.81 * (simulation_time(on.sim) - gone), 1e-3);
+    stage_end(&on);
+}
+
 /* A ball that is on its way, a pin that is to move, wind: no sleep. */
 static void test_what_is_driven_is_awake(void **state) {
     (void)state;
@@ -359,6 +380,7 @@ int main(void) {
         cmocka_unit_test(test_a_thousand_colliders),
         cmocka_unit_test(test_falls_into_reach),
         cmocka_unit_test(test_cloth_sleeps),
+        cmocka_unit_test(test_cloth_wakes_within_a_step),
         cmocka_unit_test(test_what_is_driven_is_awake),
         cmocka_unit_test(test_sleep_is_saved),
         cmocka_unit_test(test_monitor_can_be_off),
