@@ -60,10 +60,9 @@ static int run(const command *self, int argc, char **argv) {
     if (!folder)
         return options_complain(self, "which folder? %s", self->synopsis);
     char path[FILE_PATH_SIZE];
-    const int status =
-        files_output(path, folder, "cloth.glb", given) == 0 && write_run(folder, path) == 0 ? 0
-                                                                                            : -1;
-    return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (files_output(path, folder, "cloth.glb", given) != 0 || write_run(folder, path) != 0)
+        return EXIT_FAILURE;
+    return EXIT_SUCCESS;
 }
 
 const command gltf_command = {"gltf", "DIR [options]",
