@@ -127,7 +127,7 @@ static void held_scalar(kernel *k) {
     put(k, &k->body, "const double %s = %s;\n(void)%s;\n", x, v, x);
     const char *when = text(k, "%s[%s]", never, any_name(k, &k->scope.positions));
     if (chance(k, 30))
-        when = text(k, "%s && %s", when, condition_on(k, x));
+        when = text(k, "%s && (%s)", when, condition_on(k, x));
     put(k, &k->body, "if (%s) {\n", when);
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"

@@ -106,6 +106,7 @@ const block_flags *flags_of_block(uint64_t block);
 typedef operand feature(attack *a);
 feature wrapped_extents, hidden_names, shadowed_in_body, addresses_as_values, block_restrict,
     changed_types, names_like_builtins, values_of_the_thread, searches, floating_subscripts,
-    odd_text, beside_scalars, made_valid, behind_the_loop, slices, mapped;
+    odd_text, beside_scalars, made_valid, behind_the_loop, slices, mapped, counters_set_inside,
+    masks, held;
 
 #endif

@@ -193,3 +193,13 @@ void attack_map(unsigned long *both[2], int kind) {
     map_at(both[1], bytes, kind == 3 ? MAP_PRIVATE : MAP_SHARED, file, kind == 0 ? bytes : 0);
     close(file);
 }
+
+/* Behind the last one: nothing else lies in its page. */
+ATTACK_PAGE char attack_last_page[4096];
+extern char __start_attack_pages[], __stop_attack_pages[];
+
+void attack_hold(void) {
+    if (mprotect(__start_attack_pages, (size_t)(__stop_attack_pages - __start_attack_pages),
+                 PROT_READ) != 0)
+        abort();
+}

@@ -61,6 +61,9 @@ void *attack_same(const void *p) __attribute__((const));
  * that they have from an earlier call. kind 0: two objects; 1: one, mapped twice; 2: one, twice,
  * side by side; 3: one, which the second shows until it is written to. */
 void attack_map(unsigned long *both[2], int kind);
+/** Objects of pages of their own, which can only be read after attack_hold. */
+#define ATTACK_PAGE __attribute__((section("attack_pages"), aligned(4096)))
+void attack_hold(void);
 void attack_mark(const void **entries, int count, const void *mark);
 
 #endif

@@ -177,10 +177,13 @@ static operand make_feature(attack *a) {
         addresses_as_values,  block_restrict,  changed_types,       names_like_builtins,
         values_of_the_thread, searches,        floating_subscripts, odd_text,
         beside_scalars,       made_valid,      behind_the_loop,     slices};
-    /* By the seed, so that others make what they made before there was this kind. */
-    const bool is_mapped = a->seed % 16 == 13 && a->features == 0;
-    operand o =
-        is_mapped ? mapped(a) : features[below(a, (int)(sizeof features / sizeof *features))](a);
+    /* Later kinds, by the seed, so that other seeds make what they made before. */
+    static feature *const later[16] = {
+        [3] = counters_set_inside, [7] = masks, [10] = held, [13] = mapped};
+    feature *chosen = a->features == 0 ? later[a->seed % 16] : NULL;
+    if (!chosen)
+        chosen = features[below(a, (int)(sizeof features / sizeof *features))];
+    operand o = chosen(a);
     a->features++;
     return o;
 }
