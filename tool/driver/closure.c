@@ -33,6 +33,7 @@ typedef struct search {
     word_list texts, macros; /* of files; that would make names of headers */
     map *met;                /* files and the folders in which they were met */
     map *names;              /* that were looked for in all folders */
+    map *below;              /* folders of paths: is each there? */
     uintptr_t count;
 } search;
 
@@ -111,9 +112,24 @@ static void look_for_precompiled(search *s, const char *path, const char *ending
         s->found.unknown = arena_format(s->arena, "%s is precompiled", other);
 }
 
+/* Is there no folder in which `path` could lie? Most folders have no bits/ or sys/, and half of all
+ * names begin so. */
+static bool lies_nowhere(search *s, const char *path) {
+    static const char absent[] = "absent";
+    const char *slash = strrchr(path, '/');
+    if (!slash || slash == path)
+        return false;
+    void **known = map_at(s->below, path, (size_t)(slash - path));
+    if (!*known) {
+        const bool is_there = access(arena_copy(s->arena, path, (size_t)(slash - path)), F_OK) == 0;
+        *known = is_there || (errno != ENOENT && errno != ENOTDIR) ? (void *)s : (void *)absent;
+    }
+    return *known == (const void *)absent;
+}
+
 /* A path at which a header may lie. */
 static void look_at(search *s, const char *path) {
-    if (s->found.unknown || !is_new(s->looked, path))
+    if (s->found.unknown || lies_nowhere(s, path) || !is_new(s->looked, path))
         return;
     look_for_precompiled(s, path, "gch");
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -207,7 +223,8 @@ closure closure_find(arena *a, const closure_request *request) {
                 .state = digest_begin(),
                 .looked = map_new(a),
                 .met = map_new(a),
-                .names = map_new(a)};
+                .names = map_new(a),
+                .below = map_new(a)};
     find_folders(&s, &request->folders);
     const int file = open(request->file, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/digest.h"
 
+#include <endian.h>
 #include <string.h>
 
 static const uint64_t initial[8] = {0x6a09e667f3bcc908, 0xbb67ae8584caa73b, 0x3c6ef372fe94f82b,
@@ -22,8 +23,10 @@ static uint64_t turned(uint64_t word, unsigned by) {
     return word >> by | word << (64 - by);
 }
 
-static void mix(uint64_t *v, unsigned a, unsigned b, unsigned c, unsigned d, uint64_t x,
-                uint64_t y) {
+/* Inlined into rounds that are written out, every index is a constant and `v` lies in registers:
+ * a third of the instructions. */
+__attribute__((always_inline)) static inline void
+mix(uint64_t *v, unsigned a, unsigned b, unsigned c, unsigned d, uint64_t x, uint64_t y) {
     v[a] += v[b] + x;
     v[d] = turned(v[d] ^ v[a], 32);
     v[c] += v[d];
@@ -36,21 +39,22 @@ static void mix(uint64_t *v, unsigned a, unsigned b, unsigned c, unsigned d, uin
 
 static void compress(digester *d, const unsigned char *block, uint64_t is_last) {
     uint64_t v[16], m[16];
-    for (unsigned i = 0; i < 16; i++) { /* words are little-endian */
-        m[i] = 0;
-        for (unsigned k = 8; k > 0; k--)
-            m[i] = m[i] << 8 | block[8 * i + k - 1];
-    }
+    memcpy(m, block, sizeof m);
+    for (unsigned i = 0; i < 16; i++)
+        m[i] = le64toh(m[i]);
     for (unsigned i = 0; i < 8; i++) {
         v[i] = d->state[i];
         v[i + 8] = initial[i];
     }
     v[12] ^= d->length;
     v[14] ^= 0 - is_last;
+#pragma GCC unroll 12
     for (unsigned round = 0; round < 12; round++) {
         const unsigned char *s = order[round % 10];
+#pragma GCC unroll 4
         for (unsigned i = 0; i < 4; i++)
             mix(v, i, 4 + i, 8 + i, 12 + i, m[s[2 * i]], m[s[2 * i + 1]]);
+#pragma GCC unroll 4
         for (unsigned i = 0; i < 4; i++)
             mix(v, i, 4 + (i + 1) % 4, 8 + (i + 2) % 4, 12 + (i + 3) % 4, m[s[8 + 2 * i]],
                 m[s[9 + 2 * i]]);

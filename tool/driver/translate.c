@@ -161,19 +161,6 @@ static bool may_mention_openmp(session *s, const word_list *files) {
            dependencies_mention(s->memory, &own, "_Pragma");
 }
 
-/* openmp_would_change, which preprocesses the source twice. */
-static const char *openmp_asked_once(session *s, const translation *t) {
-    static const char about[] = "OpenMP would change it";
-    word_list words = {0};
-    words_add(s->memory, &words, t->source->text);
-    command_add_options(s->memory, &words, &s->command, OPTION_DEPENDENCY);
-    const char *kept = cached_text(s, t->cached, about, &words);
-    const char *why = kept ? kept : openmp_would_change(s, t->source, t->folder);
-    if (!kept)
-        cached_keep_text(s, t->cached, about, &words, why ? why : "");
-    return why && *why ? why : NULL;
-}
-
 /* The compiler's OpenMP library, which was there when the compiler was asked, and is. */
 static const char *openmp_library(session *s, const translation *t) {
     static const char about[] = "its OpenMP library";
@@ -187,13 +174,27 @@ static const char *openmp_library(session *s, const translation *t) {
     return path;
 }
 
+/* An answer about the texts of the source and its headers, NULL or not, that is kept with them: to
+ * search them again would take longer than all else that a kept translation takes. */
+static const char *kept_answer_of(session *s, const translation *t, const char *about,
+                                  const char *(*search)(session *s, const translation *t)) {
+    word_list words = {0};
+    words_add(s->memory, &words, t->source->text);
+    command_add_options(s->memory, &words, &s->command, OPTION_DEPENDENCY);
+    const char *kept = cached_text(s, t->cached, about, &words);
+    const char *answer = kept ? kept : search(s, t);
+    if (!kept)
+        cached_keep_text(s, t->cached, about, &words, answer ? answer : "");
+    return answer && *answer ? answer : NULL;
+}
+
 /* What the source or a header of its says that the translated text would be given another meaning
  * by; NULL: nothing. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
     const bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
     if (openmp_is_off && may_mention_openmp(s, &files)) {
-        const char *why = openmp_asked_once(s, t);
+        const char *why = openmp_would_change(s, t->source, t->folder);
         if (why)
             return why;
     }
@@ -229,7 +230,7 @@ static const char *obstacle(session *s, translation *t) {
     if (precompiled)
         return arena_format(s->memory, "a precompiled header, %s, is for other options",
                             precompiled);
-    return sensitive_word(s, t);
+    return kept_answer_of(s, t, "a word that forbids it", sensitive_word);
 }
 
 /* The macros that the compiler defines by itself where it compiles the translated text, in a file;
@@ -255,12 +256,17 @@ static const char *list_predefined(session *s, const translation *t) {
     return cached_run_program(s, t->cached, &run) == 0 ? list : NULL;
 }
 
+static const char *compiler_asked_for(session *s, const translation *t) {
+    const word_list files = files_of(s, t);
+    return identity_asked_in(s->memory, &files, s->real.is_clang);
+}
+
 /* A text that asks which compiler this is was read as clang's: it is translated once more, read
  * with the compiler's own macros. Returns why that does not help; NULL: it does, or was not needed.
  */
 static const char *translate_for_compiler(session *s, translation *t) {
-    const word_list files = files_of(s, t);
-    const char *asked = s->show ? NULL : identity_asked_in(s->memory, &files, s->real.is_clang);
+    const char *asked =
+        s->show ? NULL : kept_answer_of(s, t, "the compiler it asks for", compiler_asked_for);
     if (!asked)
         return NULL;
     t->predefined = list_predefined(s, t);
