@@ -177,7 +177,6 @@ static void read_memory_limit(const char *value) {
         redcc_complain("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
     if (settings.memory_limit == 0)
         settings.memory_limit = 1; /* nothing at all, not: no limit */
-    redcc_memory_limit(settings.memory_limit);
 }
 
 /* Under validation every loop that can is executed in parallel, from its first call on: auto would
@@ -236,6 +235,7 @@ static void read_environment(void) {
         copy_settings(loop);
     redcc_note_unknown_variables();
     redcc_report_begin();
+    redcc_memory_limit(settings.memory_limit); /* for plans: what was asked for above is heeded */
 }
 
 /* Of several threads that come first, one reads. */

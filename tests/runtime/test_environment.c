@@ -454,6 +454,9 @@ static void the_report_says_why_not(void **unused) {
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=serial", "named-serial", "says serial", 5);
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=24K", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
+    /* a limit that holds nothing leaves the report, and methods of single loops */
+    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite REDCC_MEMORY_LIMIT=1", "no-memory",
+                    "REDCC_MEMORY_LIMIT", 5);
 }
 
 static void the_report_names_the_method_with_its_parameter(void **unused) {

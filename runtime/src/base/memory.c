@@ -35,7 +35,9 @@ static void block_give(void *block, size_t bytes, bool keep) {
 #endif
 
 static atomic_size_t in_use;
-static atomic_size_t limit; /* 0: none */
+static atomic_size_t limit;       /* 0: none */
+static _Thread_local bool is_owed /* beyond the limit, too */
+    __attribute__((__tls_model__("initial-exec")));
 static atomic_long live;
 static atomic_long until_failure = -1;
 
@@ -52,7 +54,7 @@ static bool told_to_fail(void) {
 static bool account(size_t bytes) {
     size_t most = atomic_load_explicit(&limit, memory_order_relaxed);
     size_t before = atomic_fetch_add(&in_use, bytes);
-    if (most && before + bytes > most) {
+    if (most && before + bytes > most && !is_owed) {
         atomic_fetch_sub(&in_use, bytes);
         return false;
     }
@@ -128,6 +130,10 @@ size_t redcc_memory_size(const void *block) {
 
 void redcc_memory_limit(size_t bytes) {
     atomic_store(&limit, bytes);
+}
+
+void redcc_memory_owe(bool owed) {
+    is_owed = owed;
 }
 
 void redcc_memory_fail_after(long calls_from_now) {

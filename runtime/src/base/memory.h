@@ -35,6 +35,10 @@ size_t redcc_memory_size(const void *block);
 /** From now on no more than `bytes` may be taken in all; 0: as much as there is. */
 void redcc_memory_limit(size_t bytes);
 
+/** From now on blocks that the calling thread takes may pass the limit: true for what is no plan
+ * and no copy, a loop's row in the report. */
+void redcc_memory_owe(bool owed);
+
 /** For tests: the `calls_from_now`-th take fails and so do those after it (0: the very next;
  *  negative: none). */
 void redcc_memory_fail_after(long calls_from_now);
