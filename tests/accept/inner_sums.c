@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Sums of scalars in loops inside: of integers they are put together by each iteration; of floating
-// numbers their order matters, and only the loop inside remains.
+// numbers each iteration keeps a series of operands, for their order matters.
 // covers: row 59
 #include "case.h"
 
@@ -46,15 +46,140 @@ static void all_operators(int n) {
     }
 }
 
-/* The operands of floating sums cannot be put together: other bits. */
 static double energy(int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int p = first[i]; p < first[i + 1]; p++) {
+            force[neighbour[p]] += x[neighbour[p]];
+            sum += x[neighbour[p]];
+        }
+    return sum;
+}
+
+/* Of one scalar in the order of the text, also outside of the loops inside; of others apart. */
+struct state {
+    int step;
+    double virial[3], potential;
+};
+static double kinetic = 0.125;
+static float narrow = 3.0f;
+
+static void several(int n, double cut, struct state *restrict s) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double own = 0.0;
+        kinetic += x[i % M];
+        for (int p = first[i]; p < first[i + 1]; p++) {
+            const int j = neighbour[p];
+            const double d = x[j] - x[i % M];
+            if (d > cut)
+                continue;
+            own += d;
+            s->potential = s->potential - d;
+            for (int c = 0; c < 3; c++)
+                if (c != j % 4)
+                    s->virial[1] += d * (double)(c + 1);
+            narrow += (float)d;
+            force[j] -= d;
+        }
+        kinetic += own;
+        int q = first[i];
+        do
+            kinetic = x[(i + q) % M] + kinetic;
+        while (++q < first[i] + i % 3);
+        force[i % M] += own;
+    }
+}
+
+/* The operation is a double's, the sum a float. */
+static float rounded_each_time(int n) {
+    float sum = 1.0f;
+    int i = n;
+    while (i-- > 0) // EXPECT: transformed
+        for (int p = first[i]; p < first[i + 1]; p++) {
+            sum += x[neighbour[p]];
+            force[neighbour[p]] += 1.0;
+        }
+    return sum;
+}
+
+static double product_of_all(int n, double *restrict f) {
+    double whole = 1.0;
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int p = first[i]; p < first[i + 1]; p++) {
+            whole *= 1.0 + x[neighbour[p]] * 0x1p-9;
+            f[neighbour[p]] += (double)(p & 7);
+        }
+    return whole;
+}
+
+/* No iteration comes to the sum: what the pointer leads to is not touched. */
+static void never(int n, struct state *restrict s, double limit) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int p = first[i]; p < first[i + 1]; p++) {
+            force[neighbour[p]] += 0.5;
+            if (x[neighbour[p]] > limit)
+                s->potential += x[neighbour[p]];
+        }
+}
+
+/* + and - are two operations: of what is no number they differ in the sign. */
+static double two_signs(int n) {
     double sum = 0.0;
     for (int i = 0; i < n; i++) // EXPECT: refuse scalar-carried
         for (int p = first[i]; p < first[i + 1]; p++) { // EXPECT: transformed
             force[neighbour[p]] += x[neighbour[p]];
             sum += x[neighbour[p]];
+            if (x[neighbour[p]] > 0.5)
+                sum -= 1.0;
         }
     return sum;
+}
+
+/* A double's operation and a float's. */
+static float two_widths(int n) {
+    float sum = 0.0f;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        for (int p = first[i]; p < first[i + 1]; p++) { // EXPECT: transformed
+            force[neighbour[p]] += x[neighbour[p]];
+            sum += (float)x[neighbour[p]];
+        }
+        sum += x[i % M];
+    }
+    return sum;
+}
+
+static double read_in_between(int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        for (int p = first[i]; p < first[i + 1]; p++) { // EXPECT: transformed
+            force[neighbour[p]] += x[neighbour[p]];
+            sum += x[neighbour[p]];
+        }
+        force[i % M] += sum;
+    }
+    return sum;
+}
+
+static double largest_too(int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        for (int p = first[i]; p < first[i + 1]; p++) { // EXPECT: transformed
+            force[neighbour[p]] += x[neighbour[p]];
+            sum += x[neighbour[p]];
+        }
+        if (x[i % M] > sum)
+            sum = x[i % M];
+    }
+    return sum;
+}
+
+/* It may be one of the elements. */
+static void by_pointer(int n, double *sum, double *f) {
+    for (int i = 0; i < n; i++)
+        for (int p = first[i]; p < first[i + 1]; p++) { // EXPECT: refuse scalar-carried
+            f[neighbour[p]] += x[neighbour[p]];
+            *sum += x[neighbour[p]];
+        }
 }
 
 /* (s + a) * b + c: not what the iterations put together. */
@@ -88,10 +213,16 @@ int main(void) {
     case_values(x, M);
     double sum = 0.0;
     unsigned s = 0;
+    struct state state = {0};
     for (int k = 0; k < 3; k++) {
         count_pairs(N - k, 0.25);
         all_operators(N);
-        sum += energy(20 + k);
+        sum += energy(N - k);
+        several(N - k, 0.25, &state);
+        sum += rounded_each_time(N - k) + product_of_all(N, force);
+        sum += two_signs(5) + (double)two_widths(5) + read_in_between(5) + largest_too(5);
+        never(N - k, NULL, 1e9);
+        by_pointer(9, &force[3], force);
         s += two_operators(15) + (unsigned)read_as_a_bound(N);
     }
     count_pairs(0, 1.0);
@@ -99,5 +230,8 @@ int main(void) {
     const long others[] = {pairs, energy_in_units, small, marks, product, s};
     CASE_PRINT(others);
     case_print("sum", &sum, sizeof sum);
+    case_print("state", &state, sizeof state);
+    case_print("kinetic", &kinetic, sizeof kinetic);
+    case_print("narrow", &narrow, sizeof narrow);
     return 0;
 }

@@ -49,16 +49,6 @@ int read_as_bound(int n, const int *k, double *h) {
     return count;
 }
 
-double in_inner_loop(int n, const int *k, double *h) {
-    double sum = 0;
-    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
-        for (int c = 0; c < k[t]; c++)
-            sum += 0.1;
-        h[k[t]] += 1.0;
-    }
-    return sum;
-}
-
 double also_assigned(int n, const int *k, double *h) {
     double sum = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried

@@ -99,7 +99,8 @@ static void assert_scalar(const loop_facts *facts, const scalar_update *scalar) 
     assert(!scalar->is_negated || scalar->is_extremum);
     assert(!scalar->place || scalar->is_extremum);
     assert(scalar->operand <= OPERAND_DOUBLE);
-    assert(!scalar->is_repeated || scalar->operand == OPERAND_INTEGER);
+    assert(!scalar->is_repeated || scalar->is_series == (scalar->operand != OPERAND_INTEGER));
+    assert(!scalar->is_series || !scalar->is_extremum);
     assert(!scalar->value || is_in_loop(facts, scalar->value));
 }
 

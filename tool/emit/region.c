@@ -5,6 +5,7 @@
 #include "emit/bins/bins.h"
 #include "emit/body/body.h"
 #include "emit/body/live_out.h"
+#include "emit/body/series.h"
 #include "emit/slice/slice.h"
 #include "emit/text/origin.h"
 #include "plan/lookup.h"
@@ -24,6 +25,7 @@ static const char *firstprivate_clause(loop_text *loop) {
             buffer_format(&out, "%s%s", out.length > 0 ? ", " : "firstprivate(",
                           origin_declarator(loop->arena, variable));
     }
+    add_series_variables(loop, &out);
     if (out.length > 0)
         buffer_text(&out, ")");
     return buffer_take(loop->arena, &out);
@@ -119,7 +121,7 @@ static void write_run(loop_text *loop, writer *out) {
 
 static void write_executor(loop_text *loop, writer *out) {
     writer_line(out, "/* executor */");
-    writer_line(out, "while (redcc_next(&redcc__worker)) {");
+    writer_line(out, "while (%s) {", series_go_on(loop));
     out->depth++;
     declare_chunk(loop, out);
     writer_line(out, "for (; redcc__run != redcc__worker.run_end; redcc__run++) {");
@@ -154,8 +156,10 @@ void write_region(loop_text *loop, writer *out) {
     write_thread_local_copies(loop, out, true);
     writer_line(out, "redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), "
                      "omp_get_num_threads());");
+    join_series(loop, out);
     write_inspector(loop, out);
     write_executor(loop, out);
+    finish_series(loop, out);
     gather_conditional_live_outs(loop, out);
     out->depth--;
     writer_line(out, "}");

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lookup.h"
 
+#include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 
 int loop_array_of_base(const loop_facts *facts, const ir_node *node) {
@@ -90,6 +91,21 @@ bool has_live_outs(const loop_facts *facts) {
         if (facts->variables.privates[i].is_live_after)
             return true;
     return false;
+}
+
+bool has_series(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (facts->scalars[i].is_series)
+            return true;
+    return false;
+}
+
+unsigned series_of(const loop_facts *facts, unsigned number) {
+    unsigned first = 0;
+    while (!facts->scalars[first].is_series ||
+           !expression_same(facts->scalars[first].target, facts->scalars[number].target))
+        first++;
+    return first;
 }
 
 bool has_conditional_live_outs(const loop_facts *facts) {

@@ -13,6 +13,10 @@ const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *s
 const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement);
 /** The number of the scalar update that is this statement, or -1. */
 int scalar_update_at(const loop_facts *facts, const ir_node *statement);
+/** Are there scalars of which each iteration keeps a series of operands? */
+bool has_series(const loop_facts *facts);
+/** The first update of the scalar that this one updates: by its number a series is named. */
+unsigned series_of(const loop_facts *facts, unsigned number);
 /** The inner loop, where the slice logs its rows at once; or NULL. */
 const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
 /** The increment at the end of a while or do loop's body, which is the executor's own: copies of

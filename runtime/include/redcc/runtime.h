@@ -243,6 +243,8 @@ static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) 
 
 #include <redcc/steps.h>
 
+#include <redcc/series.h>
+
 #include "loop.h"
 
 #endif

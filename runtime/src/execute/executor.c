@@ -191,6 +191,22 @@ static bool hand_out_in_order(redcc_worker *worker) {
     return count > 0;
 }
 
+void redcc_run_own_nothing(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const struct call *call = runner->run->call;
+    assert(runner->step == STEP_END);
+    go_in_order(worker, STEP_END, 0, call->request.trip);
+    for (uint32_t array = 0; array < call->request.loop->array_count; array++)
+        runner->owner[array] = (redcc_owner){.first = call->request.bases[array]};
+}
+
+bool redcc_run_again(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const bool is_left = hand_out_in_order(worker);
+    runner->whole.count_and_guard |= 1;
+    return is_left;
+}
+
 /* What is executed once more is compared; then comes what is left of a binned loop. */
 static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;

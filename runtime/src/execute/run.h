@@ -96,6 +96,12 @@ void redcc_run_rest(redcc_worker *worker, redcc_int from);
  * follows. All threads are done with these iterations. */
 void redcc_run_check(redcc_worker *worker, redcc_int end);
 
+/** The loop is done: the thread goes through all iterations once more, in order, owning nothing. */
+void redcc_run_own_nothing(redcc_worker *worker);
+
+/** Hands out some of them; false: there are none left. */
+bool redcc_run_again(redcc_worker *worker);
+
 /** errno is not 0 after iterations that end before `end`: notes it for redcc_error_of, and clears
  *  it. */
 void redcc_note_error(struct run *run, redcc_int end);

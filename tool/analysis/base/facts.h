@@ -197,6 +197,8 @@ typedef struct scalar_update {
     bool is_conditional; /* not executed in each iteration */
     bool is_repeated;    /* executed several times in one, in a loop inside: of integers, whose
                             operands an iteration may put together before */
+    bool is_series;      /* floating, and some update of this scalar is repeated: all operands of an
+                            iteration are kept, of all updates of the scalar together */
     bool is_extremum;    /* if (e op s) s = e; with a comparison op, of one type with s. Where it is
                             conditional no operand is before s in that order */
     bool is_negated;     /* is_extremum: if (!(e op s)) s = e */

@@ -5,7 +5,7 @@
  * are applied one after the other, which gives what the sequential loop gives, bit for bit.
  * Of a minimum or maximum they are the values compared (scalar_extremum.c).
  * Integers may be put together within an iteration as well: modulo 2^64 their sums do not depend on
- * the order.
+ * the order. Of floating numbers in a loop inside each iteration keeps a series.
  */
 #include "analysis/reduction/scalars.h"
 
@@ -140,6 +140,20 @@ static bool is_scalar(const loop_analysis *j, const loop_access *write) {
            scalar_target_stays(j, target) && scalar_target_is_alone(j, target);
 }
 
+static bool is_of_one(const scalar_update *a, const scalar_update *b) {
+    return expression_same(a->target, b->target);
+}
+
+/* Where operands of one update of a scalar are a series, those of its other updates stand among
+ * them. */
+static void join_series(loop_analysis *j, scalar_update *found) {
+    for (unsigned i = 0; i < j->scalars.count; i++)
+        found->is_series |= j->scalars.items[i].is_series && is_of_one(&j->scalars.items[i], found);
+    for (unsigned i = 0; found->is_series && i < j->scalars.count; i++)
+        if (is_of_one(&j->scalars.items[i], found))
+            j->scalars.items[i].is_series = true;
+}
+
 bool scalar_take_update(loop_analysis *j, loop_access *write) {
     const ir_node *target = write->access.lvalue;
     if (write->access.callee || !target || !target->parent)
@@ -158,7 +172,8 @@ bool scalar_take_update(loop_analysis *j, loop_access *write) {
         return false;
     found.is_repeated = !is_outside_inner_loops(j, statement);
     found.is_conditional = write->access.is_conditional || found.is_repeated;
-    if ((found.is_repeated && found.operand != OPERAND_INTEGER) || !is_scalar(j, write))
+    found.is_series = found.is_repeated && found.operand != OPERAND_INTEGER;
+    if (!is_scalar(j, write))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *read = &j->accesses[i];
@@ -168,6 +183,7 @@ bool scalar_take_update(loop_analysis *j, loop_access *write) {
             read->class = CLASS_SELF;
     }
     write->class = CLASS_SELF;
+    join_series(j, &found);
     VECTOR_PUSH(j->an->memory, &j->scalars, found);
     return true;
 }
@@ -181,21 +197,24 @@ static const char *name_of(const loop_analysis *j, const scalar_update *update) 
     return expression_text(j->an->memory, update->target);
 }
 
-static bool is_of_one(const scalar_update *a, const scalar_update *b) {
-    return expression_same(a->target, b->target);
-}
-
 /* Additions and subtractions commute with each other; else an operator does with itself alone. */
 static bool commute(ir_operator a, ir_operator b) {
     const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
     return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
 }
 
+/* One operation is made of all operands of a series. */
+static bool is_of_series(const scalar_update *other, const scalar_update *repeated) {
+    return !other->is_extremum && other->op == repeated->op && other->operand == repeated->operand;
+}
+
 /* What an iteration puts together must commute with all else that is done to the scalar. */
 static reason check_repeated(const loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
-        if (is_of_one(other, repeated) && !commute(other->op, repeated->op))
+        const bool is_fit =
+            repeated->is_series ? is_of_series(other, repeated) : commute(other->op, repeated->op);
+        if (is_of_one(other, repeated) && !is_fit)
             return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement, name_of(j, other));
     }
     return (reason){0};

@@ -8,6 +8,7 @@
  */
 #include "emit/body/scalars.h"
 
+#include "emit/body/series.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 
@@ -52,7 +53,10 @@ static void declare_room(writer *out, const char *type, const char *name, unsign
 }
 
 void declare_operands(loop_text *loop, writer *out) {
+    declare_series(loop, out);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        if (loop->facts->scalars[i].is_series)
+            continue;
         declare_room(out, type_of(&loop->facts->scalars[i]), "operands", i);
         if (loop->facts->scalars[i].is_conditional)
             declare_room(out, "unsigned char", "made", i);
@@ -60,8 +64,10 @@ void declare_operands(loop_text *loop, writer *out) {
 }
 
 const char *operands_are_there(loop_text *loop) {
-    const char *text = NULL;
+    const char *text = series_are_there(loop, NULL);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        if (loop->facts->scalars[i].is_series)
+            continue;
         text = text ? arena_format(loop->arena, "%s && redcc__operands_%u", text, i)
                     : arena_format(loop->arena, "redcc__operands_%u", i);
         if (loop->facts->scalars[i].is_conditional)
@@ -92,20 +98,25 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
 /** What an iteration puts together of an update in a loop inside: redcc__so_far_N. */
 void declare_repeated_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (loop->facts->scalars[i].is_repeated)
+        if (loop->facts->scalars[i].is_repeated && !loop->facts->scalars[i].is_series)
             writer_line(out, "redcc_word redcc__so_far_%u = %s;", i,
                         neutral_of(&loop->facts->scalars[i]));
 }
 
 void note_no_operands(loop_text *loop, writer *out) {
+    begin_series(loop, out);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (loop->facts->scalars[i].is_conditional)
+        if (loop->facts->scalars[i].is_conditional && !loop->facts->scalars[i].is_series)
             writer_line(out, "%s", made_text(loop, i, false));
 }
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const scalar_update *update = &loop->facts->scalars[number];
     const char *operand = arena_format(loop->arena, "(%s)", value);
+    if (update->is_series) {
+        write_series_operand(loop, out, number, value);
+        return;
+    }
     if (update->is_repeated) /* what is subtracted is added up */
         operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number,
                                update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op), operand);
@@ -136,28 +147,46 @@ static void apply_sum(loop_text *loop, writer *out, unsigned number) {
                 name, from, name, sign_of(update->op), number);
 }
 
-/** Several updates of an iteration are applied as they stand in it. */
-void apply_operands(loop_text *loop, writer *out) {
-    if (loop->facts->scalar_count == 0)
-        return;
-    writer_line(out, "if (redcc__done) {");
-    writer_line(out, "    redcc_int redcc__i;");
-    writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
+/** One iteration's, as they stand in it. */
+static void apply_iteration(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        if (loop->facts->scalars[i].is_conditional)
+        const scalar_update *update = &loop->facts->scalars[i];
+        if (update->is_series)
+            continue;
+        if (update->is_conditional)
             writer_line(out, "        if (redcc__made_%u[redcc__i]) {", i);
-        if (loop->facts->scalars[i].is_extremum)
+        if (update->is_extremum)
             apply_extremum(loop, out, i);
         else
             apply_sum(loop, out, i);
-        if (loop->facts->scalars[i].is_conditional)
+        if (update->is_conditional)
             writer_line(out, "        }");
     }
-    writer_line(out, "    }");
-    writer_line(out, "}");
+}
+
+static bool has_operands(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (!facts->scalars[i].is_series)
+            return true;
+    return false;
+}
+
+void apply_operands(loop_text *loop, writer *out) {
+    if (has_operands(loop->facts)) {
+        writer_line(out, "if (redcc__done) {");
+        writer_line(out, "    redcc_int redcc__i;");
+        writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
+        apply_iteration(loop, out);
+        writer_line(out, "    }");
+        writer_line(out, "}");
+    }
+    take_series(loop, out);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        if (loop->facts->scalars[i].is_series)
+            continue;
         writer_line(out, "redcc_operands_give(redcc__operands_%u);", i);
         if (loop->facts->scalars[i].is_conditional)
             writer_line(out, "redcc_operands_give(redcc__made_%u);", i);
     }
+    give_series(loop, out);
 }

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Operands of floating scalars, as many an iteration as it likes (redcc/series.h). An iteration
+ * that several threads execute, each for its own elements, has the same operands in each: whichever
+ * notes its part last, it is the right one. Those that come to none all note none.
+ *
+ * Where memory ends in the midst of the loop the arrays are already written, and the original loop
+ * cannot run. What is lost are operands alone, and they depend on nothing that the loop updates: an
+ * execution of all iterations that owns nothing comes to the same.
+ */
+#include "base/forked.h"
+#include "base/memory.h"
+#include "base/system.h"
+#include "execute/run.h"
+#include "loop.h"
+#include "settings.h"
+
+#include <assert.h>
+#include <redcc/runtime.h>
+
+enum { BLOCK_OPERANDS = 8192 - 8, HEAD = offsetof(redcc_series_part, value) / sizeof(double) };
+
+/* A piece of memory that a thread writes to. */
+struct operand_block {
+    struct operand_block *next;
+    double operand[BLOCK_OPERANDS];
+};
+
+struct redcc_series {
+    _Atomic(struct operand_block *) blocks; /* all of them */
+    atomic_size_t bytes;                    /* theirs */
+    size_t most;                            /* that they may take */
+    atomic_bool lost;                       /* some operand is not there */
+    redcc_int trip;
+    _Atomic(redcc_series_part *) part[]; /* [trip] */
+};
+
+_Static_assert(offsetof(redcc_series_part, value) % sizeof(double) == 0,
+               "parts lie among operands");
+
+/* Without a limit a quarter of the machine's memory, as for what is kept one an iteration. */
+static size_t most_bytes(void) {
+    const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
+    return there > 0 && there / 4 < SIZE_MAX ? (size_t)(there / 4) : SIZE_MAX;
+}
+
+redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip) {
+    if (trip <= 0)
+        return NULL;
+    (void)redcc_is_forked(); /* before anything of the parent's is used */
+    const size_t most = most_bytes();
+    redcc_series *series = NULL;
+    const size_t each = sizeof series->part[0];
+    if ((redcc_size)trip <= (most - sizeof *series) / each)
+        series = redcc_memory_take_zeroed(1, sizeof *series + (size_t)trip * each);
+    if (!series) {
+        redcc_note_no_memory(loop);
+        return NULL;
+    }
+    series->trip = trip;
+    series->most = most;
+    return series;
+}
+
+void redcc_series_give(redcc_series *series) {
+    struct operand_block *block = series ? series->blocks : NULL;
+    while (block) {
+        struct operand_block *next = block->next;
+        redcc_memory_give(block);
+        block = next;
+    }
+    redcc_memory_give(series);
+}
+
+void redcc_series_join(redcc_series_writer *writer, redcc_series *series) {
+    *writer = (redcc_series_writer){.series = series};
+}
+
+/* NULL: there is none. */
+static struct operand_block *new_block(redcc_series *series) {
+    const size_t bytes = sizeof(struct operand_block);
+    const size_t taken = atomic_fetch_add_explicit(&series->bytes, bytes, memory_order_relaxed);
+    struct operand_block *block = taken <= series->most - bytes ? redcc_memory_take(bytes) : NULL;
+    if (!block)
+        return NULL;
+    block->next = atomic_load_explicit(&series->blocks, memory_order_relaxed);
+    while (!atomic_compare_exchange_weak_explicit(&series->blocks, &block->next, block,
+                                                  memory_order_release, memory_order_relaxed))
+        ;
+    return block;
+}
+
+int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
+    redcc_series *series = writer->series;
+    assert(0 <= k && k < series->trip);
+    if (writer->adds)
+        return 0;
+    if (writer->block_end - writer->at <= HEAD) {
+        struct operand_block *block = new_block(series);
+        if (!block) {
+            atomic_store_explicit(&series->lost, true, memory_order_relaxed);
+            writer->block_end = writer->end = writer->at;
+            return 0;
+        }
+        writer->at = block->operand;
+        writer->block_end = block->operand + BLOCK_OPERANDS;
+    }
+    redcc_series_part *part = (redcc_series_part *)(void *)writer->at;
+    part->more = NULL;
+    part->count = 0;
+    if (writer->part)
+        writer->part->more = part;
+    else
+        atomic_store_explicit(&series->part[k], part, memory_order_relaxed);
+    writer->part = part;
+    writer->at = part->value;
+    writer->end = writer->block_end;
+    return 1;
+}
+
+static bool any_is_lost(const redcc_series_writer *writers, redcc_u32 count) {
+    for (redcc_u32 i = 0; i < count; i++)
+        if (atomic_load_explicit(&writers[i].series->lost, memory_order_relaxed))
+            return true;
+    return false;
+}
+
+int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
+    struct thread_state *thread = worker->execution;
+    if (!thread || thread->stage != STAGE_RUN)
+        return 0;
+    if (writers[0].adds)
+        return redcc_run_again(worker);
+    redcc_barrier_wait(thread->runner.run->barrier, thread->threads);
+    if (thread->thread > 0 || !any_is_lost(writers, count))
+        return 0;
+    for (redcc_u32 i = 0; i < count; i++) {
+        writers[i].adds = writers[i].begins = 1;
+        writers[i].at = writers[i].end = writers[i].block_end = NULL;
+    }
+    redcc_run_own_nothing(worker);
+    return redcc_run_again(worker);
+}
+
+int redcc_series_is_over(const redcc_worker *worker) {
+    const struct thread_state *thread = worker->execution;
+    return thread && thread->stage == STAGE_RUN && thread->thread == 0;
+}
+
+const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k) {
+    for (; *k < series->trip; ++*k) {
+        redcc_series_part *part = atomic_load_explicit(&series->part[*k], memory_order_relaxed);
+        if (part)
+            return part;
+    }
+    return NULL;
+}
+
+int redcc_series_has_any(const redcc_series *series) {
+    return atomic_load_explicit(&series->blocks, memory_order_relaxed) ||
+           atomic_load_explicit(&series->lost, memory_order_relaxed);
+}
