@@ -49,6 +49,14 @@ begin "every program says its version"
 expect_match version '[0-9]+\.[0-9]+\.[0-9]+'
 end
 
+begin "a summary says where to read on"
+echo '{"redcc":"1","file":"a.c","loops":[],"left_alone":"it is C++"}' >report
+"$prefix/bin/redcc-cc" --redcc-summary report >summary || fail "$case_name"
+page=$(sed -n 's|^  what can be done: file://||p' summary)
+page=$(printf %b "${page//%/\\x}") # as a URI spells it
+grep -q '^# My loop was refused' "$page" || fail "$case_name: '$page'"
+end
+
 begin "pkg-config"
 export PKG_CONFIG_PATH="$library/pkgconfig"
 expect_equal version "$("$prefix/bin/redcc-cc" --redcc-version | sed 's/.* //')" "$(pkg-config --modversion redcc)"

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "driver/build_report.h"
+#include "driver/installation.h"
 
 /* How often each text occurs. */
 struct count {
@@ -103,6 +104,11 @@ static void print_totals(const struct totals *totals, FILE *out) {
                 (long long)totals->never);
     print_counts(totals->refused, "refused", out);
     print_counts(totals->reasons, "left alone", out);
+    arena *a = arena_new();
+    const char *pages = installation_documents(a);
+    if (pages && totals->left_alone + totals->refused_loops > 0)
+        fprintf(out, "  what can be done: %s/refused.md\n", pages);
+    arena_free(a);
 }
 
 /* Every line of the stream; returns the number of the first that is wrong, 0: none is. */

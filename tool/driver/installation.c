@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "driver/files.h"
+#include "support/buffer.h"
 
 /* The library folder as configured ("lib", "lib64", "lib/x86_64-linux-gnu"), below the prefix. */
 #ifndef REDCC_LIBRARY_FOLDER
@@ -65,4 +66,19 @@ installation installation_find(arena *a) {
     look_below(a, arena_format(a, "%s/../..", folder), &layouts[2], &found); /* redcc-cc */
     look_below(a, arena_format(a, "%s/..", folder), &layouts[2], &found);    /* redcc */
     return found;
+}
+
+const char *installation_documents(arena *a) {
+    if (*REDCC_DOCUMENTS_URI)
+        return REDCC_DOCUMENTS_URI;
+    char real[PATH_MAX];
+    const installation found = installation_find(a);
+    if (!found.self || !realpath(arena_format(a, "%s/../" REDCC_DOCUMENTS_FOLDER "/reasons.md",
+                                              path_folder(a, found.self)),
+                                 real))
+        return NULL;
+    buffer uri = {0};
+    buffer_text(&uri, "file://");
+    buffer_uri(&uri, path_folder(a, real));
+    return buffer_take(a, &uri);
 }

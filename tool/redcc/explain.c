@@ -2,12 +2,9 @@
 #define _GNU_SOURCE /* strcasestr */
 #include "redcc/explain.h"
 
-#include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-#include "driver/files.h"
 #include "driver/installation.h"
 #include "redcc/nearest.h"
 #include "support/buffer.h"
@@ -46,26 +43,8 @@ const char *explain_section(arena *a, const char *reason) {
     return NULL;
 }
 
-/* The folder of docs/reasons.md: a URI, in the arena; NULL: there is none. */
-static const char *documents_uri(arena *a) {
-    if (*REDCC_DOCUMENTS_URI)
-        return REDCC_DOCUMENTS_URI;
-    const installation found = installation_find(a);
-    char real[PATH_MAX];
-    if (!found.self || !realpath(arena_format(a, "%s/../" REDCC_DOCUMENTS_FOLDER "/reasons.md",
-                                              path_folder(a, found.self)),
-                                 real))
-        return NULL;
-    buffer uri = {0};
-    buffer_text(&uri, "file://");
-    buffer_uri(&uri, path_folder(a, real));
-    const char *text = arena_string(a, uri.data);
-    buffer_free(&uri);
-    return text;
-}
-
 const char *explain_link(arena *a, const char *reason) {
-    const char *folder = documents_uri(a);
+    const char *folder = installation_documents(a);
     for (unsigned i = 0; folder && i < REASON_COUNT; i++)
         if (strcasecmp(reason, reasons[i].id) == 0) /* headings are anchors in small letters */
             return arena_format(a, "%s/reasons.md#r%s-%s", folder, reasons[i].id + 1,
@@ -114,6 +93,6 @@ const char *explain_list(arena *a) {
 }
 
 const char *explain_page(arena *a) {
-    const char *folder = documents_uri(a);
+    const char *folder = installation_documents(a);
     return folder ? arena_format(a, "%s/refused.md", folder) : NULL;
 }
