@@ -17,8 +17,8 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
 
 typedef struct inputs {
     const options *options;
-    joined_report *joined; /* where reports are put together */
-    unsigned transformed;
+    joined_report *joined;           /* where reports are put together */
+    unsigned unmet;                  /* files of which no loop was transformed */
     unsigned long long unknown_pure; /* names that none of the files declares */
     int status;
 } inputs;
@@ -45,7 +45,12 @@ static void count_input(unsigned number, const void *result, int ended_by, void 
         all->status = EXIT_FAILED;
         return;
     }
-    all->transformed += outcome->transformed;
+    if (outcome->status != FILE_FAILED && outcome->transformed == 0) {
+        all->unmet++;
+        if (all->options->require)
+            fprintf(stderr, "redcc: error: %s: no loop was transformed (--require)\n",
+                    all->options->inputs.items[number]);
+    }
     all->unknown_pure &= outcome->unknown_pure;
     if (outcome->status == FILE_FAILED)
         all->status = EXIT_FAILED;
@@ -74,11 +79,7 @@ static int translate_inputs(arena *a, const options *o) {
     }
     translate_file_warn_pure(o, all.unknown_pure,
                              o->inputs.count == 1 ? o->inputs.items[0] : "any of the files");
-    if (all.status == EXIT_DONE && o->require && all.transformed == 0) {
-        fputs("redcc: error: no loop was transformed (--require)\n", stderr);
-        return EXIT_REQUIREMENT;
-    }
-    return all.status;
+    return all.status == EXIT_DONE && o->require && all.unmet > 0 ? EXIT_REQUIREMENT : all.status;
 }
 
 static int explain(arena *a, const char *word) {

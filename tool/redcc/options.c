@@ -39,7 +39,7 @@ const char options_help[] =
     "  --predefined=FILE    that compiler's own macros, as 'cc -dM -E -x c /dev/null' prints "
     "them:\n"
     "                       the source is read with these\n"
-    "  --require            exit with 3 where no loop was transformed\n"
+    "  --require            exit with 3 where a file has no loop that was transformed\n"
     "  --verify             build and run the sequential and the parallel program (the input\n"
     "                       must be all of it) and compare what they print\n"
     "  --all                report loops without an irregular update too\n"
