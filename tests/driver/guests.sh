@@ -139,6 +139,11 @@ expect_strict_error 'precompiled header, pre.h.gch' redcc-cc -O2 pre.c -o p
 expect_bits p
 end
 
+begin "transactional memory is said, whether there is a transaction or not"
+write_sources
+expect_strict_error 'cannot follow: -fgnu-tm' redcc-cc -fgnu-tm -O2 -c count.c
+end
+
 begin "options of setuptools: -fwrapv, and its undoing"
 write_sources
 expect_strict_error 'cannot follow: -fwrapv' redcc-cc -fwrapv -O2 -c count.c

@@ -126,6 +126,7 @@ static const option options[] = {
     {"-ffp-eval-method=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
     {"-ffp-model=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
     {"-ffreestanding", OPTION_REFUSE | OPTION_GIVE_UP},
+    {"-fgnu-tm", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fgnu89-inline", OPTION_PARSE | OPTION_CLANG},
     {"-fgnuc-version=", OPTION_JOINED | OPTION_CLANG},
     {"-fhosted", 0},
