@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Meshes, scenes, states and the command line of the cloth simulator.
-set(scenes_folder ${PROJECT_SOURCE_DIR}/examples/fabric/scenes)
-set(app_folder ${CMAKE_CURRENT_BINARY_DIR}/app)
-file(MAKE_DIRECTORY ${app_folder})
-
 function(fabric_app_test name)
   add_executable(test_fabric_${name} app_${name}.c)
   target_link_libraries(test_fabric_${name} PRIVATE redcc_warnings PkgConfig::CMOCKA ${ARGN})
@@ -46,28 +42,21 @@ if(TARGET fabric_app)
   endforeach()
   set_tests_properties(fabric.app.blender fabric.app.video PROPERTIES SKIP_RETURN_CODE 77)
 endif()
-if(TARGET fabric)
-  # The parallel program gives the bits of the serial one; label threads: for the thread sanitizer.
-  add_test(NAME fabric.app.same_bits
-           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_same_bits.sh $<TARGET_FILE:fabric-serial>
-                   $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/same_bits)
-  set_tests_properties(fabric.app.same_bits PROPERTIES LABELS threads)
-  if(NOT REDCC_SANITIZE)
-    add_test(NAME fabric.app.resume_parallel
-             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_resume.sh $<TARGET_FILE:fabric-serial>
-                     ${scenes_folder} ${app_folder}/resume_parallel $<TARGET_FILE:fabric>)
-    add_test(NAME fabric.app.gallery
-             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_gallery.sh $<TARGET_FILE:fabric-serial>
-                     $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/gallery)
-    add_test(NAME fabric.app.plan
-             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_plan.sh $<TARGET_FILE:fabric>)
-    set_tests_properties(fabric.app.plan PROPERTIES ENVIRONMENT FABRIC_SCENES=${scenes_folder})
-    add_test(NAME fabric.app.translated
-             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_translated.sh $<TARGET_FILE:redcc>
-                     ${PROJECT_SOURCE_DIR}/runtime/include ${PROJECT_SOURCE_DIR}/examples/fabric)
-    add_test(NAME fabric.app.paper_bits
-             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_paper_bits.sh
-                     $<TARGET_FILE:fabric-serial> $<TARGET_FILE:fabric> ${scenes_folder}
-                     ${app_folder}/paper_bits)
-  endif()
+if(TARGET fabric AND NOT REDCC_SANITIZE)
+  add_test(NAME fabric.app.resume_parallel
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_resume.sh $<TARGET_FILE:fabric-serial>
+                   ${scenes_folder} ${app_folder}/resume_parallel $<TARGET_FILE:fabric>)
+  add_test(NAME fabric.app.gallery
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_gallery.sh $<TARGET_FILE:fabric-serial>
+                   $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/gallery)
+  add_test(NAME fabric.app.plan
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_plan.sh $<TARGET_FILE:fabric>)
+  set_tests_properties(fabric.app.plan PROPERTIES ENVIRONMENT FABRIC_SCENES=${scenes_folder})
+  add_test(NAME fabric.app.translated
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_translated.sh $<TARGET_FILE:redcc>
+                   ${PROJECT_SOURCE_DIR}/runtime/include ${PROJECT_SOURCE_DIR}/examples/fabric)
+  add_test(NAME fabric.app.paper_bits
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_paper_bits.sh
+                   $<TARGET_FILE:fabric-serial> $<TARGET_FILE:fabric> ${scenes_folder}
+                   ${app_folder}/paper_bits)
 endif()
