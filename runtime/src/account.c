@@ -201,7 +201,21 @@ static void note_manner(const struct execution *execution, struct statistics *st
         &execution->run, &execution->state->manners, seconds, iterations, &statistics->last.lanes);
 }
 
+/* Threads that found their iterations while they executed them know how many there were. */
+static void count_selected(const struct execution *execution) {
+    struct plan *plan = execution->run.plan;
+    if (!plan->method->selects)
+        return;
+    plan->executed = plan->length = 0;
+    for (int t = 0; t < execution->call.threads; t++) {
+        const redcc_int executed = execution->state->thread[t]->runner.selection.executed;
+        plan->executed += executed;
+        plan->length = executed > plan->length ? executed : plan->length;
+    }
+}
+
 static void account_execution(struct execution *execution, double now) {
+    count_selected(execution);
     struct statistics *statistics = &execution->state->reported.statistics;
     const struct run *run = &execution->run;
     const struct plan *plan = run->plan;

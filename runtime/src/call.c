@@ -66,6 +66,8 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
     const bool in_bins = settings->method && settings->method->in_bins;
     if (in_bins && !redcc_binned_of(loop))
         return REASON_NO_BINS;
+    if (settings->method && settings->method->selects && !(loop->flags & REDCC_SELECTS))
+        return REASON_NO_SELECTION;
     if (forked)
         return REASON_FORKED;
     if (nested)

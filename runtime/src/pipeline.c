@@ -137,6 +137,9 @@ static enum stage cut(struct execution *execution) {
         redcc_advise_sampled(&execution->state->chooser, &execution->advice, inspection, &estimate);
     if (inspection->route == ROUTE_SERIAL)
         return refuse(execution, execution->advice.alone ? REASON_SAVING : REASON_UNATTRACTIVE);
+    if (inspection->route == ROUTE_DIRECT && !inspection->whole.cut &&
+        !redcc_partition_see_whole(&inspection->whole, &inspection->partition))
+        return refuse(execution, REASON_NO_MEMORY);
     return redcc_is_logged(inspection) ? begin_log(execution, false) : STAGE_SWEEP;
 }
 

@@ -10,7 +10,7 @@ static bool has_all(const struct thread_state *thread) {
     const bool binned = thread->execution->state->binning.loop;
     return (!binned || thread->binner) && thread->inspector.sources && thread->inspector.nowhere &&
            thread->runner.base && thread->runner.owner && thread->runner.hooks.hook &&
-           thread->hasher.fingerprint && thread->hasher.partial;
+           thread->runner.selection.window && thread->hasher.fingerprint && thread->hasher.partial;
 }
 
 static void thread_free(struct thread_state *thread) {
@@ -21,6 +21,7 @@ static void thread_free(struct thread_state *thread) {
     redcc_memory_give(thread->runner.base);
     redcc_memory_give(thread->runner.owner);
     redcc_memory_give(thread->runner.hooks.hook);
+    redcc_memory_give(thread->runner.selection.window);
     redcc_memory_give(thread->hasher.fingerprint);
     redcc_memory_give(thread->hasher.partial);
     if (thread->binner)
@@ -45,6 +46,7 @@ static struct thread_state *thread_new(struct loop_state *state, const redcc_loo
     inspector->nowhere = redcc_memory_take_zeroed(arrays, sizeof *inspector->nowhere);
     runner->base = redcc_memory_take_zeroed(arrays, sizeof *runner->base);
     runner->owner = redcc_memory_take_zeroed(arrays, sizeof *runner->owner);
+    runner->selection.window = redcc_memory_take_zeroed(arrays, sizeof *runner->selection.window);
     runner->hooks.hook = redcc_memory_take_zeroed(arrays, sizeof *runner->hooks.hook);
     hasher->fingerprint = redcc_memory_take_zeroed(sources, sizeof *hasher->fingerprint);
     hasher->partial = redcc_memory_take_zeroed(sources, sizeof *hasher->partial);

@@ -2,7 +2,7 @@
 // Attack 65: what decides where the inspector reads may be an array that the loop updates: its
 // values of before the loop are subscripts of nothing, far outside of all that the program has,
 // until the iterations before make them valid. Neighbours: the same loops, apart and in parallel.
-// METHODS: auto localwrite localwrite-steal graph-localwrite wavefront
+// METHODS: auto localwrite localwrite-direct localwrite-steal graph-localwrite wavefront
 #include <stdio.h>
 #include <stdlib.h>
 

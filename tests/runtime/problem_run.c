@@ -19,7 +19,7 @@ void problem_describe(const struct problem *problem, struct described *described
                                    .line = 5,
                                    .function = "problem_run",
                                    .order = REDCC_ORDER_SERIAL,
-                                   .flags = REDCC_VERIFIABLE,
+                                   .flags = REDCC_VERIFIABLE | REDCC_SELECTS,
                                    .array_count = problem->second_width ? 2 : 1,
                                    .arrays = described->arrays,
                                    .source_count = 4,
@@ -93,7 +93,7 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                     if (redcc_is_settled(&worker)) {
                         const redcc_int from = t;
                         for (; t < worker.last; t++) {
-                            redcc_probe probe = {0, 0};
+                            redcc_probe probe = {0, 0, 0};
                             INSPECT(t, PROBE_READ, PROBE_TOUCH);
                             if (!redcc_is_alike(&probe))
                                 break;
@@ -105,7 +105,17 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                     INSPECT(t, TELL_READ, TELL_TOUCH);
                     redcc_iteration_done(&worker);
                 }
-            while (redcc_next(&worker)) {
+            for (int asked; (asked = redcc_next(&worker)) != 0;) {
+                if (asked == REDCC_SELECT) {
+                    unsigned char class[REDCC_SELECTED];
+                    for (redcc_int t = worker.first; t < worker.last; t++) {
+                        redcc_probe probe = {0, 0, 1};
+                        INSPECT(t, PROBE_READ, PROBE_TOUCH);
+                        class[t - worker.first] = redcc_class_of(&probe);
+                    }
+                    redcc_classes_give(&worker, class);
+                    continue;
+                }
                 double *const b = worker.base[0];
                 double *const d = second_width ? worker.base[1] : 0;
                 const redcc_owner own_first = worker.owner[0];

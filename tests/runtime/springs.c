@@ -61,7 +61,7 @@ static void springs(int n, const int (*edge)[2], const double (*x)[3], struct sy
     REDCC_QUIET_BEGIN
     static const redcc_array redcc__arrays[] = {{"s->b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double[3])}};
     static const redcc_source redcc__sources[] = {{"edge", 1}, {"x", 0}};
-    static redcc_loop redcc__loop = {"springs.c", 4, "springs", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE, 1, redcc__arrays, 2, redcc__sources, 3, 0};
+    static redcc_loop redcc__loop = {"springs.c", 4, "springs", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE | REDCC_SELECTS, 1, redcc__arrays, 2, redcc__sources, 3, 0};
     REDCC_COUNT_UP(0, (redcc_int)n);
     int redcc__done = 0;
     if (redcc__trip > 0) {

@@ -50,6 +50,7 @@ static struct outcome run(const char *variables, const char *program, const char
 static const char *const methods[] = {"auto",
                                       "serial",
                                       "localwrite",
+                                      "localwrite-direct",
                                       "localwrite-steal",
                                       "graph-localwrite",
                                       "graph-localwrite-steal",
@@ -69,6 +70,7 @@ static void the_bits_are_those_of_the_plain_program(void **unused) {
     static const char *const exact[] = {"auto",
                                         "serial",
                                         "localwrite",
+                                        "localwrite-direct",
                                         "localwrite-steal",
                                         "graph-localwrite",
                                         "graph-localwrite-steal",
@@ -76,7 +78,7 @@ static void the_bits_are_those_of_the_plain_program(void **unused) {
     const struct outcome expected = run("", plain, "5000 9");
     for (char **program = programs; *program; program++)
         for (int threads = 1; threads <= 5; threads += 2)
-            for (int m = 0; m < 7; m++) {
+            for (int m = 0; m < 8; m++) {
                 char variables[128];
                 snprintf(variables, sizeof variables, "OMP_NUM_THREADS=%d REDCC_METHOD=%s", threads,
                          exact[m]);
@@ -472,7 +474,7 @@ static void the_report_names_the_method_with_its_parameter(void **unused) {
                                                                        : methods[m];
         assert_string_equal(name, expected);
         assert_string_equal(json_string_value(json_object_get(loop, "order")),
-                            m <= 6 ? "serial" : "any");
+                            m <= 7 ? "serial" : "any");
         json_decref(report);
     }
 }

@@ -265,6 +265,17 @@ static void contention_and_the_smallest(void **unused) {
 enum { TRIP = 6000, BINS = 40 };
 static int row[TRIP];
 
+/* Each iteration touches one row of `bytes` bytes. */
+static void classify(const redcc_worker *worker, const void *array, size_t bytes) {
+    unsigned char class[REDCC_SELECTED];
+    for (redcc_int t = worker->first; t < worker->last; t++) {
+        redcc_probe probe = {0, 0, 1};
+        redcc_probe_touch_row(&probe, worker, 0, array, row[t], bytes);
+        class[t - worker->first] = redcc_class_of(&probe);
+    }
+    redcc_classes_give(worker, class);
+}
+
 #define KERNEL(NAME, T, OPERATION, TYPE, UPDATE)                                                   \
     static void NAME(redcc_loop *loop, T *array, int threads) {                                    \
         void *const bases[] = {array};                                                             \
@@ -272,8 +283,9 @@ static int row[TRIP];
         const redcc_array arrays[] = {{"array", OPERATION, TYPE, sizeof(T), sizeof(T)}};           \
         const redcc_source sources[] = {{"row", 1}};                                               \
         redcc_call call;                                                                           \
-        *loop = (redcc_loop){__FILE__, 1,       #NAME, promised(), REDCC_VERIFIABLE, 1, arrays,    \
-                             1,        sources, 0,     0};                                         \
+        *loop = (redcc_loop){                                                                      \
+            __FILE__, 1,       #NAME, promised(), REDCC_VERIFIABLE | REDCC_SELECTS, 1, arrays,     \
+            1,        sources, 0,     0};                                                          \
         if (redcc_enter(&call, loop, TRIP, bases, known, 0, threads, 0)) {                         \
             _Pragma("omp parallel num_threads(call.threads)") {                                    \
                 redcc_worker worker;                                                               \
@@ -283,7 +295,11 @@ static int row[TRIP];
                         redcc_touch(&worker, 0, &array[row[t]], sizeof array[0]);                  \
                         redcc_iteration_done(&worker);                                             \
                     }                                                                              \
-                while (redcc_next(&worker)) {                                                      \
+                for (int asked; (asked = redcc_next(&worker)) != 0;) {                             \
+                    if (asked == REDCC_SELECT) {                                                   \
+                        classify(&worker, array, sizeof(T));                                       \
+                        continue;                                                                  \
+                    }                                                                              \
                     T *const to = worker.base[0];                                                  \
                     for (const redcc_run *run = worker.run; run != worker.run_end; run++) {        \
                         int t = (int)(worker.origin + run->begin);                                 \
@@ -428,7 +444,7 @@ static void rows_by_functions(triple *array, int threads) {
                        .line = 1,
                        .function = __func__,
                        .order = promised(),
-                       .flags = REDCC_VERIFIABLE,
+                       .flags = REDCC_VERIFIABLE | REDCC_SELECTS,
                        .array_count = 1,
                        .arrays = arrays,
                        .source_count = 1,
@@ -444,7 +460,11 @@ static void rows_by_functions(triple *array, int threads) {
                     redcc_touch(&worker, 0, &array[row[t]], sizeof array[0]);
                     redcc_iteration_done(&worker);
                 }
-            while (redcc_next(&worker)) {
+            for (int asked; (asked = redcc_next(&worker)) != 0;) {
+                if (asked == REDCC_SELECT) {
+                    classify(&worker, array, sizeof array[0]);
+                    continue;
+                }
                 triple *const to = worker.base[0];
                 const redcc_owner own = worker.owner[0];
                 for (const redcc_run *run = worker.run; run != worker.run_end; run++) {

@@ -225,7 +225,7 @@ static void unverifiable_loops_are_inspected_each_time(void **unused) {
     (void)unused;
     struct fixture fixture;
     fixture_begin(&fixture, 0);
-    fixture.described.loop.flags = 0;
+    fixture.described.loop.flags = REDCC_SELECTS;
     for (int call = 0; call < 3; call++)
         assert_true(run_right(&fixture));
     expect_plans(&fixture, 3, 0);

@@ -147,6 +147,7 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->plan->execution.needs_every_iteration, "REDCC_EVERY_ITERATION"},
                  {loop->plan->precheck != PRECHECK_NONE, "REDCC_DRY_RUN"},
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
+                 {loop->outline.done, "REDCC_SELECTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},

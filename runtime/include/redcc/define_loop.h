@@ -86,9 +86,9 @@ static __attribute__((__unused__)) void REDCC_THIS(_sequential)(const REDCC_CONT
 
 static redcc_site REDCC_THIS(_site) = {{{REDCC_WHERE, REDCC_ORDERED,
 #ifdef REDCC_STREAMS
-                                         (REDCC_FLAGS) | REDCC_BINS_FLAG,
+                                         (REDCC_FLAGS) | REDCC_SELECTS | REDCC_BINS_FLAG,
 #else
-                                         REDCC_FLAGS,
+                                         (REDCC_FLAGS) | REDCC_SELECTS,
 #endif
                                          REDCC_ARRAYS, REDCC_THIS(_arrays), REDCC_SOURCES,
 #if REDCC_SOURCES > 0
@@ -120,7 +120,7 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
             if (redcc_is_settled(worker)) {
                 const redcc_int from = k;
                 for (; k < worker->last; k++) {
-                    redcc_probe seen = {0, 0};
+                    redcc_probe seen = {0, 0, 0};
                     redcc_slice compare = {0, 0, 0};
                     compare.probe = &seen;
                     compare.worker = worker;
@@ -182,13 +182,33 @@ static void REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt
 }
 #endif
 
+/* Says of iterations whether they touch what the thread owns. A local array: what is stored there
+ * is none of what the slice reads, as compilers see. */
+static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attempt,
+                                const REDCC_CONTEXT *given) {
+    const REDCC_CONTEXT context = *given;
+    unsigned char classes[REDCC_SELECTED];
+    redcc_int k;
+    for (k = worker->first; k < worker->last; k++) {
+        redcc_probe seen = {0, 0, 1};
+        redcc_slice select = {0, 0, 0};
+        select.probe = &seen;
+        select.worker = worker;
+        REDCC_THIS(_slice)
+        (&select, REDCC_THIS(_counter)(attempt->first, k, &context), &context);
+        classes[k - worker->first] = redcc_class_of(&seen);
+    }
+    redcc_classes_give(worker, classes);
+}
+
 /* Executes runs of iterations, of whose rows the thread owns all, or only some. */
 static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
     const redcc_int first = attempt->first;
     redcc_rows rows;
-    while (worker->call->calls->next(worker)) {
+    int asked;
+    while ((asked = worker->call->calls->next(worker)) != 0) {
         const redcc_iterations *run = worker->run;
         const redcc_iterations *const run_end = worker->run_end;
         redcc_body owned;
@@ -197,6 +217,10 @@ static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attem
         plain.mode = REDCC_PLAIN;
 #endif
         unsigned a;
+        if (__builtin_expect(asked == REDCC_SELECT, 0)) {
+            REDCC_THIS(_select)(worker, attempt, given);
+            continue;
+        }
         owned.count = 0;
         owned.used = 0;
         owned.rows = &rows;

@@ -301,36 +301,44 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
  * one by one, as is all of it where there is nothing for vectors. */
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
-    while (redcc_next(&redcc__worker)) {                                                           \
-        redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                        \
-        const redcc_iterations *redcc__run_end = redcc__worker.run_end;                            \
-        const int redcc__width = redcc_lanes_of(&redcc__worker);                                   \
-        redcc_iterations redcc__rest[REDCC_MOST_LANES];                                            \
-        REDCC_PREFETCH_BEGIN(redcc__width > redcc__prefetches ? redcc__width : redcc__prefetches)  \
-        if (redcc__width) {                                                                        \
-            const int redcc__guarded = 0;                                                          \
-            int redcc__count, redcc__i;                                                            \
-            redcc_block redcc__block;                                                              \
-            redcc_ahead redcc__from;                                                               \
-            redcc_ahead_begin(&redcc__from, &redcc__worker, 0);                                    \
-            while ((redcc__count = redcc_block_take(&redcc__block, &redcc__from, redcc__width)) == \
-                   redcc__width) {                                                                 \
-                if (redcc__wished)                                                                 \
-                    for (redcc__i = 0; redcc__i < redcc__width; redcc__i++)                        \
-                        REDCC_PREFETCH_ONE(redcc_call_of_slice)                                    \
-                switch (redcc__width) {                                                            \
-                    REDCC_CASE_2(redcc_name, redcc_arguments)                                      \
-                    REDCC_CASE_4(redcc_name, redcc_arguments)                                      \
-                    REDCC_CASE_8(redcc_name, redcc_arguments)                                      \
-                default:                                                                           \
-                    (void)redcc__guarded;                                                          \
+    for (;;) {                                                                                     \
+        int redcc__asked;                                                                          \
+        REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+        if (!redcc__asked)                                                                         \
+            break;                                                                                 \
+        {                                                                                          \
+            redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                    \
+            const redcc_iterations *redcc__run_end = redcc__worker.run_end;                        \
+            const int redcc__width = redcc_lanes_of(&redcc__worker);                               \
+            redcc_iterations redcc__rest[REDCC_MOST_LANES];                                        \
+            REDCC_PREFETCH_BEGIN(redcc__width > redcc__prefetches ? redcc__width                   \
+                                                                  : redcc__prefetches)             \
+            if (redcc__width) {                                                                    \
+                const int redcc__guarded = 0;                                                      \
+                int redcc__count, redcc__i;                                                        \
+                redcc_block redcc__block;                                                          \
+                redcc_ahead redcc__from;                                                           \
+                redcc_ahead_begin(&redcc__from, &redcc__worker, 0);                                \
+                while ((redcc__count = redcc_block_take(&redcc__block, &redcc__from,               \
+                                                        redcc__width)) == redcc__width) {          \
+                    if (redcc__wished)                                                             \
+                        for (redcc__i = 0; redcc__i < redcc__width; redcc__i++)                    \
+                            REDCC_PREFETCH_ONE(redcc_call_of_slice)                                \
+                    switch (redcc__width) {                                                        \
+                        REDCC_CASE_2(redcc_name, redcc_arguments)                                  \
+                        REDCC_CASE_4(redcc_name, redcc_arguments)                                  \
+                        REDCC_CASE_8(redcc_name, redcc_arguments)                                  \
+                    default:                                                                       \
+                        (void)redcc__guarded;                                                      \
+                    }                                                                              \
                 }                                                                                  \
+                redcc__run = redcc__rest;                                                          \
+                redcc__run_end =                                                                   \
+                    redcc__rest + redcc_block_rest(&redcc__block, redcc__count,                    \
+                                                   redcc__worker.origin, redcc__rest);             \
             }                                                                                      \
-            redcc__run = redcc__rest;                                                              \
-            redcc__run_end = redcc__rest + redcc_block_rest(&redcc__block, redcc__count,           \
-                                                            redcc__worker.origin, redcc__rest);    \
+            REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                            \
         }                                                                                          \
-        REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }
 
 /** As REDCC_PARALLEL. */

@@ -250,7 +250,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
             if (redcc_is_settled(&redcc__worker)) {                                                \
                 const redcc_int redcc__from = redcc__k;                                            \
                 for (; redcc__k < redcc__worker.last; redcc__k++) {                                \
-                    redcc_probe redcc__seen = {0, 0};                                              \
+                    redcc_probe redcc__seen = {0, 0, 0};                                           \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \
@@ -331,13 +331,44 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
         }                                                                                          \
     }
 
+/** Says of iterations whether they touch what the thread owns. A local array: what is stored there
+ *  is none of what the slice reads, as compilers see. */
+#define REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
+    {                                                                                              \
+        const redcc_u32 redcc__told = 0;                                                           \
+        unsigned char redcc__class[REDCC_SELECTED];                                                \
+        for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last; redcc__k++) {          \
+            redcc_probe redcc__seen = {0, 0, 1};                                                   \
+            redcc_probe *const redcc__probe = &redcc__seen;                                        \
+            redcc_call_of_slice;                                                                   \
+            redcc__class[redcc__k - redcc__worker.first] = redcc_class_of(&redcc__seen);           \
+        }                                                                                          \
+        redcc_classes_give(&redcc__worker, redcc__class);                                          \
+    }
+
+/** The next chunk to execute, in front of a block; before it, iterations are selected where the
+ *  runtime asks for that. */
+#define REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+    for (;;) {                                                                                     \
+        redcc__asked = redcc_next(&redcc__worker);                                                 \
+        if (__builtin_expect(redcc__asked != REDCC_SELECT, 1))                                     \
+            break;                                                                                 \
+        REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
+    }
+
 /** Hands out chunks to execute, run by run, guarded or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
-    while (redcc_next(&redcc__worker)) {                                                           \
-        redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                        \
-        const redcc_iterations *const redcc__run_end = redcc__worker.run_end;                      \
-        REDCC_PREFETCH_BEGIN(redcc__prefetches)                                                    \
-        REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
+    for (;;) {                                                                                     \
+        int redcc__asked;                                                                          \
+        REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+        if (!redcc__asked)                                                                         \
+            break;                                                                                 \
+        {                                                                                          \
+            redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                    \
+            const redcc_iterations *const redcc__run_end = redcc__worker.run_end;                  \
+            REDCC_PREFETCH_BEGIN(redcc__prefetches)                                                \
+            REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                            \
+        }                                                                                          \
     }
 
 /** In front of a loop of few iterations: the compiler is to unroll it. redcc writes it where there

@@ -134,8 +134,9 @@ void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
  *  before; the dry run is over then, and the slice must use nothing of it. */
 int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
-/** The next chunk to execute, as set in *worker; 0: there is none left (or none at all). Every
- *  thread of the region must call it until it returns 0. */
+/** The next chunk to execute, as set in *worker; 0: there is none left (or none at all);
+ *  REDCC_SELECT: iterations to be classified first. Every thread of the region must call it until
+ *  it returns 0. */
 int redcc_next(redcc_worker *worker);
 
 /** 1 for exactly one of the threads that ask after having executed the last iteration. */

@@ -82,10 +82,13 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 }
 
 /** Inspector, of one iteration that may not have to be told: does it touch something within the
- *  window, does it touch or read something outside of what is known? Begins as {0, 0}. */
+ *  window, does it touch or read something outside of what is known? Begins as {0, 0, 0}.
+ *  Begun as {0, 0, 1} (REDCC_SELECT): does it touch something within the window, does it touch
+ *  something that is not? Reads do not matter then. */
 typedef struct redcc_probe {
     int inside;
     int outside;
+    int selects; /* a constant in each use */
 } redcc_probe;
 
 /** Are the last iterations told all within the window, so that the next ones are likely to be? Then
@@ -117,9 +120,33 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
     return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
 }
 
+/** Is any of `bytes` bytes at `address` among the `size` bytes at `first`? */
+static __inline__ int redcc_meets(const char *first, redcc_size size, const void *address,
+                                  redcc_size bytes) {
+    const redcc_size more = bytes - 1;
+    const redcc_size ends = size ? size + more : 0; /* where the last of them may lie */
+    return (redcc_size)address - (redcc_size)first + more < ends;
+}
+
+/** The same of row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+static __inline__ int redcc_row_meets(const char *first, redcc_size size, const void *base,
+                                      redcc_int row, redcc_size bytes) {
+    const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
+    const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
+    const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
+    const __PTRDIFF_TYPE__ low = from / step - (from % step < 0); /* the first row not before; */
+    const __PTRDIFF_TYPE__ end = to / step + (to % step > 0);     /* one behind */
+    return (redcc_size)row - (redcc_size)low < (size ? (redcc_size)(end - low) : 0);
+}
+
 static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
                                          redcc_u32 array, const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
+    if (probe->selects) {
+        probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
+        probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
+        return;
+    }
     probe->inside = 1;
     probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
@@ -128,28 +155,43 @@ static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_wor
                                              redcc_u32 array, const void *base, redcc_int row,
                                              redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
-    probe->inside = 1;
+    probe->inside |=
+        !probe->selects || redcc_row_meets(window->first, window->size, base, row, bytes);
     probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
 }
 
 static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
                                         redcc_u32 source, const void *address, redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source];
-    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
-    probe->outside |= redcc_leaves(known->first, size, address, bytes);
+    const redcc_extent *known = &worker->sources[source]; /* none, where a kept plan is used */
+    if (!probe->selects)
+        probe->outside |= redcc_leaves(
+            known->first, (redcc_size)known->end - (redcc_size)known->first, address, bytes);
 }
 
 static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_worker *worker,
                                             redcc_u32 source, const void *base, redcc_int row,
                                             redcc_size bytes) {
     const redcc_extent *known = &worker->sources[source];
-    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
-    probe->outside |= redcc_row_leaves(known->first, size, base, row, bytes);
+    if (!probe->selects)
+        probe->outside |= redcc_row_leaves(
+            known->first, (redcc_size)known->end - (redcc_size)known->first, base, row, bytes);
 }
 
 /** Need the iteration that was probed not be told? */
 static __inline__ int redcc_is_alike(const redcc_probe *probe) {
     return probe->inside && !probe->outside;
+}
+
+/** REDCC_SELECT: the class of the iteration that was probed. */
+static __inline__ unsigned char redcc_class_of(const redcc_probe *probe) {
+    return (unsigned char)((probe->inside ? REDCC_CLASS_OWN : 0) |
+                           (probe->outside ? REDCC_CLASS_OTHERS : 0));
+}
+
+/** REDCC_SELECT: hands over the classes of the iterations that were asked for. */
+static __inline__ void redcc_classes_give(const redcc_worker *worker,
+                                          const unsigned char *classes) {
+    __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(worker->last - worker->first));
 }
 
 /** May this thread write to any of the bytes at `address`, as far as is known without the hook? */

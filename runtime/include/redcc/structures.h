@@ -100,7 +100,22 @@ enum {
     REDCC_DRY_RUN_OF_READS = 4096,
     /** In place of REDCC_PREFETCHES: its iterations are so light that it pays only where they come
      *  in no order. */
-    REDCC_LIGHT = 8192
+    REDCC_LIGHT = 8192,
+    /** Its executor says of iterations whose rows they touch, where redcc_next gives
+     *  REDCC_SELECT. */
+    REDCC_SELECTS = 16384
+};
+
+enum {
+    /** What redcc_next gives in place of 1: the class of each iteration first, first + 1, ... <
+     *  last is to be written to the bytes at `entry` (REDCC_SELECTED of them at most), then comes
+     *  the next call. Within `window` is what the thread owns. */
+    REDCC_SELECT = 2,
+    REDCC_SELECTED = 128,
+    /** A class is 0 or a sum of these: something that the thread owns is touched, something else
+     *  is. */
+    REDCC_CLASS_OWN = 1,
+    REDCC_CLASS_OTHERS = 2
 };
 
 /** A loop, as the translator knows it; one static object for each. */

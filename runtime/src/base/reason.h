@@ -32,6 +32,8 @@
     X(REASON_LEVELS, "levels", "too many iterations or touches to be put in levels, or none")      \
     X(REASON_INSPECTOR, "inspector", "the inspector did not tell all iterations")                  \
     X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
+    X(REASON_NO_SELECTION, "no-selection",                                                         \
+      "the translated loop cannot select iterations while it is executed")                         \
     X(REASON_SPREAD, "spread", "subscripts lie too far apart for binning")                         \
     X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
       "memory that is updated is, or may be, mapped at two addresses")                             \

@@ -7,6 +7,7 @@
 enum route {
     ROUTE_SERIAL, /* at none: the original loop */
     ROUTE_OWNERS, /* owners cut by address */
+    ROUTE_DIRECT, /* the same, whose threads find their iterations while they execute */
     ROUTE_COPIES, /* private copies: nobody has to know who touches what */
     ROUTE_GRAPH,  /* owners cut from the access graph */
     ROUTE_LEVELS  /* iterations in levels */

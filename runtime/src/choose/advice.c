@@ -335,6 +335,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     if (call->method)
         return call->method->in_levels  ? ROUTE_LEVELS
                : call->method->by_graph ? ROUTE_GRAPH
+               : call->method->selects  ? ROUTE_DIRECT
                                         : ROUTE_OWNERS;
     const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
     const struct decision decision = pick_way(chooser, inspection, estimate, entry);

@@ -15,6 +15,7 @@
 
 #include <assert.h>
 #include <errno.h>
+#include <string.h>
 
 static struct barrier *team_barrier(const struct plan *plan, int team) {
     return &plan->teams.barrier[team];
@@ -120,6 +121,22 @@ static redcc_int iterations_of(const struct runner *runner) {
                                 : plan->schedule[runner->schedule].iterations;
 }
 
+/* Of iterations that touch nothing, where all are to be executed, each thread has a share; else
+ * the last iteration is executed for the last values of the variables that it sets. */
+static void begin_selecting(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct selection *selection = &runner->selection;
+    const struct plan *plan = runner->plan;
+    const int thread = runner->thread, threads = runner->threads;
+    memcpy(selection->window, runner->owner, plan->array_count * sizeof *selection->window);
+    redcc_selection_begin(selection, worker, plan->trip);
+    if (runner->run->call->request.loop->flags & REDCC_EVERY_ITERATION)
+        redcc_selection_set_idle(selection, redcc_share(plan->trip, threads, thread),
+                                 redcc_share(plan->trip, threads, thread + 1));
+    else if (thread == threads - 1 && plan->trip > 0)
+        redcc_selection_set_idle(selection, plan->trip - 1, plan->trip);
+}
+
 static void begin_running(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
@@ -139,6 +156,8 @@ static void begin_running(redcc_worker *worker) {
     place_bases(runner, redcc_copy_of(plan, runner->thread));
     if (run->validated)
         take_snapshot(runner);
+    if (plan->method->selects)
+        begin_selecting(worker);
     if (is_hooked(plan))
         begin_hooks(runner);
     redcc_copies_fill(plan, runner->thread);
@@ -273,14 +292,21 @@ static void get_ready(struct runner *runner, const struct chunk *chunk) {
         place_bases(runner, (int)chunk->copy);
 }
 
+/* Where the part under way is done, on to the next one, in its manner. */
+static void turn_to_part(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct parts *parts = &runner->parts;
+    if (parts->count > 0 && redcc_parts_turn(parts))
+        worker->manner = redcc_run_manner(runner->run, runner->plan, parts->number);
+}
+
 /* Reads some runs, of one part. Returns how many. */
 static size_t read_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
     if (parts->count == 0)
         return redcc_runs_read(&runner->runs, runner->piece, REDCC_RUNS);
-    if (redcc_parts_turn(parts))
-        worker->manner = redcc_run_manner(runner->run, runner->plan, parts->number);
+    turn_to_part(worker);
     return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
 }
 
@@ -342,6 +368,31 @@ static bool turn_to_chunk(redcc_worker *worker) {
     return true;
 }
 
+/* Runs of the iterations whose classes are there, or, while there are none, a question for those of
+ * the next ones. What their slices left in errno is not the loop's. */
+static int hand_out_selected(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct selection *selection = &runner->selection;
+    struct parts *parts = &runner->parts;
+    const bool hooked = is_hooked(runner->plan);
+    if (hooked)
+        redcc_hooks_settle(&runner->hooks);
+    if (selection->asked) {
+        redcc_int iterations;
+        const size_t runs =
+            redcc_selection_take(selection, worker, hooked, runner->piece, &iterations);
+        errno = 0;
+        worker->origin = worker->first;
+        worker->run = runner->piece;
+        worker->run_end = runner->piece + runs;
+        turn_to_part(worker);
+        parts->left -= parts->count > 0 ? iterations : 0;
+        if (runs > 0)
+            return 1;
+    }
+    return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
+}
+
 static bool hand_out(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     if (is_hooked(runner->plan))
@@ -354,11 +405,14 @@ static int next_chunk(redcc_worker *worker) {
     if (runner->step == STEP_BEGIN)
         begin_running(worker);
     switch (runner->step) {
-    case STEP_EXECUTE:
-        if (hand_out(worker))
-            return 1;
+    case STEP_EXECUTE: {
+        const int handed =
+            runner->plan->method->selects ? hand_out_selected(worker) : (int)hand_out(worker);
+        if (handed)
+            return handed;
         finish(worker);
         return runner->step == STEP_CHECK ? next_in_order(worker) : 0;
+    }
     case STEP_REST:
     case STEP_CHECK:
         return next_in_order(worker);
@@ -404,10 +458,11 @@ int redcc_next(redcc_worker *worker) {
     const struct runner *runner = worker->execution;
     if (!runner)
         return 0;
-    if (errno)
+    if (errno && !runner->selection.asked)
         note_error(worker);
-    if (next_chunk(worker))
-        return 1;
+    const int handed = next_chunk(worker);
+    if (handed)
+        return handed;
     redcc_float_control_take(runner->float_control);
     return 0;
 }

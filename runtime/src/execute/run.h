@@ -9,6 +9,7 @@
 #include "execute/manner.h"
 #include "execute/parts.h"
 #include "execute/prefetch.h"
+#include "execute/select.h"
 #include "execute/validate.h"
 #include "plan/plan.h"
 
@@ -65,8 +66,9 @@ struct runner {
     struct parts parts;     /* of a trial of manners */
     redcc_iterations whole; /* handed out, in order, without a plan, */
     redcc_int in_order_end; /* up to here */
-    void **base;            /* [array_count] where it writes */
-    redcc_owner *owner;     /* [array_count] what it owns */
+    struct selection selection;
+    void **base;        /* [array_count] where it writes */
+    redcc_owner *owner; /* [array_count] what it owns */
 };
 
 /** Before the threads begin. */

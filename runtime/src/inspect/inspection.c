@@ -44,6 +44,7 @@ bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
                                most_owners(call)))
         return false;
     redcc_inspection_set_owners(inspection);
+    inspection->whole = (struct partition){0};
     assert(inspection->partition.owners <= inspection->partition.room);
     return inspection->samples && inspection->summaries && inspection->seen;
 }
@@ -62,6 +63,8 @@ void redcc_inspection_end(struct inspection *inspection) {
     }
     redcc_divide_end(&inspection->divide);
     redcc_levels_end(&inspection->levels);
+    redcc_memory_give(inspection->whole.cut); /* all else of it is the partition's */
+    inspection->whole = (struct partition){0};
     redcc_partition_end(&inspection->partition);
     redcc_memory_give(inspection->samples);
     redcc_memory_give(inspection->summaries);

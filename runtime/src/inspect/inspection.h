@@ -76,6 +76,7 @@ struct inspection {
     struct touching each;   /* iteration, by the sample */
     struct overlap overlap; /* REASON_OVERLAP: which */
     struct partition partition;
+    struct partition whole;           /* the same in one piece: for extents alone */
     const struct sample **samples;    /* [threads] */
     const struct summary **summaries; /* [threads] */
     const struct range **seen;        /* [threads] */

@@ -18,15 +18,22 @@ static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
     return each < REDCC_BLOCK ? each : REDCC_BLOCK;
 }
 
+/* By whose owners iterations are summed up: only extents are wanted where threads find their
+ * iterations later. */
+static const struct partition *swept_by(const struct inspection *inspection) {
+    return inspection->route == ROUTE_DIRECT ? &inspection->whole : &inspection->partition;
+}
+
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed) {
     const struct partition *partition = &inspection->partition;
     const redcc_int begin = redcc_own_begin(inspection, inspector);
     redcc_sweep_end(&inspector->sweep); /* of the sweep before, where groups had to become one */
     memset(inspector->executed, 0, partition->owners * sizeof *inspector->executed);
-    inspector->failed = redcc_is_logged(inspection)
-                            ? !redcc_log_start(inspection, inspector)
-                            : !redcc_sweep_begin(&inspector->sweep, partition, inspector->seen);
+    inspector->failed =
+        redcc_is_logged(inspection)
+            ? !redcc_log_start(inspection, inspector)
+            : !redcc_sweep_begin(&inspector->sweep, swept_by(inspection), inspector->seen);
     inspector->next = begin;
     inspector->handed = 0;
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);

@@ -31,6 +31,15 @@ void redcc_partition_in_one(struct partition *partition) {
     }
 }
 
+bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition) {
+    uintptr_t *cut = redcc_memory_take((size_t)partition->array_count * 2 * sizeof *cut);
+    *whole = *partition;
+    whole->cut = cut;
+    if (cut)
+        redcc_partition_in_one(whole);
+    return cut != NULL;
+}
+
 void redcc_partition_join_stealable(struct partition *partition) {
     assert(partition->owners % (1 + partition->stealable) == 0);
     const uint32_t each = 1 + partition->stealable, joined = partition->owners / each;

@@ -51,6 +51,10 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
  * after partition->owners has been set to that. */
 void redcc_partition_in_one(struct partition *partition);
 
+/** *whole is *partition in one piece; it borrows all but `cut`, which is to be given back alone.
+ *  False: no memory. */
+bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
+
 /** Makes owners[o * (1 + stealable)] and the stealable ones behind it one owner, number o. */
 void redcc_partition_join_stealable(struct partition *partition);
 

@@ -177,7 +177,11 @@ static bool each_is_there_once(const struct plan *plan, const struct evidence *e
 
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence) {
     const struct method *method = plan->method;
-    if (method->in_levels) {
+    if (method->selects) { /* threads find what they execute */
+        for (uint32_t s = 0; s < plan->schedules; s++)
+            if (plan->schedule[s].chunk_count > 0)
+                return false;
+    } else if (method->in_levels) {
         for (int thread = 0; thread < plan->threads; thread++)
             if (!levels_are_right(plan, evidence, thread))
                 return false;

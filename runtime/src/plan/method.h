@@ -56,6 +56,8 @@ struct method {
     bool locks;     /* each unit is locked while it is updated */
     bool in_bins;   /* it needs neither inspection nor plan: updates are recorded, and applied bin
                        by bin (bins/binning.h) */
+    bool selects;   /* its threads find their iterations while they execute (execute/select.h): the
+                       loop must have REDCC_SELECTS */
     bool steals; /* REDCC_STEALABLE stealable owners go with each thread's own: who finishes early
                     executes what is theirs. (`owners` is not asked) */
 

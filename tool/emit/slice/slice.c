@@ -245,7 +245,7 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
         writer_fill(out, false);
     const size_t indentation = goes_on(&self, out, before, &slice);
     if (probes)
-        writer_line(out, "redcc_probe redcc__probe = {0, 0};");
+        writer_line(out, "redcc_probe redcc__probe = {0, 0, 0};");
     /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
     if (self.printer.continues)
         writer_line(out, "do {");

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "execute/select.h"
+
+#include <assert.h>
+
+enum { SKIPPED = -1, PLAIN = 0, GUARDED = 1 };
+
+void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
+    selection->trip = trip;
+    selection->idle_begin = selection->idle_end = 0;
+    selection->executed = 0;
+    selection->asked = false;
+    worker->first = worker->last = 0;
+    worker->window = selection->window;
+}
+
+void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redcc_int end) {
+    assert(0 <= begin && begin <= end && end <= selection->trip);
+    selection->idle_begin = begin;
+    selection->idle_end = end;
+}
+
+bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
+    const redcc_int left = selection->trip - worker->last;
+    assert(!selection->asked && left >= 0);
+    if (left == 0)
+        return false;
+    worker->first = worker->last;
+    worker->last += left < REDCC_SELECTED ? left : REDCC_SELECTED;
+    worker->stride = 1;
+    worker->entry = (redcc_entry *)(void *)selection->class;
+    selection->asked = true;
+    return true;
+}
+
+static int part_of(const struct selection *selection, redcc_int iteration, bool hooked) {
+    const unsigned class = selection->class[iteration];
+    switch (class) {
+    case REDCC_CLASS_OWN:
+        return hooked ? GUARDED : PLAIN;
+    case REDCC_CLASS_OWN | REDCC_CLASS_OTHERS:
+        return GUARDED;
+    default:
+        return SKIPPED;
+    }
+}
+
+size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
+                            redcc_iterations *to, redcc_int *iterations) {
+    const redcc_int count = worker->last - worker->first;
+    size_t runs = 0;
+    int last = SKIPPED;
+    assert(selection->asked && 0 < count && count <= REDCC_SELECTED);
+    selection->asked = false;
+    *iterations = 0;
+    for (redcc_int i = 0; i < count; i++) {
+        int part = part_of(selection, i, hooked);
+        if (selection->class[i] == 0 && worker->first + i >= selection->idle_begin &&
+            worker->first + i < selection->idle_end)
+            part = hooked ? GUARDED : PLAIN;
+        if (part != SKIPPED && part == last)
+            to[runs - 1].count_and_guard += 2;
+        else if (part != SKIPPED)
+            to[runs++] = (redcc_iterations){(redcc_u32)i, 2 + (redcc_u32)part};
+        *iterations += part != SKIPPED;
+        last = part;
+    }
+    selection->executed += *iterations;
+    return runs;
+}
