@@ -80,12 +80,24 @@ static int serially(struct loop_state *state, enum reason reason) {
     return 0;
 }
 
-void redcc_note_no_memory(redcc_loop *loop) {
+/* A call that does not come to redcc_enter. */
+static void note_serial(redcc_loop *loop, enum reason reason) {
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
         return;
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
-    serially(state, REASON_NO_MEMORY);
+    serially(state, reason);
+}
+
+void redcc_note_no_memory(redcc_loop *loop) {
+    note_serial(loop, REASON_NO_MEMORY);
+}
+
+int redcc_is_unlinked(redcc_loop *loop) {
+    (void)redcc_is_forked();        /* before anything of the parent's is used */
+    (void)redcc_settings_for(loop); /* the report that they name */
+    note_serial(loop, REASON_UNLINKED);
+    return 0;
 }
 
 /* Does an execution take long enough for somebody to wait for its end? Also where that is not

@@ -8,6 +8,7 @@
 #include "driver/answerers.h"
 #include "driver/closure.h"
 #include "driver/files.h"
+#include "driver/project.h"
 
 enum { OUTPUTS = sizeof((cached_run *)NULL)->outputs / sizeof(char *), PARTS = OUTPUTS + 1 };
 
@@ -20,6 +21,7 @@ typedef struct kept_answer {
 struct cached {
     closure_request request;
     closure found;
+    digest project;       /* of the sources in which functions of other files are looked for */
     const char *stranger; /* a file that was read and is not of the closure; NULL: none was */
     VECTOR(kept_answer) fresh;
 };
@@ -47,6 +49,7 @@ cached *cached_begin(session *s, const item *source, const char *file) {
     if (!why) {
         c->found = closure_find(s->memory, &c->request);
         why = c->found.unknown;
+        c->project = project_around(s->memory, file)->contents;
     }
     if (why)
         session_explain(s, "%s: not cached: %s", source->text, why);
@@ -85,6 +88,8 @@ static digest key_of(session *s, const cached *c, cache_program program, const c
     const digest *of_program = answerers_identity(s, program);
     digest_add(&d, of_program->bytes, sizeof of_program->bytes);
     digest_add(&d, c->found.state.bytes, sizeof c->found.state.bytes);
+    if (program == CACHE_TRANSLATOR)
+        digest_add(&d, c->project.bytes, sizeof c->project.bytes);
     for (unsigned i = 0; i < words->count; i++)
         add_word(s, &d, run, words->items[i]);
     return digest_end(&d);

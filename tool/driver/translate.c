@@ -40,6 +40,15 @@ static bool wants_remarks(const session *s) {
     return false;
 }
 
+/* Where the linker compiles, it may inline a function of another file into one form of a loop and
+ * contract it there: what is said of the function is said of its own object. */
+static bool sees_project(const session *s) {
+    for (unsigned i = 0; i < s->command.count; i++)
+        if (strncmp(s->command.items[i].text, "-flto", 5) == 0)
+            return false;
+    return true;
+}
+
 static int run_translator(session *s, const translation *t, const char *messages) {
     arena *a = s->memory;
     word_list words = {0};
@@ -47,6 +56,8 @@ static int run_translator(session *s, const translation *t, const char *messages
     words_add(a, &words, t->is_input ? "-" : t->source->text);
     words_add(a, &words, "-o");
     words_add(a, &words, t->text);
+    if (sees_project(s))
+        words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* this process stands behind it */
     words_add(a, &words,

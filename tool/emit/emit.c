@@ -25,7 +25,9 @@ static bool has_crlf(const source *s) {
 }
 
 /** The head of the file. */
-static const char *prelude(arena *a, const ir_unit *unit, contraction where, unsigned lanes) {
+static const char *prelude(arena *a, const ir_unit *unit, contraction where,
+                           const plan_options *options) {
+    const unsigned lanes = options->lanes;
     const char *width = lanes > 1 ? arena_format(a, "#define REDCC_ONLY_WIDTH %u\n", lanes) : "";
     const char *vectors =
         lanes ? arena_format(a, "#ifdef _OPENMP\n%s#include <redcc/lanes.h>\n#endif\n", width) : "";
@@ -34,12 +36,14 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where, uns
         "#ifdef _OPENMP\n"
         "#include <redcc/runtime.h>\n"
         "REDCC_REQUIRE_VERSION(1);\n"
+        "%s"
         "#else\n"
         "#define REDCC_SEQUENTIAL_DONE\n"
         "%s"
         "#endif\n"
         "%s%s"
         "#line 1 %s\n",
+        options->linked ? "static int redcc__linked(void);\n" : "",
         where == CONTRACTION_OFF_IN_LOOPS ? "#define REDCC_UNFUSED\n" : "",
         where == CONTRACTION_OFF_IN_FILE ? contraction_directives(a, unit, lanes > 0) : "", vectors,
         text_quoted(a, ir_position_of(unit, 0).file));
@@ -247,10 +251,10 @@ static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_resul
 }
 
 /** The whole file; sets the places of the loops in it. */
-static void join(arena *a, const ir_unit *unit, contraction where, unsigned lanes, loop_list *loops,
-                 emit_result *result) {
+static void join(arena *a, const ir_unit *unit, contraction where, const plan_options *options,
+                 loop_list *loops, emit_result *result) {
     const source *s = unit->source;
-    const char *head = prelude(a, unit, where, lanes);
+    const char *head = prelude(a, unit, where, options);
     uint32_t copied = strncmp(s->text, byte_order_mark, 3) == 0 ? 3 : 0;
     buffer out = {0};
     buffer_append(&out, s->text, copied);
@@ -266,6 +270,8 @@ static void join(arena *a, const ir_unit *unit, contraction where, unsigned lane
     }
     assert(copied <= s->length);
     buffer_append(&out, s->text + copied, s->length - copied);
+    if (options->linked)
+        buffer_format(&out, "\n#ifdef _OPENMP\n%s#endif\n", options->linked);
     result->text = arena_copy(a, out.data, out.length);
     result->length = out.length;
     buffer_free(&out);
@@ -331,6 +337,6 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     result.loops = loops.items;
     assert_pieces(unit, analysis, &loops);
     if (loops.count > 0)
-        join(a, unit, where, options->lanes, &loops, &result);
+        join(a, unit, where, options, &loops, &result);
     return result;
 }

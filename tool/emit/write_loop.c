@@ -153,7 +153,10 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     declare_live_outs(loop, out);
     declare_conditional_live_outs(loop, out, false);
     writer_line(out, "int redcc__done = 0;");
-    writer_line(out, "if (%s) {", entry);
+    writer_line(out, "if (%s%s) {", entry,
+                loop->options->linked
+                    ? " && (redcc__linked() || redcc_is_unlinked(REDCC_DESCRIPTOR))"
+                    : "");
     out->depth++;
     write_attempt(loop, out);
     out->depth--;

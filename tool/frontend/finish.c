@@ -101,7 +101,8 @@ static void mark_interposable(converter *c) {
     for (unsigned i = 0; i < c->unit->function_count; i++) {
         ir_function *function = c->unit->functions[i];
         function->linkage.is_interposable = chosen->is_shared && !chosen->is_fixed &&
-                                            function->body != NULL && !function->linkage.is_hidden;
+                                            function->body != NULL && !function->linkage.is_weak &&
+                                            !function->linkage.is_hidden;
         function->linkage.is_weak |= function->linkage.is_interposable;
     }
 }

@@ -13,7 +13,7 @@ typedef struct frontend_diagnostic {
 } frontend_diagnostic;
 
 typedef struct frontend_result {
-    const ir_unit *unit; /* NULL: nothing could be parsed at all */
+    ir_unit *unit; /* NULL: nothing could be parsed at all */
     unsigned diagnostic_count;
     const frontend_diagnostic *diagnostics;
     unsigned file_count;

@@ -135,17 +135,27 @@ typedef struct ir_variable {
     bool address_taken;          /* by &, or as an array that decays other than under a subscript
                                     or as an argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
+    bool is_unnamed; /* of another file: no text of this one can name it. Not in the text form */
     const ir_declared *declared; /* NULL: not known. Not in the text form */
 } ir_variable;
+
+/** Where a body of another file comes from. */
+typedef struct ir_import {
+    const char *file;
+    uint64_t digest; /* of the definition (ir_digest.h); 0: of a static function, which is part of
+                        those that lead to it */
+} ir_import;
 
 /** What of a function the linker knows. */
 typedef struct ir_linkage {
     bool is_static;
     bool is_weak;    /* what runs may be another definition than the one in this unit */
     bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
-    bool is_interposable; /* is_weak, because a shared object exports it: the program may have
-                             another of its name. Not in the text form */
-    bool is_hidden;       /* no other object can name it, or put another in its place */
+    bool is_interposable;    /* is_weak, because a shared object exports it: the program may have
+                                another of its name. Not in the text form */
+    bool is_hidden;          /* no other object can name it, or put another in its place */
+    const ir_import *import; /* the body is another file's (ir_adopt.h); NULL: it is this unit's.
+                                Not in the text form */
 } ir_linkage;
 
 struct ir_function {

@@ -47,7 +47,8 @@ static void follow_call(reach *r, const ir_node *call) {
     const ir_node *callee = call->children[0];
     if (callee->kind != IR_FUNCTION) { /* perhaps one of the file's */
         r->multiplies = r->adds = true;
-    } else if (callee->function->body && !r->is_seen[callee->function->id]) {
+    } else if (callee->function->body && !callee->function->linkage.import &&
+               !r->is_seen[callee->function->id]) { /* other files are compiled by themselves */
         r->is_seen[callee->function->id] = true;
         look_at(r, callee->function->body);
     }

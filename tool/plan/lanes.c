@@ -238,8 +238,8 @@ lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, con
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth) {
     const ir_type *result = function->type->target;
     const ir_node *body = function->body;
-    if (function->is_variadic || function->is_noreturn || depth >= MOST_DEPTH ||
-        call->child_count != function->parameter_count + 1 ||
+    if (function->is_variadic || function->is_noreturn || function->linkage.import ||
+        depth >= MOST_DEPTH || call->child_count != function->parameter_count + 1 ||
         (result->kind != IR_VOID && !lane_is_real(result)))
         return false;
     return result->kind == IR_VOID ||

@@ -12,6 +12,9 @@ typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* asked for explicitly, not just the default */
     const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
+    const char *linked;     /* text behind the file's own that defines redcc__linked, which tells
+                               whether functions of other files are those that were analysed; NULL:
+                               nothing rests on other files */
     unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
     const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once; 2:
                                    nor move slice and body in front of the function. Without

@@ -166,7 +166,8 @@ static void list_gathers(gather_search *search, const frame *in, const ir_node *
             VECTOR_PUSH(search->arena, list, one);
     }
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
-        node->children[0]->function->body && in->depth < MOST_DEPTH) {
+        node->children[0]->function->body && !node->children[0]->function->linkage.import &&
+        in->depth < MOST_DEPTH) {
         const ir_function *callee = node->children[0]->function;
         const frame inner = {in, callee, node, in->depth + 1};
         if (is_new_call(search, &inner))

@@ -34,6 +34,9 @@ const char options_help[] =
     "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
     "                       and give every thread the same\n"
     "  --assume-noalias     your word that distinct pointers do not overlap\n"
+    "  --files=WHICH        alone (default); project: functions that loops call are looked for in\n"
+    "                       the other sources around INPUT, and the program asks when it runs\n"
+    "                       whether it is linked with these; redcc-cc does so\n"
     "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
     "                       gcc than for clang is left alone), known (you have looked at that)\n"
     "  --predefined=FILE    that compiler's own macros, as 'cc -dM -E -x c /dev/null' prints "
@@ -68,6 +71,7 @@ typedef enum option_name {
     OPTION_COMPILER,
     OPTION_DUMP,
     OPTION_EXPLAIN,
+    OPTION_FILES,
     OPTION_HELP,
     OPTION_IN_PROCESS,
     OPTION_INPUTS_FILE,
@@ -93,6 +97,7 @@ static const struct long_option {
     {"--compiler=", OPTION_COMPILER},
     {"--dump=", OPTION_DUMP},
     {"--explain=", OPTION_EXPLAIN},
+    {"--files=", OPTION_FILES},
     {"--help", OPTION_HELP},
     {"--in-process", OPTION_IN_PROCESS},
     {"--inputs-file=", OPTION_INPUTS_FILE},
@@ -220,6 +225,15 @@ static const char *read_compiler(arena *a, options *o, const char *value) {
     return NULL;
 }
 
+static const char *read_files(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"alone", "project"};
+    const int number = find_word(words, COUNT(words), value);
+    if (number < 0)
+        return arena_format(a, "--files takes alone or project, not '%s'", value);
+    o->sees_project = number == 1;
+    return NULL;
+}
+
 static const char *read_predefined(arena *a, options *o, const char *value) {
     const char *text = file_read(a, value, NULL);
     if (!text)
@@ -258,6 +272,8 @@ static const char *set_option(arena *a, options *o, option_name name, const char
     case OPTION_EXPLAIN:
         o->explain = value;
         return *value ? NULL : "--explain takes the id or slug of a reason, such as R204";
+    case OPTION_FILES:
+        return read_files(a, o, value);
     case OPTION_HELP:
         o->help = true;
         return NULL;

@@ -29,6 +29,7 @@ typedef struct options {
     bool order_is_given;
     unsigned lanes;      /* as of plan_options */
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
+    bool sees_project;   /* --files=project */
     bool in_process;     /* no process of its own guards against a parser that crashes */
     bool analyze, assume_noalias, require, verify, all, dump_ir, help, version;
 } options;

@@ -12,8 +12,10 @@
 #include "redcc/compile_commands.h"
 #include "redcc/compilers.h"
 #include "redcc/explain.h"
+#include "redcc/imports.h"
 #include "redcc/inputs_list.h"
 #include "redcc/output.h"
+#include "redcc/records.h"
 #include "redcc/self_check.h"
 #include "redcc/verify.h"
 
@@ -39,7 +41,7 @@ static const char *parser_flags(arena *a, const options *o, const char *input, s
 }
 
 /** Analysed is the program that the parallel form becomes part of: the one with OpenMP on. */
-static frontend_result parse(arena *a, const source *file, const string_list *flags) {
+frontend_result translate_file_parse(arena *a, const source *file, const string_list *flags) {
     string_list all = {0};
     for (unsigned i = 0; i < flags->count; i++)
         VECTOR_PUSH(a, &all, flags->items[i]);
@@ -261,12 +263,36 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
     }
 }
 
+/** With the functions of other files, where a loop needs them. */
+static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
+                                            const project *around, const analysis_options *asked) {
+    const analysis_result alone = analyse(a, unit, asked);
+    return around && imports_add(a, unit, around, flags, &alone) ? analyse(a, unit, asked) : alone;
+}
+
+/** The text with what is said of the file's own functions behind it. */
+static emit_result with_records(arena *a, const emit_result *written, const char *records) {
+    emit_result result = *written;
+    if (!records)
+        return result;
+    const size_t more = strlen(records);
+    char *text = arena_allocate(a, written->length + more + 1);
+    memcpy(text, written->text, written->length);
+    memcpy(text + written->length, records, more + 1);
+    result.text = text;
+    result.length = written->length + more;
+    return result;
+}
+
 static file_outcome translate(arena *a, const options *o, const source *file,
-                              const string_list *flags, const ir_unit *unit,
+                              const string_list *flags, ir_unit *unit,
                               const foreign_functions *foreign) {
     const analysis_options asked = options_of(a, o, foreign);
+    const project *around = o->sees_project ? project_around(a, file->path) : NULL;
+    const char *records = around && o->output ? records_write(a, unit, around) : NULL;
     analysis_result analysed =
-        of_both_compilers(a, file, flags, unit, o->knows_compiler, analyse(a, unit, &asked));
+        of_both_compilers(a, file, flags, unit, o->knows_compiler,
+                          analyse_with_imports(a, unit, flags, around, &asked));
     const bool is_kept = o->output || o->verify;
     const bool is_written = count_verdicts(&analysed).transformed > 0;
     if (is_kept && is_written && !own_runtime_header_exists(a))
@@ -274,11 +300,13 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                     "redcc's own header redcc/runtime.h, without which the output cannot "
                     "be checked, lies neither beside this program (PREFIX/bin/redcc and "
                     "PREFIX/include) nor below $REDCC_ROOT; nothing was written");
-    const plan_options how = {.order = o->order,
-                              .order_is_explicit = o->order_is_given,
-                              .lanes = o->lanes,
-                              .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
-    const emit_result written = write_checked(a, unit, flags, &how, is_kept, &analysed);
+    plan_options how = {.order = o->order,
+                        .order_is_explicit = o->order_is_given,
+                        .lanes = o->lanes,
+                        .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
+    how.linked = imports_check(a, unit, &how.obstacle);
+    const emit_result loops = write_checked(a, unit, flags, &how, is_kept, &analysed);
+    const emit_result written = with_records(a, &loops, records);
     const analysis_result final = after_writing(a, unit, &analysed, &written, &asked, foreign);
     const report_input input =
         report_on(o, unit, &final, lanes_remarks(a, &written, final.verdict_count));
@@ -335,7 +363,7 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
     wrong = parser_flags(a, o, path, &flags);
     if (wrong)
         return fail(NULL, wrong);
-    const frontend_result parsed = parse(a, file, &flags);
+    const frontend_result parsed = translate_file_parse(a, file, &flags);
     wrong = o->report.inputs_file ? inputs_list_write(a, o->report.inputs_file, &parsed) : NULL;
     if (wrong)
         return fail(NULL, wrong);
@@ -358,7 +386,7 @@ void translate_file_exports(arena *a, const options *o, const char *path, buffer
     string_list flags = {0};
     if (!file || parser_flags(a, o, path, &flags))
         return;
-    const frontend_result parsed = parse(a, file, &flags);
+    const frontend_result parsed = translate_file_parse(a, file, &flags);
     if (has_errors(&parsed))
         return;
     const analysis_options own = options_of(a, o, NULL);

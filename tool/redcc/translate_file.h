@@ -3,6 +3,7 @@
 #ifndef TRANSLATE_FILE_H
 #define TRANSLATE_FILE_H
 
+#include "frontend/frontend.h"
 #include "redcc/foreign.h"
 #include "redcc/options.h"
 
@@ -25,6 +26,9 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
 /** Warns of the names of --pure that no file declares: most likely they are misspelt. `unknown`:
  * what the outcomes have in common; `where`: the file, or what stands for several. */
 void translate_file_warn_pure(const options *o, unsigned long long unknown, const char *where);
+
+/** Parses as translate_file does. */
+frontend_result translate_file_parse(arena *a, const source *file, const string_list *flags);
 
 /** Appends what the file tells others of its functions (foreign_read); nothing, and no message,
  *  where it cannot be parsed. */

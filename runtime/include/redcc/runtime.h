@@ -111,6 +111,15 @@ extern redcc_int redcc_least_trip;
  *  positive: none any more. Approximate where several threads count. */
 extern redcc_int redcc_unasked_iterations;
 
+/** Are the functions that this object calls, and all that these lead to, those that `expected`
+ * names? No other definition has been put in the place of one, by the linker or by the dynamic one.
+ */
+int redcc_are_linked(const redcc_callee *called, redcc_size count, const redcc_expectation *expected,
+                     redcc_size expected_count);
+
+/** Counts an execution of the original loop because they are not. Returns 0. */
+int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
+
 /** Memory for an operand of `size` bytes an iteration, to be given back by redcc_operands_give
  * after redcc_leave. Counted by REDCC_MEMORY_LIMIT. NULL: trip is not positive, or there is no
  * memory (which is reported), and the original loop must run. */

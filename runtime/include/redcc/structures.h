@@ -69,6 +69,32 @@ typedef struct redcc_source {
                            again only while it is unchanged */
 } redcc_source;
 
+/** Any function, by its address. */
+typedef void (*redcc_code)(void);
+
+/** What a file that defines a function says of it: beside the function, in the same object. Two
+ * parses of one definition have one digest; `own` is that definition, whatever the linker puts in
+ * its place. A file that redcc-cc compiles without redcc's headers has it in its own words
+ * (tool/redcc/records.c). */
+typedef struct redcc_record {
+    const char *name;
+    redcc_u32 digest[2];
+    redcc_code own;
+    redcc_size callee_count;
+    const struct redcc_callee *callees; /**< that it leads to, as this object calls them */
+} redcc_record;
+
+typedef struct redcc_callee {
+    const redcc_record *record; /**< NULL: there is none */
+    redcc_code called;
+} redcc_callee;
+
+/** What a translation rests on. */
+typedef struct redcc_expectation {
+    const char *name;
+    redcc_u32 digest[2];
+} redcc_expectation;
+
 /** Structures that a compiler option packs (-fpack-struct) are not those of the library. */
 typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
     __attribute__((__unused__));

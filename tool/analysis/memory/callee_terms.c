@@ -165,7 +165,8 @@ static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
     }
     if (variable->storage == IR_LOCAL)
         return rewrite_definition(r, node);
-    if (variable->storage == IR_STATIC_LOCAL || hidden_names_has(r->terms->names, variable))
+    if (variable->storage == IR_STATIC_LOCAL || variable->is_unnamed ||
+        hidden_names_has(r->terms->names, variable))
         r->is_exact = false;
     return ir_substitute(r->terms->memory, node, NULL, NULL);
 }
@@ -173,7 +174,8 @@ static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
 static ir_node *rewrite(rewriting *r, const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return rewrite_variable(r, node);
-    if (node->kind == IR_OPAQUE || node->kind == IR_CALL || node->kind == IR_ASSIGN)
+    const bool is_unspelled = node->kind == IR_CAST && node->type && !node->type->spelling;
+    if (node->kind == IR_OPAQUE || node->kind == IR_CALL || node->kind == IR_ASSIGN || is_unspelled)
         return unknown_part(r, node);
     ir_node *copy = ir_new(r->terms->memory, node->kind, node->type, node->child_count);
     ir_node **children = copy->children;

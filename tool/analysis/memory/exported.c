@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "analysis/base/loop_text.h"
+#include "analysis/base/unit_text.h"
 #include "analysis/memory/access.h"
 #include "analysis/memory/location.h"
 
@@ -36,6 +38,18 @@ static bool has_linkage_pragma(const ir_unit *unit) {
             return true;
     }
     return false;
+}
+
+bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *function) {
+    const ir_linkage *linkage = &function->linkage;
+    return function->body && function->is_in_main_file && !linkage->is_static &&
+           (!linkage->is_weak || linkage->is_interposable) && !linkage->is_renamed &&
+           !function->is_variadic && !function->is_noreturn && !function->has_other_attributes &&
+           !function->has_errors && strcmp(function->name, "main") != 0 &&
+           is_plain_definition(unit, function) && !has_linkage_pragma(unit) &&
+           !unit->text.includes_itself && !unit->text.unseen_word &&
+           !unit->dialect.refusing_option && !unit_text_fenv_access(unit_text_new(a, unit)) &&
+           !text_openmp_in(a, unit, function);
 }
 
 /* Is this one step from a pointer that was given to the function? */

@@ -8,6 +8,12 @@
 /** "const", "pure of its arguments", "pure"; NULL for EXPORTED_NOTHING. */
 const char *exported_word(exported_kind kind);
 
+/**
+ * Is this a definition of which the file may speak to others: an external function, as plain as
+ * they take it for, whose own text says all that a compiler makes of it?
+ */
+bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *function);
+
 typedef struct exported_function {
     const char *name;
     exported_kind kind;

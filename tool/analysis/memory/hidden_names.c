@@ -22,7 +22,7 @@ hidden_names *hidden_names_new(arena *a, const ir_unit *unit) {
     all->names = ARENA_ARRAY(a, const char *, unit->variable_count + 1);
     for (unsigned i = 0; i < unit->variable_count; i++) {
         const ir_variable *variable = unit->variables[i];
-        if (variable->name &&
+        if (variable->name && !variable->is_unnamed &&
             (variable_is_automatic(variable) || variable->storage == IR_STATIC_LOCAL ||
              (variable->storage == IR_THREAD_LOCAL && variable->function)))
             all->names[all->count++] = variable->name;

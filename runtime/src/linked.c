@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Functions of other files: is what runs what was analysed? Each object says of its functions what
+ * they are and where (redcc_record). Here the records are compared with what a loop's translation
+ * saw, and the addresses with those that the calls go to. */
+#include <redcc/runtime.h>
+
+#include <stdbool.h>
+#include <string.h>
+
+/* Functions that call each other in a ring have no summary: a chain is no longer than this. */
+enum { MOST_DEEP = 64 };
+
+static bool is_expected(const redcc_record *record, const redcc_expectation *expected,
+                        redcc_size count) {
+    for (redcc_size i = 0; i < count; i++)
+        if (strcmp(expected[i].name, record->name) == 0)
+            return expected[i].digest[0] == record->digest[0] &&
+                   expected[i].digest[1] == record->digest[1];
+    return false;
+}
+
+static bool are_linked(const redcc_callee *called, redcc_size count,
+                       const redcc_expectation *expected, redcc_size expected_count, int depth) {
+    for (redcc_size i = 0; i < count; i++) {
+        const redcc_record *record = called[i].record;
+        if (!record || record->own != called[i].called || depth >= MOST_DEEP ||
+            !is_expected(record, expected, expected_count) ||
+            !are_linked(record->callees, record->callee_count, expected, expected_count, depth + 1))
+            return false;
+    }
+    return true;
+}
+
+int redcc_are_linked(const redcc_callee *called, redcc_size count,
+                     const redcc_expectation *expected, redcc_size expected_count) {
+    return are_linked(called, count, expected, expected_count, 0);
+}

@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/project.h"
+
+#include <ctype.h>
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "driver/files.h"
+#include "support/map.h"
+
+enum { MOST_FILES = 600, MOST_BYTES = 12 << 20, MOST_DEEP = 6, MOST_UP = 4 };
+
+/* ---- which files ----------------------------------------------------------------------------- */
+
+typedef VECTOR(const char *) path_list;
+
+typedef struct listing {
+    arena *memory;
+    path_list files;
+    long bytes;
+    bool is_recursive;
+} listing;
+
+static int compare_paths(const void *a, const void *b) {
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static bool is_c_source(const char *name) {
+    const size_t length = strlen(name);
+    return length > 2 && strcmp(name + length - 2, ".c") == 0;
+}
+
+/* Returns false once there is too much. */
+static bool list_folder(listing *all, const char *folder, int depth) {
+    DIR *stream = opendir(folder);
+    bool is_small = true;
+    if (!stream)
+        return true;
+    for (struct dirent *entry; is_small && (entry = readdir(stream));) {
+        struct stat about;
+        if (entry->d_name[0] == '.')
+            continue;
+        const char *path = arena_format(all->memory, "%s/%s", folder, entry->d_name);
+        if (lstat(path, &about) != 0)
+            continue;
+        if (S_ISREG(about.st_mode) && is_c_source(entry->d_name)) {
+            VECTOR_PUSH(all->memory, &all->files, path);
+            all->bytes += about.st_size;
+            is_small = all->files.count <= MOST_FILES && all->bytes <= MOST_BYTES;
+        } else if (all->is_recursive && S_ISDIR(about.st_mode) && depth < MOST_DEEP) {
+            is_small = list_folder(all, path, depth + 1);
+        }
+    }
+    closedir(stream);
+    return is_small;
+}
+
+static bool describes_build(arena *a, const char *folder) {
+    static const char *const names[] = {
+        "Makefile",     "makefile",    "GNUmakefile", "CMakeLists.txt", "meson.build",
+        "configure.ac", "Makefile.am", "SConstruct",  "BUILD.bazel",    "compile_commands.json"};
+    for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
+        if (access(arena_format(a, "%s/%s", folder, names[i]), F_OK) == 0)
+            return true;
+    return false;
+}
+
+/* The outermost folder with a description of a build, a few levels up; the home folder and what is
+ * above it are no project. NULL: there is none. */
+static const char *root_of(arena *a, const char *folder) {
+    const char *root = NULL, *home = getenv("HOME");
+    char *at = arena_string(a, folder);
+    for (int i = 0; i <= MOST_UP && strlen(at) > 1 && !(home && strcmp(at, home) == 0); i++) {
+        if (describes_build(a, at))
+            root = arena_string(a, at);
+        char *slash = strrchr(at, '/');
+        if (!slash || slash == at)
+            break;
+        *slash = 0;
+    }
+    return root;
+}
+
+static path_list list_files(arena *a, const char *folder) {
+    const char *root = root_of(a, folder);
+    listing all = {.memory = a, .is_recursive = true};
+    if (!root || !list_folder(&all, root, 0)) {
+        all = (listing){.memory = a};
+        if (!list_folder(&all, folder, 0))
+            all.files.count = 0;
+    }
+    if (all.files.count)
+        qsort(all.files.items, all.files.count, sizeof *all.files.items, compare_paths);
+    return all.files;
+}
+
+/* ---- what is in them ------------------------------------------------------------------------- */
+
+typedef struct scanner {
+    arena *memory;
+    const char *at, *end;
+    project_file *file;
+    project_function *function; /* whose body this is; NULL: outside of all */
+    int braces, parentheses;
+    const char *name;          /* outside: before the first parenthesis of a declaration */
+    bool is_static, is_called; /* `static` was met; the parentheses are closed */
+    bool has_loop, has_update;
+} scanner;
+
+static bool starts_name(char c) {
+    return isalpha((unsigned char)c) || c == '_';
+}
+
+static void skip_quoted(scanner *s) {
+    const char quote = *s->at++;
+    for (; s->at < s->end && *s->at != quote && *s->at != '\n'; s->at++)
+        if (*s->at == '\\' && s->at + 1 < s->end)
+            s->at++;
+    s->at += s->at < s->end;
+}
+
+static void skip_line(scanner *s) {
+    for (; s->at < s->end && *s->at != '\n'; s->at++)
+        if (*s->at == '\\' && s->at + 1 < s->end)
+            s->at++;
+}
+
+static bool skip_comment(scanner *s) {
+    if (s->end - s->at < 2 || s->at[0] != '/' || (s->at[1] != '/' && s->at[1] != '*'))
+        return false;
+    if (s->at[1] == '/') {
+        skip_line(s);
+        return true;
+    }
+    const char *close = strstr(s->at + 2, "*/");
+    s->at = close ? close + 2 : s->end;
+    return true;
+}
+
+static bool is_word(const char *name, size_t length, const char *word) {
+    return strlen(word) == length && memcmp(name, word, length) == 0;
+}
+
+static bool is_followed_by(const scanner *s, char c) {
+    const char *at = s->at;
+    while (at < s->end && isspace((unsigned char)*at))
+        at++;
+    return at < s->end && *at == c;
+}
+
+static void note_word(scanner *s, const char *word, size_t length) {
+    if (!s->function) {
+        s->is_static |= is_word(word, length, "static");
+        if (!s->name && s->parentheses == 0 && is_followed_by(s, '(') &&
+            !is_word(word, length, "__attribute__"))
+            s->name = arena_copy(s->memory, word, length);
+        return;
+    }
+    if (is_word(word, length, "for") || is_word(word, length, "while"))
+        s->has_loop = true;
+    else if (is_followed_by(s, '(') && !is_word(word, length, "if") &&
+             !is_word(word, length, "sizeof") && !is_word(word, length, "return"))
+        VECTOR_PUSH(s->memory, &s->function->calls, arena_copy(s->memory, word, length));
+}
+
+static void begin_declaration(scanner *s) {
+    s->name = NULL;
+    s->is_static = s->is_called = false;
+}
+
+static void open_brace(scanner *s) {
+    if (s->braces++ == 0 && s->name && s->is_called && !s->function) {
+        const project_function one = {.name = s->name, .is_static = s->is_static};
+        VECTOR_PUSH(s->memory, &s->file->functions, one);
+        s->function = &s->file->functions.items[s->file->functions.count - 1];
+        s->has_loop = s->has_update = false;
+    }
+}
+
+static void close_brace(scanner *s) {
+    s->braces -= s->braces > 0;
+    if (s->braces > 0)
+        return;
+    if (s->function)
+        s->function->has_loop = s->has_loop && s->has_update;
+    s->function = NULL;
+    s->parentheses = 0;
+    begin_declaration(s);
+}
+
+/* `op=`, `] =`, `]++`, `++a[`: something may be updated. */
+static void note_operator(scanner *s) {
+    const char *at = s->at;
+    if (s->end - at < 2)
+        return;
+    const bool is_compound = at[1] == '=' && strchr("+-*/|&^%", at[0]);
+    const bool is_step = (at[0] == '+' && at[1] == '+') || (at[0] == '-' && at[1] == '-');
+    if (is_compound || (at[0] == ']' && strchr("=+-", at[1])) || is_step ||
+        (at[0] == ']' && at[1] == ' '))
+        s->has_update = true;
+}
+
+static void scan_mark(scanner *s) {
+    switch (*s->at) {
+    case '{':
+        open_brace(s);
+        break;
+    case '}':
+        close_brace(s);
+        break;
+    case '(':
+        s->parentheses++;
+        break;
+    case ')':
+        s->parentheses -= s->parentheses > 0;
+        s->is_called |= s->parentheses == 0;
+        break;
+    case ';':
+        if (!s->function && s->braces == 0 && s->parentheses == 0)
+            begin_declaration(s);
+        break;
+    default:
+        if (s->function)
+            note_operator(s);
+        break;
+    }
+    s->at++;
+}
+
+static void scan(arena *a, project_file *file, const char *text, size_t length) {
+    scanner s = {.memory = a, .at = text, .end = text + length, .file = file};
+    bool begins_line = true;
+    while (s.at < s.end) {
+        const char c = *s.at;
+        if (skip_comment(&s))
+            continue;
+        if (c == '#' && begins_line) {
+            skip_line(&s);
+        } else if (c == '"' || c == '\'') {
+            skip_quoted(&s);
+        } else if (starts_name(c)) {
+            const char *word = s.at;
+            while (s.at < s.end && (isalnum((unsigned char)*s.at) || *s.at == '_'))
+                s.at++;
+            note_word(&s, word, (size_t)(s.at - word));
+        } else if (isspace((unsigned char)c)) {
+            s.at++;
+        } else {
+            scan_mark(&s);
+        }
+        begins_line = c == '\n' || (begins_line && isspace((unsigned char)c));
+    }
+}
+
+project *project_around(arena *a, const char *path) {
+    project *p = ARENA_NEW(a, project);
+    p->memory = a;
+    char *resolved = realpath(path, NULL);
+    digester d = digest_begin();
+    p->own = arena_string(a, resolved ? resolved : path);
+    free(resolved);
+    const path_list files =
+        p->own[0] == '/' ? list_files(a, path_folder(a, p->own)) : (path_list){0};
+    for (unsigned i = 0; i < files.count; i++) {
+        size_t length;
+        const char *text = file_read(a, files.items[i], &length);
+        if (!text)
+            continue;
+        project_file file = {.path = files.items[i]};
+        digest_text(&d, file.path);
+        digest_text(&d, text);
+        scan(a, &file, text, strlen(text));
+        VECTOR_PUSH(a, &p->files, file);
+    }
+    p->contents = digest_end(&d);
+    return p;
+}
+
+/* ---- questions ------------------------------------------------------------------------------- */
+
+static const project_function *defined_in(const project_file *file, const char *name) {
+    for (unsigned i = 0; i < file->functions.count; i++)
+        if (!file->functions.items[i].is_static && strcmp(file->functions.items[i].name, name) == 0)
+            return &file->functions.items[i];
+    return NULL;
+}
+
+/* value for a/value.c */
+static const char *stem(arena *a, const char *path) {
+    const char *base = path_base(path), *dot = strrchr(base, '.');
+    return arena_copy(a, base, dot ? (size_t)(dot - base) : strlen(base));
+}
+
+const char *project_definer(const project *p, const char *name, const char *header) {
+    arena *a = p->memory;
+    const char *best = NULL, *folder = path_folder(a, p->own);
+    int best_rank = -1;
+    for (unsigned i = 0; i < p->files.count; i++) {
+        const char *path = p->files.items[i].path;
+        if (strcmp(path, p->own) == 0 || !defined_in(&p->files.items[i], name))
+            continue;
+        const bool is_beside = strcmp(path_folder(a, path), folder) == 0;
+        const bool is_named = header && strcmp(stem(a, path), stem(a, header)) == 0;
+        const int rank = is_beside + 2 * is_named;
+        if (rank > best_rank) {
+            best_rank = rank;
+            best = path;
+        }
+    }
+    return best;
+}
+
+/* Is the function called by another file, by one with a loop, or one that such lead to? */
+static bool is_led_to(const project *p, const char *name, map *seen, int depth) {
+    void **is_seen = map_at(seen, name, strlen(name));
+    if (*is_seen || depth > 8)
+        return false;
+    *is_seen = p->memory;
+    for (unsigned i = 0; i < p->files.count; i++)
+        for (unsigned k = 0; k < p->files.items[i].functions.count; k++) {
+            const project_function *function = &p->files.items[i].functions.items[k];
+            bool is_caller = false;
+            for (unsigned m = 0; m < function->calls.count && !is_caller; m++)
+                is_caller = strcmp(function->calls.items[m], name) == 0;
+            if (is_caller && ((function->has_loop && strcmp(p->files.items[i].path, p->own) != 0) ||
+                              is_led_to(p, function->name, seen, depth + 1)))
+                return true;
+        }
+    return false;
+}
+
+bool project_calls_in_loop(const project *p, const char *name) {
+    return is_led_to(p, name, map_new(p->memory), 0);
+}

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "redcc/imports.h"
+
+#include <string.h>
+
+#include "analysis/memory/exported.h"
+#include "ir/ir_adopt.h"
+#include "redcc/translate_file.h"
+
+enum { MOST_FILES = 12 };
+
+/* ---- which functions ------------------------------------------------------------------------- */
+
+typedef struct wish {
+    arena *memory;
+    bool *is_visited; /* by function */
+    string_list names;
+    string_list headers; /* that declare them; NULL: the file itself does */
+    unsigned loops;      /* around the node */
+} wish;
+
+static void wish_of(wish *w, ir_node *node);
+
+/* A function that is reached in a loop. */
+static void follow(wish *w, const ir_function *function) {
+    if (w->is_visited[function->id])
+        return;
+    w->is_visited[function->id] = true;
+    if (function->body) {
+        w->loops++;
+        wish_of(w, function->body);
+        w->loops--;
+    } else if (!function->linkage.is_static && !function->is_from_system &&
+               strncmp(function->name, "__builtin_", 10) != 0) {
+        VECTOR_PUSH(w->memory, &w->names, function->name);
+        VECTOR_PUSH(w->memory, &w->headers, function->declared ? function->declared->file : NULL);
+    }
+}
+
+static void wish_of(wish *w, ir_node *node) {
+    const bool is_loop = ir_is_loop(node);
+    w->loops += is_loop;
+    if (node->kind == IR_FUNCTION && w->loops)
+        follow(w, node->function);
+    for (unsigned i = 0; i < node->child_count; i++)
+        wish_of(w, node->children[i]);
+    w->loops -= is_loop;
+}
+
+static wish wishes(arena *a, const ir_unit *unit, const analysis_result *before) {
+    wish w = {.memory = a, .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+    for (unsigned i = 0; i < before->verdict_count; i++)
+        if (before->verdicts[i].kind == VERDICT_REFUSE)
+            wish_of(&w, before->verdicts[i].function->body);
+    return w;
+}
+
+/* ---- where they are -------------------------------------------------------------------------- */
+
+static bool is_plain(const ir_unit *from, const ir_function *function, void *context) {
+    return exported_is_plain(context, from, function);
+}
+
+static bool same_dialect(const ir_unit *unit, const ir_unit *other) {
+    return unit->dialect.strict_aliasing == other->dialect.strict_aliasing &&
+           unit->dialect.math_errno == other->dialect.math_errno &&
+           unit->dialect.is_sanitized == other->dialect.is_sanitized;
+}
+
+static bool adopt_from(arena *a, ir_unit *unit, const char *path, const string_list *flags,
+                       const string_list *names) {
+    const char *wrong = NULL;
+    const source *file = source_read(a, path, &wrong);
+    if (!file || memchr(file->text, 0, file->length))
+        return false;
+    const frontend_result parsed = translate_file_parse(a, file, flags);
+    return parsed.unit && parsed.unit->error_count == 0 && same_dialect(unit, parsed.unit) &&
+           ir_adopt(unit, parsed.unit, names->count, names->items, is_plain, a) > 0;
+}
+
+bool imports_add(arena *a, ir_unit *unit, const project *around, const string_list *flags,
+                 const analysis_result *before) {
+    map *is_asked = map_new(a), *is_read = map_new(a);
+    unsigned files = 0;
+    bool is_any = false;
+    for (bool is_new = true; is_new && files < MOST_FILES;) {
+        const wish w = wishes(a, unit, before);
+        is_new = false;
+        for (unsigned i = 0; i < w.names.count && files < MOST_FILES; i++) {
+            const char *name = w.names.items[i];
+            void **asked = map_at(is_asked, name, strlen(name));
+            const char *path = *asked ? NULL : project_definer(around, name, w.headers.items[i]);
+            *asked = a;
+            void **read = path ? map_at(is_read, path, strlen(path)) : NULL;
+            if (!path || *read)
+                continue;
+            *read = a;
+            files++;
+            is_new |= adopt_from(a, unit, path, flags, &w.names);
+        }
+        is_any |= is_new;
+    }
+    return is_any;
+}
+
+/* ---- the comparison -------------------------------------------------------------------------- */
+
+typedef struct calls {
+    arena *memory;
+    bool *is_noted; /* by function */
+    VECTOR(const ir_function *) direct;
+} calls;
+
+static bool note_call(ir_node *node, void *context) {
+    calls *c = context;
+    const ir_function *function = node->kind == IR_FUNCTION ? node->function : NULL;
+    if (function && function->linkage.import && !c->is_noted[function->id]) {
+        c->is_noted[function->id] = true;
+        VECTOR_PUSH(c->memory, &c->direct, function);
+    }
+    return true;
+}
+
+/* Is it declared outside of all functions? */
+static bool is_at_file_scope(const ir_unit *unit, const ir_function *function) {
+    const ir_declared *declared = function->declared;
+    if (!declared || declared->file)
+        return declared != NULL;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *other = unit->functions[i];
+        if (other->is_in_main_file && other->body && declared->offset >= other->range.begin &&
+            declared->offset < other->body->range.end)
+            return false;
+    }
+    return true;
+}
+
+static void write_digest(buffer *out, uint64_t of) {
+    buffer_format(out, "{0x%xu, 0x%xu}", (unsigned)(of >> 32), (unsigned)of);
+}
+
+const char *imports_check(arena *a, const ir_unit *unit, const char **obstacle) {
+    calls c = {.memory = a, .is_noted = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+    buffer records = {0}, called = {0}, expected = {0};
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->body && !unit->functions[i]->linkage.import)
+            ir_walk(unit->functions[i]->body, note_call, &c);
+    for (unsigned i = 0; i < c.direct.count; i++) {
+        const ir_function *function = c.direct.items[i];
+        if (!is_at_file_scope(unit, function) ||
+            map_get(unit->text.macros, function->name, strlen(function->name)))
+            *obstacle = arena_format(a, "'%s' is declared inside a function, or is a macro as well",
+                                     function->name);
+        buffer_format(&records,
+                      "extern const redcc_record redcc__record_%s "
+                      "__asm__(\"redcc_record_%s\") __attribute__((__weak__));\n",
+                      function->name, function->name);
+        buffer_format(&called, "%s{&redcc__record_%s, (redcc_code)%s}", i ? ", " : "",
+                      function->name, function->name);
+    }
+    unsigned count = 0;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_import *import = unit->functions[i]->linkage.import;
+        if (!import || !import->digest)
+            continue;
+        buffer_format(&expected, "%s{\"%s\", ", count++ ? ", " : "", unit->functions[i]->name);
+        write_digest(&expected, import->digest);
+        buffer_text(&expected, "}");
+    }
+    const char *text =
+        c.direct.count == 0
+            ? NULL
+            : arena_format(a,
+                           "%s"
+                           "/* redcc: are these the functions that were analysed? */\n"
+                           "static int redcc__linked(void) {\n"
+                           "    static const redcc_callee called[] = {%s};\n"
+                           "    static const redcc_expectation expected[] = {%s};\n"
+                           "    return redcc_are_linked(called, %u, expected, %u);\n"
+                           "}\n",
+                           records.data, called.data, expected.data, c.direct.count, count);
+    buffer_free(&records);
+    buffer_free(&called);
+    buffer_free(&expected);
+    return text;
+}
