@@ -21,7 +21,7 @@ typedef struct kept_answer {
 struct cached {
     closure_request request;
     closure found;
-    digest project;       /* of the sources in which functions of other files are looked for */
+    digest project;       /* of what is read of other files' functions */
     const char *stranger; /* a file that was read and is not of the closure; NULL: none was */
     VECTOR(kept_answer) fresh;
 };
@@ -49,7 +49,7 @@ cached *cached_begin(session *s, const item *source, const char *file) {
     if (!why) {
         c->found = closure_find(s->memory, &c->request);
         why = c->found.unknown;
-        c->project = project_around(s->memory, file)->contents;
+        c->project = project_digest(project_around(s->memory, file));
     }
     if (why)
         session_explain(s, "%s: not cached: %s", source->text, why);

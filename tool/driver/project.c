@@ -255,11 +255,72 @@ static void scan(arena *a, project_file *file, const char *text, size_t length) 
     }
 }
 
+/* ---- who defines and calls what ----------------------------------------------------------------
+ */
+
+typedef struct project_definers {
+    VECTOR(unsigned) files;
+} project_definers;
+
+static void note_definers(project *p) {
+    p->definers = map_new(p->memory);
+    for (unsigned i = 0; i < p->files.count; i++)
+        for (unsigned k = 0; k < p->files.items[i].functions.count; k++) {
+            const project_function *function = &p->files.items[i].functions.items[k];
+            if (function->is_static)
+                continue;
+            void **known = map_at(p->definers, function->name, strlen(function->name));
+            if (!*known)
+                *known = ARENA_NEW(p->memory, project_definers);
+            project_definers *list = *known;
+            VECTOR_PUSH(p->memory, &list->files, i);
+        }
+}
+
+static const project_definers *definers_of(const project *p, const char *name) {
+    static const project_definers none;
+    const project_definers *known = map_get(p->definers, name, strlen(name));
+    return known ? known : &none;
+}
+
+/* Notes what the function calls, and what all functions do that lie in the files with these. */
+static void note_calls(project *p, map *seen, const project_function *function) {
+    for (unsigned m = 0; m < function->calls.count; m++) {
+        const char *name = function->calls.items[m];
+        void **is_seen = map_at(seen, name, strlen(name));
+        if (*is_seen)
+            continue;
+        *is_seen = p->memory;
+        const project_definers *list = definers_of(p, name);
+        for (unsigned i = 0; i < list->files.count; i++) {
+            const project_file *file = &p->files.items[list->files.items[i]];
+            for (unsigned k = 0; k < file->functions.count; k++)
+                if (file->functions.items[k].is_static ||
+                    strcmp(file->functions.items[k].name, name) == 0)
+                    note_calls(p, seen, &file->functions.items[k]);
+        }
+    }
+}
+
+/* A static function may be what leads from a loop to others. */
+static void note_called(project *p) {
+    p->called = map_new(p->memory);
+    for (unsigned i = 0; i < p->files.count; i++) {
+        const project_file *file = &p->files.items[i];
+        bool has_loop = false;
+        for (unsigned k = 0; k < file->functions.count; k++)
+            has_loop |= file->functions.items[k].has_loop;
+        for (unsigned k = 0;
+             has_loop && strcmp(file->path, p->own) != 0 && k < file->functions.count; k++)
+            if (file->functions.items[k].has_loop || file->functions.items[k].is_static)
+                note_calls(p, p->called, &file->functions.items[k]);
+    }
+}
+
 project *project_around(arena *a, const char *path) {
     project *p = ARENA_NEW(a, project);
     p->memory = a;
     char *resolved = realpath(path, NULL);
-    digester d = digest_begin();
     p->own = arena_string(a, resolved ? resolved : path);
     free(resolved);
     const path_list files =
@@ -270,23 +331,18 @@ project *project_around(arena *a, const char *path) {
         if (!text)
             continue;
         project_file file = {.path = files.items[i]};
-        digest_text(&d, file.path);
+        digester d = digest_begin();
         digest_text(&d, text);
+        file.contents = digest_end(&d);
         scan(a, &file, text, strlen(text));
         VECTOR_PUSH(a, &p->files, file);
     }
-    p->contents = digest_end(&d);
+    note_definers(p);
+    note_called(p);
     return p;
 }
 
 /* ---- questions ------------------------------------------------------------------------------- */
-
-static const project_function *defined_in(const project_file *file, const char *name) {
-    for (unsigned i = 0; i < file->functions.count; i++)
-        if (!file->functions.items[i].is_static && strcmp(file->functions.items[i].name, name) == 0)
-            return &file->functions.items[i];
-    return NULL;
-}
 
 /* value for a/value.c */
 static const char *stem(arena *a, const char *path) {
@@ -298,9 +354,10 @@ const char *project_definer(const project *p, const char *name, const char *head
     arena *a = p->memory;
     const char *best = NULL, *folder = path_folder(a, p->own);
     int best_rank = -1;
-    for (unsigned i = 0; i < p->files.count; i++) {
-        const char *path = p->files.items[i].path;
-        if (strcmp(path, p->own) == 0 || !defined_in(&p->files.items[i], name))
+    const project_definers *list = definers_of(p, name);
+    for (unsigned i = 0; i < list->files.count; i++) {
+        const char *path = p->files.items[list->files.items[i]].path;
+        if (strcmp(path, p->own) == 0)
             continue;
         const bool is_beside = strcmp(path_folder(a, path), folder) == 0;
         const bool is_named = header && strcmp(stem(a, path), stem(a, header)) == 0;
@@ -313,25 +370,39 @@ const char *project_definer(const project *p, const char *name, const char *head
     return best;
 }
 
-/* Is the function called by another file, by one with a loop, or one that such lead to? */
-static bool is_led_to(const project *p, const char *name, map *seen, int depth) {
-    void **is_seen = map_at(seen, name, strlen(name));
-    if (*is_seen || depth > 8)
-        return false;
-    *is_seen = p->memory;
-    for (unsigned i = 0; i < p->files.count; i++)
-        for (unsigned k = 0; k < p->files.items[i].functions.count; k++) {
-            const project_function *function = &p->files.items[i].functions.items[k];
-            bool is_caller = false;
-            for (unsigned m = 0; m < function->calls.count && !is_caller; m++)
-                is_caller = strcmp(function->calls.items[m], name) == 0;
-            if (is_caller && ((function->has_loop && strcmp(p->files.items[i].path, p->own) != 0) ||
-                              is_led_to(p, function->name, seen, depth + 1)))
-                return true;
-        }
-    return false;
+bool project_calls_in_loop(const project *p, const char *name) {
+    return map_get(p->called, name, strlen(name)) != NULL;
 }
 
-bool project_calls_in_loop(const project *p, const char *name) {
-    return is_led_to(p, name, map_new(p->memory), 0);
+/* Adds the files that define what the function calls, and what is called there. */
+static void add_called(const project *p, digester *d, map *seen, const project_function *function) {
+    for (unsigned m = 0; m < function->calls.count; m++) {
+        const char *name = function->calls.items[m];
+        void **is_seen = map_at(seen, name, strlen(name));
+        if (*is_seen)
+            continue;
+        *is_seen = p->memory;
+        const project_definers *list = definers_of(p, name);
+        for (unsigned i = 0; i < list->files.count; i++) {
+            const project_file *file = &p->files.items[list->files.items[i]];
+            digest_text(d, name);
+            digest_add(d, file->contents.bytes, sizeof file->contents.bytes);
+            for (unsigned k = 0; k < file->functions.count; k++)
+                add_called(p, d, seen, &file->functions.items[k]);
+        }
+    }
+}
+
+digest project_digest(const project *p) {
+    digester d = digest_begin();
+    map *seen = map_new(p->memory);
+    for (unsigned i = 0; i < p->files.count; i++) {
+        const project_file *file = &p->files.items[i];
+        for (unsigned k = 0; strcmp(file->path, p->own) == 0 && k < file->functions.count; k++) {
+            const project_function *own = &file->functions.items[k];
+            digest_text(&d, project_calls_in_loop(p, own->name) ? own->name : "");
+            add_called(p, &d, seen, own);
+        }
+    }
+    return digest_end(&d);
 }

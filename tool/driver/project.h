@@ -10,6 +10,7 @@
 
 #include "driver/digest.h"
 #include "support/arena.h"
+#include "support/map.h"
 #include "support/vector.h"
 
 typedef struct project_function {
@@ -21,6 +22,7 @@ typedef struct project_function {
 
 typedef struct project_file {
     const char *path;
+    digest contents;
     VECTOR(project_function) functions;
 } project_file;
 
@@ -28,7 +30,8 @@ typedef struct project {
     arena *memory;
     const char *own; /* the source that was asked about */
     VECTOR(project_file) files;
-    digest contents; /* of the names and bytes of all files */
+    map *definers; /* the name of an external function -> project_definers */
+    map *called;   /* the name of what functions with loops of other files lead to -> not NULL */
 } project;
 
 /** The sources of the project that `path` is a source of: all below the outermost of the folders
@@ -40,6 +43,10 @@ project *project_around(arena *a, const char *path);
  *  the one that is called as the header which declares the function (NULL: none does), else one in
  *  the source's own folder, else the first. NULL: there is none. */
 const char *project_definer(const project *p, const char *name, const char *header);
+
+/** Of what the answers to questions about the source's functions, and what is read for it, depend
+ *  on: of the files that define what it calls, and what these call, all bytes. */
+digest project_digest(const project *p);
 
 /** Does a function with a loop, in another file than the source itself, lead to this function? */
 bool project_calls_in_loop(const project *p, const char *name);

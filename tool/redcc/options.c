@@ -257,7 +257,7 @@ static const char *read_dump(arena *a, options *o, const char *value) {
 static const char *set_option(arena *a, options *o, option_name name, const char *value) {
     switch (name) {
     case OPTION_ALL:
-        o->all = true;
+        o->report.all = true;
         return NULL;
     case OPTION_ANALYZE:
         o->analyze = true;

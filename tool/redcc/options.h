@@ -13,6 +13,7 @@ typedef VECTOR(const char *) string_list;
 typedef struct report_options {
     report_form form;
     bool form_is_given;
+    bool all; /* --all */
     const char *file;        /* NULL: standard output */
     const char *inputs_file; /* --inputs-file; NULL: none */
 } report_options;
@@ -31,7 +32,7 @@ typedef struct options {
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool sees_project;   /* --files=project */
     bool in_process;     /* no process of its own guards against a parser that crashes */
-    bool analyze, assume_noalias, require, verify, all, dump_ir, help, version;
+    bool analyze, assume_noalias, require, verify, dump_ir, help, version;
 } options;
 
 /** Reads the command line. Returns NULL, or in the arena what is wrong with it. */

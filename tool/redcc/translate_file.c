@@ -98,7 +98,7 @@ static analysis_options options_of(arena *a, const options *o, const foreign_fun
                               .pure_count = o->pure.count,
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
-                              .report_all = o->all,
+                              .report_all = o->report.all,
                               .any_order = o->order == ORDER_ANY};
 }
 
@@ -182,7 +182,7 @@ static report_input report_on(const options *o, const ir_unit *unit,
                           .lanes = lanes,
                           .version = REDCC_VERSION,
                           .order = options_order_word(o->order),
-                          .all = o->all,
+                          .all = o->report.all,
                           .explain = explain_section,
                           .link = explain_link};
 }
