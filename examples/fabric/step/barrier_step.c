@@ -18,6 +18,8 @@ static const double still_part = 1e-3;
 /* Nothing moves further at once than so many mean edges: what it sweeps has to be looked through.
  */
 static const double most_edges = 2;
+/* A way is looked through for so many times what Newton's method says. */
+static const double most_stretch = 4;
 enum { most_halvings = 40, most_drives = 60, most_iterations = 300 };
 
 static const double (*read_only(double (*a)[3]))[3] {
@@ -37,6 +39,8 @@ void barrier_step_free(simulation *sim) {
     free(s->still);
     free(s->change);
     free(s->trial);
+    free(s->descent.direction);
+    free(s->descent.residual);
     free(s->kept);
     free(s);
     sim->barrier = NULL;
@@ -52,8 +56,12 @@ static int allocate(simulation *sim) {
     s->still = calloc(n, sizeof *s->still);
     s->change = calloc(n, sizeof *s->change);
     s->trial = calloc((size_t)s->contact.surface.vertex_count + 1, sizeof *s->trial);
-    return s->base && s->base_b && s->dv && s->product && s->still && s->change && s->trial ? 0
-                                                                                            : -1;
+    s->descent.direction = calloc(n, sizeof *s->descent.direction);
+    s->descent.residual = calloc(n, sizeof *s->descent.residual);
+    return s->base && s->base_b && s->dv && s->product && s->still && s->change && s->trial &&
+                   s->descent.direction && s->descent.residual
+               ? 0
+               : -1;
 }
 
 /* Which vertices are driven, and where they end a step that ends at `end`. */
@@ -232,12 +240,15 @@ static solver_status find_way(simulation *sim, double *most) {
     return status == SOLVER_NOT_FINITE || !isfinite(longest) ? SOLVER_NOT_FINITE : SOLVER_CONVERGED;
 }
 
-/* The longest way of what is driven, m. */
-static double drive_left(const barrier *b) {
+/* The longest way of all, or of what is driven alone, m. */
+static double longest_way(const barrier *b, int driven_alone) {
     double most = 0;
+#pragma omp parallel for schedule(static) reduction(max : most)
     for (int i = 0; i < b->surface.vertex_count; i++)
-        if (b->driven[i])
-            most = fmax(most, vector_length(b->way[i]));
+        if (b->driven[i] || !driven_alone) {
+            const double length = vector_length(b->way[i]);
+            most = length > most ? length : most;
+        }
     return most;
 }
 
@@ -251,20 +262,73 @@ static void go(const barrier *b, double part, int arrives, double (*x)[3]) {
             vector_add_scaled(b->x[i], part, b->way[i], x[i]);
 }
 
-/* Halves the part until E does not grow; b->x is then there. 0: it grew however short. */
-static int descend(simulation *sim, double part) {
-    barrier *b = &sim->barrier->contact;
-    const double before = potential(sim, read_only(b->x));
-    double(*trial)[3] = sim->barrier->trial;
-    for (int n = 0; n < most_halvings; n++, part /= 2) {
-        go(b, part, 0, trial);
-        const double after = potential(sim, read_only(trial));
-        if (after <= before + 1e-12 * fabs(before)) {
-            memcpy(b->x, trial, (size_t)b->surface.vertex_count * sizeof *trial);
-            return 1;
-        }
+/* sum a.b over what is free */
+static double free_dot(const simulation *sim, const double (*a)[3], const double (*b)[3]) {
+    const unsigned char *driven = sim->barrier->contact.driven;
+    const int count = sim->mesh->vertex_count;
+    double sum[CHUNK_SUM_MOST] = {0};
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++)
+            sum[chunk] += driven[i] ? 0 : vector_dot(a[i], b[i]);
+    return chunk_sum_all(count, sum);
+}
+
+/* From Newton's direction z to one that is conjugate to the last: z + f d, f = z.(r - r') / z'.r',
+ * where r is -dE/d(dv) and ' means before (Polak and Ribiere's f). The projected Hessian is too
+ * stiff where what is left out of it is below 0; alone it takes three times as many systems. */
+static void turn_conjugate(simulation *sim) {
+    barrier_step *s = sim->barrier;
+    barrier_descent *d = &s->descent;
+    barrier *b = &s->contact;
+    const double(*z)[3] = read_only(s->change), (*r)[3] = read_only(s->system.all.b);
+    const double along = free_dot(sim, z, r);
+    const double factor =
+        d->along > 0 ? fmax(0, (along - free_dot(sim, z, read_only(d->residual))) / d->along) : 0;
+    d->along = along;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < sim->mesh->vertex_count; i++) {
+        vector_add_scaled(z[i], factor, d->direction[i], d->direction[i]);
+        memcpy(d->residual[i], r[i], sizeof r[i]);
     }
-    return 0;
+    d->slope = -free_dot(sim, read_only(d->direction), r);
+    if (!(d->slope < 0)) { /* it does not go down */
+        memcpy(d->direction, s->change, (size_t)sim->mesh->vertex_count * sizeof *d->direction);
+        d->slope = -along;
+    }
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        for (int a = 0; a < 3 && !b->driven[i]; a++)
+            b->way[i][a] = sim->step.h * d->direction[i][a];
+}
+
+/* Where the parabola is lowest that begins with this slope and has changed so much after `part`. */
+static double lowest_part(double slope, double change, double part, double most) {
+    const double curvature = 2 * (change - slope * part) / (part * part);
+    return curvature > 0 ? fmin(most, -slope / curvature) : most;
+}
+
+/* Goes Newton's part of the way, or half of that and so on until E does not grow; or, if that is
+ * lower, as far as a parabola says. b->x is then there. 0: E grew however short the way. */
+static int descend(simulation *sim, double newton, double most) {
+    barrier *b = &sim->barrier->contact;
+    const double before = potential(sim, read_only(b->x)), slope = sim->barrier->descent.slope;
+    double(*trial)[3] = sim->barrier->trial, after = INFINITY, part = 2 * fmin(newton, most);
+    for (int n = 0; n < most_halvings && !(after <= before + 1e-12 * fabs(before)); n++) {
+        part /= 2;
+        go(b, part, 0, trial);
+        after = potential(sim, read_only(trial));
+    }
+    if (!(after <= before + 1e-12 * fabs(before)))
+        return 0;
+    const double lowest = lowest_part(slope / newton, after - before, part, most);
+    if (fabs(lowest - part) > 0.1 * part) {
+        go(b, lowest, 0, trial);
+        if (!(potential(sim, read_only(trial)) < after))
+            go(b, part, 0, trial);
+    }
+    memcpy(b->x, trial, (size_t)b->surface.vertex_count * sizeof *trial);
+    return 1;
 }
 
 /* What the barrier takes, and what bodies do, in the step: the force that holds each is what the
@@ -295,14 +359,19 @@ static solver_status iterate(simulation *sim, int number) {
     double most;
     if (barrier_find_contacts(b, read_only(b->x)) != 0 || assemble(sim) != 0)
         return SOLVER_NOT_FINITE;
-    const double drive = drive_left(b);
+    const double drive = longest_way(b, 1);
     if (find_way(sim, &most) == SOLVER_NOT_FINITE)
         return SOLVER_NOT_FINITE;
-    const double cut = s->longest_way / fmax(most, drive);
-    if (cut < 1)
-        for (int i = 0; i < b->surface.vertex_count; i++)
-            for (int a = 0; a < 3; a++)
-                b->way[i][a] *= cut;
+    if (drive > 0)
+        s->descent.along = 0;
+    else
+        turn_conjugate(sim);
+    /* What is looked through is up to so many times Newton's way, within the longest. */
+    const double reach = fmin(drive > 0 ? 1 : most_stretch, s->longest_way / longest_way(b, 0));
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < b->surface.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            b->way[i][a] *= reach;
     if (barrier_find_pairs(b, read_only(b->x), read_only(b->way)) != 0)
         return SOLVER_NOT_FINITE;
     const double part = barrier_part_of_way(b, read_only(b->x), read_only(b->way));
@@ -310,18 +379,19 @@ static solver_status iterate(simulation *sim, int number) {
     if (s->blocked)
         return SOLVER_NOT_FINITE;
     if (drive > 0) {
-        go(b, part, part >= 1 && cut >= 1, b->x);
+        go(b, part, part >= 1 && reach >= 1, b->x);
         return SOLVER_TOO_MANY_ITERATIONS;
     }
     /* Where E grows however short the change, it is as low as rounding lets it be. */
-    return !descend(sim, part) || most <= s->still_way ? SOLVER_CONVERGED
-                                                       : SOLVER_TOO_MANY_ITERATIONS;
+    return !descend(sim, 1 / reach, part) || most <= s->still_way ? SOLVER_CONVERGED
+                                                                  : SOLVER_TOO_MANY_ITERATIONS;
 }
 
 void barrier_step_solve(simulation *sim) {
     barrier_step *s = sim->barrier;
     solver_status status = sim->step.out_of_memory ? SOLVER_NOT_FINITE : SOLVER_TOO_MANY_ITERATIONS;
     s->blocked = 0;
+    s->descent.along = 0;
     for (int n = 0; n < most_iterations && status == SOLVER_TOO_MANY_ITERATIONS; n++)
         status = s->stop && *s->stop ? SOLVER_NOT_FINITE : iterate(sim, n);
     if (status != SOLVER_NOT_FINITE)

@@ -7,8 +7,9 @@
  * gravity, damping, drag and wind, expanded about the step's start (forces_assemble_lagged). So the
  * gradient by dv is C dv - b - h f(x), the equation of motion.
  *
- * Newton's method with projected Hessians (Li et al. 2020, algorithm 1): each change of positions
- * is cut by what continuous collision detection allows, then halved until E does not grow. What
+ * Newton's method with projected Hessians (Li et al. 2020, algorithm 1), whose directions are made
+ * conjugate: each change of positions is cut by what continuous collision detection allows, then
+ * halved until E does not grow, or taken as far as E falls. What
  * pins and bodies move goes first: with them the free vertices go where the linear system says,
  * cut alike, until the driven ones are where they end the step; from then on E alone counts.
  */
@@ -20,6 +21,14 @@
 #include "contact/barrier.h"
 #include "contact/barrier_system.h"
 #include "simulation.h"
+
+/** Where the last iteration went. */
+typedef struct barrier_descent {
+    double (*direction)[3]; /* [vertices] m/s, */
+    double (*residual)[3];  /* [vertices] J s/m: -dE/d(dv) there, */
+    double along;           /* J, its product with Newton's direction; 0: there was no last one, */
+    double slope;           /* J, of E along the direction */
+} barrier_descent;
 
 typedef struct barrier_step {
     barrier contact;
@@ -33,9 +42,10 @@ typedef struct barrier_step {
     double begin_energy;  /* J, of the barrier where the step began */
     double work;          /* J, that bodies did in the step, less what the barrier took of it */
     double (*trial)[3];   /* [surface's vertices] m */
-    double still_way;     /* m, a way that is none */
-    double longest_way;   /* m, of a vertex in an iteration */
-    int blocked;          /* what is driven could not get to where it ends the step */
+    barrier_descent descent;
+    double still_way;                  /* m, a way that is none */
+    double longest_way;                /* m, of a vertex in an iteration */
+    int blocked;                       /* what is driven could not get to where it ends the step */
     const volatile sig_atomic_t *stop; /* not 0: the step is to end at once; NULL: never */
     unsigned char *kept; /* [kept_size] where there is `stop`: the simulation before the step */
     size_t kept_size;

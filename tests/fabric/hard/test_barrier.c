@@ -15,6 +15,7 @@
 #include "crossings.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/surface.h"
+#include "step/barrier_step.h"
 
 static const collider ground = {
     .kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.004};
@@ -341,6 +342,56 @@ static void squeezed(void **state) {
     stage_end(&on);
 }
 
+/* What is looked at and what touches grows with the layers, not with their square, and so do the
+ * systems' blocks: layers 3 mm apart whose gap is 4 mm. */
+static void work_is_linear_in_contacts(void **state) {
+    (void)state;
+    enum { looked_at, near, touching, blocks, counts };
+    static const char *const names[counts] = {"pairs looked at", "near", "touching", "blocks"};
+    double count[3][counts];
+    for (int k = 0; k < 3; k++) {
+        stage on = stage_of(layers(3 << k, 5, 0.04, 0.1, 0.003, 0), scene_of(0, NULL));
+        stage_begin(&on);
+        const barrier *b = &on.sim->barrier->contact;
+        count[k][looked_at] = b->search.pair_count;
+        count[k][near] = b->list.pairs;
+        stage_run(&on, 1);
+        count[k][touching] = (double)on.sim->account.effects[EFFECT_SELF_COLLISION].visited;
+        count[k][blocks] = on.sim->barrier->system.all.A.block_count;
+        stage_end(&on);
+    }
+    for (int n = 0; n < counts; n++) {
+        printf("%-18s 3, 6, 12 layers: %.0f %.0f %.0f\n", names[n], count[0][n], count[1][n],
+               count[2][n]);
+        assert_true(count[1][n] > count[0][n]);
+        assert_near(count[2][n] - count[1][n], 2 * (count[1][n] - count[0][n]),
+                    0.05 * (count[2][n] - count[1][n]));
+    }
+    assert_below(count[2][looked_at], 8 * count[2][touching]);
+}
+
+/* A sheet falls on a ball and wraps itself round it: though parts of the Hessian are left out, that
+ * takes no more systems. */
+static void directions_are_conjugate(void **state) {
+    (void)state;
+    collider bodies[1] = {{.kind = COLLIDER_SPHERE,
+                           .position = {0.24, 0.24, 0},
+                           .size = {0.12},
+                           .friction = 0.3,
+                           .gap = 0.008}};
+    scene s = scene_of(1, bodies);
+    s.material.stretch = 400;
+    s.material.shear = 80;
+    stage on = stage_of(layers(1, 13, 0.04, 0.33, 0, 0), s);
+    stage_begin(&on);
+    stage_run(&on, 20);
+    const long systems = simulation_newton_iterations(on.sim);
+    printf("round a ball       %ld systems\n", systems);
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_in_range(systems, 40, 117); /* 130 by Newton's directions, 166 by his ways */
+    stage_end(&on);
+}
+
 static void sixteen_layers(void **state) {
     (void)state;
     collider floor_only[1] = {ground};
@@ -364,6 +415,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(shirt),
         cmocka_unit_test(bad_starts_are_named),
         cmocka_unit_test(squeezed),
+        cmocka_unit_test(work_is_linear_in_contacts),
+        cmocka_unit_test(directions_are_conjugate),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
