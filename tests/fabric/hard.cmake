@@ -3,7 +3,7 @@
 if(NOT TARGET fabric_physics_tests)
   return()
 endif()
-foreach(name motion contact shape effects demand decisions self piles rules steps resume bodies barrier barrier_rules)
+foreach(name motion contact shape effects demand decisions self impact piles rules steps resume bodies barrier barrier_rules)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
