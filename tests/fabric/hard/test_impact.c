@@ -44,9 +44,9 @@ static stage triangles_askew(int grows) {
     stage on = stage_of(cloth_of(9, material, 3, triangle), cloth_scene());
     memcpy(on.m.position, at, sizeof at);
     for (int i = 3; i < 6; i++)
-        on.m.position[i][2] += 0.1;
+        on.m.position[i][2] += grows ? 0.5 : 0.1;
     for (int i = 6; i < 9; i++)
-        on.m.position[i][2] -= grows ? 0.04 : 10;
+        on.m.position[i][2] -= grows ? 0.15 : 10;
     return on;
 }
 
@@ -63,7 +63,7 @@ static void zones_are_rigid(void **state) {
         self_collision s;
         stage_begin(&on);
         for (int i = 0; i < 6 && grows; i++)
-            v[i][2] -= 4;
+            v[i][2] = i < 3 ? 0.1 * v[i][0] : -26 - v[i][1];
         memcpy(before, v, sizeof v);
         const double(*x)[3] = (const double(*)[3])on.m.position;
         const movable of = {on.sim->cloth.mass, &on.sim->collisions};
@@ -201,18 +201,18 @@ static void turning_bodies_are_near(void **state) {
     assert_true(met > 40 && off > 40);
 }
 
-/* Vertices over a tumbling ellipse of a cylinder: the velocity that the contact gives along its
+/* Vertices over a tumbling cylinder: the velocity that the contact gives along its
  * normal ends the step outside of the body as it lies then. */
 static void ways_over_turning_bodies_end_outside(void **state) {
     (void)state;
     unsigned seed = 6;
     int looked = 0;
-    double deepest = 0;
+    double deepest = 0, highest = 0;
     for (unsigned n = 0; n < 100; n++) {
-        keyframe path[2] = {{0, {0}, 0}, {1, {0}, 600}};
+        keyframe path[2] = {{0, {0}, -60}, {1, {0}, 540}};
         collider body = {.kind = COLLIDER_CYLINDER,
                          .position = {0.15, 0.15, -0.28},
-                         .axis = {0, 1, 0},
+                         .axis = {1, 0, 0},
                          .size = {0.25, 0.3},
                          .gap = 0.01,
                          .turn_axis = {0, 1, 0},
@@ -239,17 +239,20 @@ static void ways_over_turning_bodies_end_outside(void **state) {
             vector_add_scaled(v[i], lacking > 0 ? lacking : 0, touch->normal, end);
             vector_add_scaled(x[i], h, end, end);
             motion_to_body(&body, time + h, end, p);
-            deepest = fmax(deepest, body.gap - shape_distance(&body, p, normal));
+            const double room = shape_distance(&body, p, normal) - body.gap;
+            deepest = fmax(deepest, -room);
+            highest = fmax(highest, lacking > 0 ? room : 0);
             looked++;
         }
         free(v);
         free(still);
         stage_end(&on);
     }
-    print_message("%d ways over a turning cylinder end %.2g m within its gap at most\n", looked,
-                  deepest);
+    print_message("%d ways over a turning cylinder end %.2g m within its gap at most, %.2g m off\n",
+                  looked, deepest, highest);
     assert_true(looked > 100);
-    assert_below(deepest, 1e-6);
+    assert_below(deepest, 1e-9);
+    assert_below(highest, 1e-9);
 }
 
 /* A ball that comes between the vertices of a triangle from far away is found; what is left is
@@ -326,45 +329,49 @@ static void bodies_drag_triangles_along(void **state) {
  * within the pit, which no convex body has, does not meet anything. */
 static void meshes_are_not_convex(void **state) {
     (void)state;
-    enum { around = 12, rings = 5 };
-    static const double radius[rings] = {0, 0.3, 0.3, 0.1, 0},
-                        height[rings] = {0, 0, 0.3, 0.3, 0.1};
+    enum { around = 12, rings = 4 };
+    static const double radius[rings] = {0.3, 0.3, 0.28, 0.26}, height[rings] = {0, 0.3, 0.3, 0.2};
     char error[256] = "";
     mesh m;
     int t = 0;
-    assert_int_equal(mesh_allocate(&m, 3 * around + 2, 6 * around), 0);
+    assert_int_equal(mesh_allocate(&m, rings * around + 2, 2 * rings * around), 0);
     for (int k = 0; k < around; k++)
-        for (int r = 1; r < 4; r++) {
-            double *at = m.position[(r - 1) * around + k];
+        for (int r = 0; r < rings; r++) {
+            double *at = m.position[r * around + k];
             at[0] = radius[r] * cos(2 * acos(-1) * k / (int)around);
             at[1] = radius[r] * sin(2 * acos(-1) * k / (int)around);
             at[2] = height[r];
         }
-    m.position[3 * around + 1][2] = height[4];
+    memset(m.position[rings * around], 0, sizeof *m.position);
+    memset(m.position[rings * around + 1], 0, sizeof *m.position);
+    m.position[rings * around + 1][2] = height[rings - 1];
     for (int k = 0; k < around; k++) {
-        const int next = (k + 1) % around;
-        const int faces[6][3] = {{3 * around, next, k},
-                                 {k, next, around + next},
-                                 {k, around + next, around + k},
-                                 {around + k, around + next, 2 * around + next},
-                                 {around + k, 2 * around + next, 2 * around + k},
-                                 {2 * around + k, 2 * around + next, 3 * around + 1}};
-        for (int f = 0; f < 6; f++)
-            memcpy(m.triangle[t++], faces[f], sizeof faces[f]);
+        const int next = (k + 1) % around, last = (rings - 1) * around;
+        const int below[3] = {rings * around, next, k};
+        const int within[3] = {last + k, last + next, rings * around + 1};
+        memcpy(m.triangle[t++], below, sizeof below);
+        memcpy(m.triangle[t++], within, sizeof within);
+        for (int r = 0; r < last; r += around) {
+            const int one[3] = {r + k, r + next, r + around + next};
+            const int other[3] = {r + k, r + around + next, r + around + k};
+            memcpy(m.triangle[t++], one, sizeof one);
+            memcpy(m.triangle[t++], other, sizeof other);
+        }
     }
     collider pot = {.kind = COLLIDER_MESH, .gap = 0.01};
     pot.surface = surface_new(&m, error);
     if (!pot.surface)
         fail_msg("%s", error);
-    /* Its middle lies over the pit, which is nearest there, and its corners beyond the rim. */
-    const double over[3][3] = {{-0.2, -0.12, 0.33}, {0.2, -0.12, 0.33}, {0, 0.24, 0.33}};
+    /* Its middle lies over the pit's floor, which is nearest there, and its corners over the rim.
+     */
+    const double over[3][3] = {{-0.3, -0.18, 0.33}, {0.3, -0.18, 0.33}, {0, 0.36, 0.33}};
     const double down[3][3] = {{0, 0, -0.1}, {0, 0, -0.1}, {0, 0, -0.1}};
     double weight[3], at[3] = {0};
     approach found;
     assert_true(shape_meets_triangle(&pot, over, down, weight, &found));
     for (int n = 0; n < 3; n++)
         vector_add_scaled(at, weight[n], over[n], at);
-    assert_true(hypot(at[0], at[1]) > 0.09);
+    assert_true(hypot(at[0], at[1]) > 0.2);
     const double within[3][3] = {{-0.02, -0.02, 0.24}, {0.02, -0.02, 0.24}, {0, 0.02, 0.24}};
     const double little[3][3] = {{0, 0, -0.02}, {0, 0, -0.02}, {0, 0, -0.02}};
     assert_false(shape_meets_triangle(&pot, within, little, weight, &found));
@@ -391,7 +398,7 @@ static void each_body_has_its_friction(void **state) {
         const double free_fall = 9.81 * sin(angle) * 0.6, held = 9.81 * friction * cos(angle) * 0.6;
         const double expected = rough == 2 ? 0 : free_fall - held;
         for (int i = 0; i < on.m.vertex_count; i++)
-            assert_near(on.sim->state.v[i][0], expected, 0.06 * free_fall);
+            assert_near(on.sim->state.v[i][0], expected, rough == 2 ? 1e-9 : 0.06 * free_fall);
         stage_end(&on);
     }
 }

@@ -252,6 +252,30 @@ static void test_solvers(void **state) {
             assert_true(go_on_from_everywhere(solved, n).limited > 0);
 }
 
+/* Slivers on which the conjugate gradients give up: so many systems are solved directly at once. */
+static stage slivers(int integrator) {
+    static pin hold = {.low = {-0.001, -1}, .high = {0.001, 1}};
+    stage on = stage_of(cloth_sheet(30, 3, 0.05, 0, 1), cloth_scene());
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.m.position[i][1] *= 5e-3;
+        on.m.material[i][1] *= 5e-3;
+    }
+    on.s.time.integrator = integrator;
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    on.s.solution.max_iterations = 20;
+    on.s.surroundings.gravity[0] = 5;
+    on.s.solution.tolerance = 1e-8;
+    on.s.monitor.energy = 1;
+    return on;
+}
+
+static void test_direct_solutions_at_once(void **state) {
+    (void)state;
+    if (direct_solver_available())
+        go_on_from_everywhere(slivers, INTEGRATOR_LINEAR_EULER);
+}
+
 /* Bytes that are too few, too many, or not a simulation's are refused. */
 static void test_wrong_bytes(void **state) {
     (void)state;
@@ -289,6 +313,7 @@ int main(void) {
         cmocka_unit_test(test_halved_steps),
         cmocka_unit_test(test_wound_hinge),
         cmocka_unit_test(test_solvers),
+        cmocka_unit_test(test_direct_solutions_at_once),
         cmocka_unit_test(test_wrong_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
