@@ -24,50 +24,32 @@ table() {
 } | column -s, -t
 
 plot=$results/accuracy.png
-# One panel for each mesh: time over any across, largest error up. Shape and colour are the order, the
-# number is the method, filled is badly conditioned; * where results differ between runs or with the
-# thread count.
+# One panel for each mesh: a row for each way, time over any across; beside each point its largest error,
+# and * where results differ between runs or with the thread count.
 panel() { # rows: gnuplot commands, their data in $work
-  local order sum method number=0 line="" colour shape style at
-  for values in well ill; do
-    awk -F, -v r="$1" -v v="$values" '
-      NR > 1 && $3 == "any" && $5 == "auto" && $1 == r && $2 == v {base = $7 / $8}
-      NR > 1 && $1 == r && $2 == v {
-        printf "%s %s %s %g %g %s\n", $3, $4, $5, $7 / $8 / base, ($9 > 1e-17 ? $9 : 1e-17),
-               ($13 > 1 ? "*" : "-")
-      }' "$csv" >"$work/$1-$values"
-  done
-  while read -r order sum method _; do
-    case $order:$sum in
-      any:*) colour=1 shape=6 ;;
-      fixed:*) colour=2 shape=4 ;;
-      *:plain) colour=3 shape=8 ;;
-      *) colour=4 shape=12 ;;
-    esac
-    at="every ::$number::$number using 4:5"
-    number=$((number + 1))
-    style="linetype $colour pointsize 1.5"
-    [ "$sum" = plain ] || method="$method, $sum"
-    line="$line, '$work/$1-well' $at with points $style pointtype $shape title '$number  $order, $method'"
-    line="$line, '$work/$1-ill' $at with points $style pointtype $((shape + 1)) notitle"
-    for values in well ill; do
-      line="$line, '$work/$1-$values' $at:(strcol(6) eq '*' ? '$number*' : '$number') with labels"
-      line="$line offset 0,$((number % 2 * 2 - 1)) font ',9' notitle"
-    done
-  done <"$work/$1-well"
-  echo "set title '$1 rows; filled: 1e-12 of the parts is left; *: results differ with runs or threads'"
-  echo "plot ${line#, }"
+  awk -F, -v r="$1" '
+    NR > 1 && $1 == r && $3 == "any" && $5 == "auto" {base[$2] = $7 / $8}
+    NR > 1 && $1 == r {
+      way = $3 " " $5 ($4 == "plain" ? "" : " " $4)
+      if (!(way in row)) row[way] = ++rows
+      printf "%d,%s,%s,%g,%.0e%s\n", row[way], way, $2, $7 / $8 / base[$2], $9, ($13 > 1 ? "*" : "")
+    }' "$csv" >"$work/$1"
+  echo "set title '$1 rows'"
+  echo "plot '$work/$1' using 4:(-\$1):ytic(2) with points pointtype 0 linecolor 'white', \
+    '' using (strcol(3) eq 'well' ? \$4 : NaN):(-\$1 + 0.2) with points linetype 1 pointtype 6 pointsize 1.2, \
+    '' using (strcol(3) eq 'well' ? \$4 : NaN):(-\$1 + 0.2):5 with labels left offset 1,0 font ',9', \
+    '' using (strcol(3) eq 'ill' ? \$4 : NaN):(-\$1 - 0.2) with points linetype 2 pointtype 7 pointsize 1.2, \
+    '' using (strcol(3) eq 'ill' ? \$4 : NaN):(-\$1 - 0.2):5 with labels left offset 1,0 font ',9'"
 }
 if ! command -v gnuplot >/dev/null; then
   echo "no plot: gnuplot (Debian's gnuplot-nox) is not installed"
 else
   {
-    echo "set terminal pngcairo size 1200,900 font ',10'"
+    echo "set terminal pngcairo size 1200,700 font ',11'; set datafile separator ','"
     echo "set output '$plot'"
-    echo "set multiplot layout 2,1 title 'Largest error of a sum, relative to the exact one, and time over order any ($(nproc) threads)'"
-    echo "set logscale xy; set format y '10^{%L}'; set grid; set key outside right top Left reverse font ',9'"
-    echo "set offsets graph 0.05, graph 0.05, 0, 0; set yrange [1e-17:1]"
-    echo "set xlabel 'time over any'; set ylabel 'largest error'"
+    echo "set multiplot layout 1,2 title 'Time over order any ($(nproc) threads), and the largest relative error of a sum (*: runs differ; filled: 1e-12 of the parts is left)'"
+    echo "set logscale x; set grid x; set border 3; set tics nomirror; unset key; set xrange [0.3:300]"
+    echo "set yrange [-12.7:-0.3]; set xlabel 'time over any'"
     panel sorted
     panel shuffled
   } >"$work/plot"

@@ -84,6 +84,23 @@ double scene_stiffness(const scene *s) {
     return s->material.stretch / (s->material.density * gravity * s->mesh.side);
 }
 
+/* Does one run, or what lies between two as a power of time, have less error in the same time? */
+static int is_on_front(const study *of, const study_row *r) {
+    for (int k = 0; k < of->row_count; k++)
+        for (int m = 0; m < of->row_count; m++) {
+            const study_row *one = &of->rows[k], *other = &of->rows[m];
+            const double time = log(r->got.cpu_seconds / one->got.cpu_seconds);
+            const double between = log(other->got.cpu_seconds / one->got.cpu_seconds);
+            if (time >= 0 && one->error_rms < r->error_rms)
+                return 0;
+            if (time > 0 && time < between &&
+                log(one->error_rms) + time / between * log(other->error_rms / one->error_rms) <
+                    log(r->error_rms))
+                return 0;
+        }
+    return isfinite(r->error_rms);
+}
+
 void study_compare(study *of) {
     for (int k = 0; k < of->row_count; k++) {
         study_row *r = &of->rows[k];
@@ -93,14 +110,8 @@ void study_compare(study *of) {
         r->error_strain = fabs(r->got.strain - of->reference.strain);
         r->error_energy = fabs(r->got.energy - of->reference.energy);
     }
-    for (int k = 0; k < of->row_count; k++) {
-        study_row *r = &of->rows[k];
-        r->front = isfinite(r->error_rms);
-        for (int m = 0; m < of->row_count; m++)
-            if (of->rows[m].error_rms < r->error_rms &&
-                of->rows[m].got.cpu_seconds <= r->got.cpu_seconds)
-                r->front = 0;
-    }
+    for (int k = 0; k < of->row_count; k++)
+        of->rows[k].front = is_on_front(of, &of->rows[k]);
 }
 
 int study_trusts_reference(study *of) {

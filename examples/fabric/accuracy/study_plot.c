@@ -23,7 +23,6 @@ static const char common[] =
     "color(n) = word('#0072b2 #d55e00 #009e73 #aa3399 #996600 #000000', n)\n"
     "say(k) = k eq 'linear-euler' ? 'linearised Euler' : k eq 'euler' ? \"Euler, Newton's method\" "
     ": k eq 'bdf2' ? 'BDF2' : k\n"
-    "set style textbox opaque noborder margins 0.3,0.1\n"
     "nice = '(1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, "
     "1000)'\n"
     "is(k) = strcol(4) eq k\n";
@@ -68,23 +67,20 @@ static const char dt_plot[] =
     ":($12 * 1e3):(say(word(integrators, n))) with labels left offset 1,0 tc rgb color(n)\n"
     "unset label\n"
     "set terminal pngcairo size 1200,480 font 'sans,11'\nset output 'dt-measures.png'\n"
-    "set multiplot layout 1,3 title scene.': other errors at the end of the run, by CPU time'\n"
-    "set xlabel 'CPU time, s'\nset xrange [fast / 3 : slow * 1.5]\nset yrange [*:*]\n"
-    "unset title\n"
+    "amount(p) = column(20 + p) > 0 ? column(20 + p) * 1e3**p : NaN\n"
+    "set xrange [*:*]\nset yrange [*:*]\nmeasures = ''\n"
+    "do for [p=0:2] {\n  undefine STATS_*\n  stats 'dt.csv' skip 1 using (amount(p)) nooutput\n"
+    "  if (exists('STATS_records') && STATS_records > 0) { measures = measures.p.' ' }\n}\n"
+    "panels = words(measures)\nset multiplot layout 1,panels title scene.': other errors at the end of the run, by CPU time'\n"
+    "set xlabel 'CPU time, s'\nset xrange [fast / 3 : slow * 1.5]\n"
+    "set format y '10^{%L}'\nunset title\n"
     "titles = '\"strain of the triangle stretched most\" \"energy, mJ\" \"depth in a body, um\"'\n"
-    "do for [p=0:2] {\n  set ylabel word(titles, p + 1)\n"
-    "  amount(c) = c > 0 ? c * (p == 0 ? 1 : p == 1 ? 1e3 : 1e6) : NaN\n"
-    "  undefine STATS_*\n"
-    "  stats 'dt.csv' skip 1 using (amount(column(20 + p))) nooutput\n"
-    "  if (exists('STATS_records') && STATS_records > 0) {\n"
-    "    plot for [n=1:4] 'dt.csv' skip 1 using (is(word(integrators, n)) ? $11 : NaN)"
-    ":(amount(column(20 + p))) with linespoints lw 2 pt 7 lc rgb color(n), "
+    "do for [k in measures] {\n  p = int(k)\n  set ylabel word(titles, p + 1)\n"
+    "  plot for [n=1:4] 'dt.csv' skip 1 using (is(word(integrators, n)) ? $11 : NaN)"
+    ":(amount(p)) with linespoints lw 2 pt 7 lc rgb color(n), "
     "for [n=1:4] '' skip 1 using (is(word(integrators, n)) && $5 == coarse ? $11 : NaN)"
-    ":(amount(column(20 + p))):(word('lin. Euler BDF2 midp.', n)) with labels right offset -1,"
-    "(n == 3 ? -0.6 : 0) tc rgb color(n)\n"
-    "  } else {\n"
-    "    set label 9 'none in any run' at graph 0.5, 0.5 center\n    set yrange [0.1:10]\n"
-    "    plot NaN\n    unset label 9\n    set yrange [*:*]\n  }\n}\n"
+    ":(amount(p)):(word('\"linearised Euler\" Euler BDF2 midpoint', n)) with labels right offset -1,"
+    "(n == 3 ? -0.6 : 0) tc rgb color(n)\n}\n"
     "unset multiplot\n";
 
 static const char cg_plot[] =
@@ -116,7 +112,7 @@ static const char cg_plot[] =
     "offset 2,0.5 tc rgb color(2)\nunset multiplot\n";
 
 static const char newton_plot[] =
-    "set logscale xy\nset output 'newton.png'\nset yrange [*:100]\nset format x '10^{%L}'\n"
+    "set logscale xy\nset output 'newton.png'\nset yrange [*:100]\nset format xy '10^{%L}'\n"
     "set title \"Error of Newton's method alone (solid), and of the whole (dashed): \".scene\n"
     "set xlabel \"tolerance of Newton's method\"\nset ylabel 'error at the end, mm (root mean "
     "square)'\n"
@@ -128,7 +124,7 @@ static const char newton_plot[] =
     "with linespoints lw 2 dt 2 pt 6 lc rgb color(n), "
     "for [n=2:4] '' skip 1 using ($6 == 1e-6 ? $6 : NaN):"
     "(is(word(integrators, n)) ? $12 * 1e3 : NaN):(say(word(integrators, n))) "
-    "with labels left boxed offset 0,0 tc rgb color(n)\n";
+    "with labels center offset 0,(n == 4 ? -0.9 : 0.7) tc rgb color(n)\n";
 
 static const char integrator_plot[] =
     "stats 'energy.csv' skip 1 using 2 nooutput\nend = STATS_max\n"
@@ -165,19 +161,21 @@ static const char integrator_plot[] =
     "stats '" NAME ".csv' skip 2 using ($6 > 0 ? $6 : NaN) nooutput\nfinest = STATS_min\n" \
     "stats '" NAME ".csv' skip 2 using ($14 > 0 ? $14 * 1e3 : NaN) nooutput\n" \
     "set yrange [STATS_min / 10 : STATS_max * 10]\n" \
-    "at(k) = k eq 'gauss-seidel' ? 1e-4 : strstrt('none double float incomplete-cholesky', k) ? 1e-6 : 1e-8\n" \
+    "at(k) = k eq 'gauss-seidel' ? 1e-4 : strstrt('none double float', k) ? 1e-6 : 1e-8\n" \
     "named(k) = is(k) && $6 == (at(k) < finest ? finest : at(k))\n" \
     "plot for [k in names] '" NAME ".csv' skip 2 using 11:(is(k) ? $14 * 1e3 : NaN) " \
     "with linespoints lw 2 pt 7 lc rgb hue(k), " \
     "for [k in 'none jacobi double'] '' skip 2 using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
     "with labels left offset 1,(k eq 'jacobi' ? -0.9 : 0.4) tc rgb hue(k), " \
-    "for [k in 'block-jacobi gauss-seidel incomplete-cholesky float mixed'] '' skip 2 " \
-    "using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
-    "with labels right offset -0.7,(k eq 'block-jacobi' ? -1.7 : -0.7) tc rgb hue(k), " \
+    "for [k in 'gauss-seidel float mixed'] '' skip 2 using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
+    "with labels right offset -0.7,-0.7 tc rgb hue(k), " \
+    "for [k in 'block-jacobi incomplete-cholesky'] '' skip 2 using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
+    "with labels center offset (k eq 'block-jacobi' ? 3 : 0),(k eq 'block-jacobi' ? -2.2 : -0.9) tc rgb hue(k), " \
     "'' skip 2 using (is('direct') ? $11 : NaN):($14 * 1e3):('direct') with labels left offset 1,0\n"
 
 static const char mesh_plot[] =
     "set terminal pngcairo size 1200,480 font 'sans,11'\nset logscale x\nset output 'mesh.png'\n"
+    "stats 'mesh.csv' skip 1 using 1 nooutput\nset xrange [STATS_min / 1.5 : STATS_max * 1.5]\n"
     "set multiplot layout 1,2 title 'Finer meshes: '.scene\nset xlabel 'vertices'\n"
     "set offsets 0, 0, graph 0.1, graph 0.1\n"
     "set ylabel 'lowest point at the end, mm'\n"
@@ -189,20 +187,19 @@ static const char mesh_plot[] =
 static const char sum_plot[] =
     "set terminal pngcairo size 1200,480 font 'sans,11'\nset output 'sum.png'\n"
     "set multiplot layout 1,2 title 'Orders of reduction, at 1, 2 and 3 threads: '.scene\n"
-    "row(n) = 6 - floor(n / 3)\n"
+    "row(n) = 6 - floor(n / 3)\nline(n, k) = row(n) + 0.25 * (2 - k)\n"
     "way(n) = strcol(1).', '.strcol(2).(strcol(3) eq 'plain' ? '' : ', '.strcol(3))\n"
-    "set yrange [0.4:6.6]\nset lmargin at screen 0.22\nset rmargin at screen 0.58\n"
+    "set yrange [0.4:6.6]\nset lmargin at screen 0.26\nset rmargin at screen 0.58\n"
     "set xlabel 'CPU time of the run, s'\nset logscale x\nset offsets graph 0.1, graph 0.1, 0, 0\n"
     "set xtics @nice\n"
-    "plot 'sum.csv' skip 1 using 6:(row($0)):ytic(way(0)) with points pt 7 ps 2 lc rgb color(1), "
-    "for [k=1:3] '' skip 1 using ($4 == k ? $6 : NaN):(row($0)):4 with labels "
-    "offset 1.2 * (k - 2),0.9\n"
+    "plot 'sum.csv' skip 1 using 6:(row($0)):ytic(way(0)) with points pt 0 lc rgb 'white', "
+    "'' skip 1 using 6:(line($0, $4)) with points pt 7 ps 1.5 lc rgb color(1), "
+    "'' skip 1 using 6:(line($0, $4)):4 with labels left offset 1,0\n"
     "set lmargin at screen 0.64\nset rmargin at screen 0.97\nset format x '10^{%L}'\n"
     "set xtics autofreq\nset xlabel 'largest distance from the first, m (left: none)'\n"
     "set ytics ('' 1, '' 2, '' 3, '' 4, '' 5, '' 6)\ndistance(d) = d > 1e-17 ? d : 1e-17\n"
-    "plot 'sum.csv' skip 1 using (distance($7)):(row($0)) with points pt 7 ps 2 lc rgb color(2), "
-    "for [k=1:3] '' skip 1 using ($4 == k ? distance($7) : NaN):(row($0)):4 with labels "
-    "offset 1.2 * (k - 2),0.9\n"
+    "plot 'sum.csv' skip 1 using (distance($7)):(line($0, $4)) with points pt 7 ps 1.5 lc rgb color(2), "
+    "'' skip 1 using (distance($7)):(line($0, $4)):4 with labels left offset 1,0\n"
     "unset multiplot\n";
 
 static const char solver_plot[] =
