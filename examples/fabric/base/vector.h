@@ -36,4 +36,9 @@ static inline void vector_add_scaled(const double a[3], double factor, const dou
     sum[2] = a[2] + factor * b[2];
 }
 
+/** The same vectors, not to be written. */
+static inline const double (*read_only(double (*a)[3]))[3] {
+    return (const double(*)[3])a;
+}
+
 #endif

@@ -7,17 +7,10 @@
 
 #include "base/vector.h"
 
-/* sum weight x */
-static void combine(const double x[4][3], const double weight[4], double sum[3]) {
-    for (int a = 0; a < 3; a++)
-        sum[a] =
-            weight[0] * x[0][a] + weight[1] * x[1][a] + weight[2] * x[2][a] + weight[3] * x[3][a];
-}
-
 /* Normal and distance from the weights. */
 static void measure(const double x[4][3], nearest *found) {
     double apart[3];
-    combine(x, found->weight, apart);
+    nearest_combine(x, found->weight, apart);
     found->distance = vector_length(apart);
     for (int a = 0; a < 3; a++)
         found->normal[a] = found->distance > 0 ? apart[a] / found->distance : 0;
@@ -27,7 +20,7 @@ static void measure(const double x[4][3], nearest *found) {
 static void keep_nearer(const double x[4][3], const double weight[4], nearest *best,
                         double *square) {
     double apart[3];
-    combine(x, weight, apart);
+    nearest_combine(x, weight, apart);
     const double other = vector_dot(apart, apart);
     if (other < *square) {
         *square = other;

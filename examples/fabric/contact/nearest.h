@@ -10,6 +10,12 @@ typedef struct nearest {
     double distance;  /* m */
 } nearest;
 
+static inline void nearest_combine(const double x[4][3], const double weight[4], double sum[3]) {
+    for (int a = 0; a < 3; a++)
+        sum[a] =
+            weight[0] * x[0][a] + weight[1] * x[1][a] + weight[2] * x[2][a] + weight[3] * x[3][a];
+}
+
 /** Vertex x[0] and triangle x[1] x[2] x[3]. */
 void nearest_vertex_triangle(const double x[4][3], nearest *found);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* A vertex and a triangle, or two edges: distance, and the time at which they meet. */
 #include "base/vector.h"
+#include "nearest.h"
 #include "self_collision.h"
 
 static double clamp(double value) {
@@ -48,19 +49,13 @@ static double foot_in_plane(const double x[4][3], double weight[4]) {
     return v < u ? (v < w ? v : w) : (u < w ? u : w);
 }
 
-static void combine(const double weight[4], const double x[4][3], double sum[3]) {
-    for (int a = 0; a < 3; a++)
-        sum[a] =
-            weight[0] * x[0][a] + weight[1] * x[1][a] + weight[2] * x[2][a] + weight[3] * x[3][a];
-}
-
 int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found) {
     double apart[3];
     if (is_edges)
         nearest_on_edges(x, found->weight);
     else if (foot_in_plane(x, found->weight) < 0)
         return 0;
-    combine(found->weight, x, apart);
+    nearest_combine(x, found->weight, apart);
     found->distance = vector_length(apart);
     if (!(found->distance < gap) || !(found->distance > 1e-6 * gap))
         return 0;
@@ -129,14 +124,14 @@ static int touch_at(int is_edges, const double x[4][3], const double y[4][3], do
         nearest_on_edges(now, found->weight);
     else if (foot_in_plane(now, found->weight) < -1e-9)
         return 0;
-    combine(found->weight, now, apart);
+    nearest_combine(now, found->weight, apart);
     return vector_length(apart) <= 1e-6 * size;
 }
 
 /* From the second feature to the first, as they lie at the start. */
 static int set_normal(const double x[4][3], self_contact *found) {
     double apart[3];
-    combine(found->weight, x, apart);
+    nearest_combine(x, found->weight, apart);
     found->distance = vector_length(apart);
     for (int a = 0; a < 3; a++)
         found->normal[a] = found->distance > 0 ? apart[a] / found->distance : 0;
@@ -175,6 +170,6 @@ int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3]
         nearest_on_edges(y, found->weight);
     else if (foot_in_plane(y, found->weight) < 0)
         return 0;
-    combine(found->weight, y, apart);
+    nearest_combine(y, found->weight, apart);
     return vector_length(apart) < gap && set_normal(x, found);
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/vector.h"
 #include "mesh_parts.h"
 
 enum { ERROR_SIZE = 256 };
@@ -127,4 +128,16 @@ int mesh_connect(mesh *m, int *non_manifold, char *error) {
     free(sides);
     free(start);
     return status;
+}
+
+double mesh_mean_edge(const mesh *m) {
+    double sum = 0;
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int p = 0; p < 3; p++) {
+            double side[3];
+            const int *v = m->triangle[t];
+            vector_subtract(m->position[v[p]], m->position[v[(p + 1) % 3]], side);
+            sum += vector_length(side);
+        }
+    return m->triangle_count > 0 ? sum / (3.0 * m->triangle_count) : INFINITY;
 }

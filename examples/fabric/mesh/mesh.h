@@ -50,6 +50,9 @@ int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char
  * where it is no permutation of the vertices or memory is out. */
 int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
+/** The mean length of the triangles' sides as they lie, m; infinite where there are none. */
+double mesh_mean_edge(const mesh *m);
+
 void mesh_free(mesh *m);
 
 #endif

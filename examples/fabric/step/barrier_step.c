@@ -22,10 +22,6 @@ static const double most_edges = 2;
 static const double most_stretch = 4;
 enum { most_halvings = 40, most_drives = 60, most_iterations = 300 };
 
-static const double (*read_only(double (*a)[3]))[3] {
-    return (const double(*)[3])a;
-}
-
 void barrier_step_free(simulation *sim) {
     barrier_step *s = sim->barrier;
     if (!s)
@@ -83,18 +79,6 @@ static void set_begin(simulation *sim) {
     memcpy(b->x, b->begin, (size_t)b->surface.vertex_count * sizeof *b->x);
 }
 
-static double mean_edge(const mesh *m) {
-    double sum = 0;
-    for (int t = 0; t < m->triangle_count; t++)
-        for (int p = 0; p < 3; p++) {
-            double edge[3];
-            const int *v = m->triangle[t];
-            vector_subtract(m->position[v[p]], m->position[v[(p + 1) % 3]], edge);
-            sum += vector_length(edge);
-        }
-    return sum / fmax(1, 3.0 * m->triangle_count);
-}
-
 static double least_reach(const scene *s) {
     double least = s->self_collision.gap > 0 ? s->self_collision.gap : INFINITY;
     for (int n = 0; n < s->collider_count; n++)
@@ -114,7 +98,7 @@ int barrier_step_init(simulation *sim, char *error) {
     if (allocate(sim) != 0 ||
         barrier_system_init(&sim->barrier->system, &sim->system.A, b->surface.vertex_count) != 0)
         return -1;
-    sim->barrier->longest_way = most_edges * mean_edge(sim->mesh);
+    sim->barrier->longest_way = most_edges * mesh_mean_edge(sim->mesh);
     sim->barrier->still_way = still_part * fmin(least_reach(s), sim->barrier->longest_way);
     set_begin(sim);
     set_goals(sim, 0);

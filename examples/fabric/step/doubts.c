@@ -4,21 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/vector.h"
 #include "contact/pin.h"
 
 /* Cloth of other sizes is possible, but not likely, m. */
 static const double smallest = 0.005, largest = 50;
-
-static double mean_edge(const mesh *m) {
-    double sum = 0;
-    for (int e = 0; e < m->edge_count; e++) {
-        double along[3];
-        vector_subtract(m->position[m->edge[e][1]], m->position[m->edge[e][0]], along);
-        sum += vector_length(along);
-    }
-    return m->edge_count > 0 ? sum / m->edge_count : INFINITY;
-}
 
 /* The longest side of the box around the cloth. */
 static double extent_of(const mesh *m) {
@@ -87,7 +76,7 @@ int scene_doubts(const scene *s, const mesh *m, FILE *to) {
     if (!pin_of)
         return -1;
     const double extent = extent_of(m);
-    const int count = doubt_units(s, extent, to) + doubt_gaps(s, mean_edge(m), extent, to) +
+    const int count = doubt_units(s, extent, to) + doubt_gaps(s, mesh_mean_edge(m), extent, to) +
                       doubt_pins(s, m, pin_of, to);
     free(pin_of);
     return count;

@@ -21,10 +21,6 @@ static const double most_growth = 2.1;
 /* A contact not foreseen is added and the system solved again, this many times in a step. */
 enum { most_solutions = 3 };
 
-static const double (*read_only(double (*a)[3]))[3] {
-    return (const double(*)[3])a;
-}
-
 static double (*new_vectors(int count))[3] {
     return calloc((size_t)count + 1, sizeof(double[3]));
 }

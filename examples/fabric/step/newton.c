@@ -15,10 +15,6 @@ enum { most_cuts = 10 };
 /* Linear systems are solved to this part of what Newton's method aims at. */
 static const double inner_part = 0.1;
 
-static const double (*read_only(double (*a)[3]))[3] {
-    return (const double(*)[3])a;
-}
-
 /* b += M (V - v_n): the past of BDF2 is another velocity than the step's first. */
 static void add_base(simulation *sim) {
     const integrator_memory *of = &sim->integrator;

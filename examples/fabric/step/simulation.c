@@ -13,6 +13,7 @@
 
 #include "barrier_step.h"
 #include "base/clock.h"
+#include "base/vector.h"
 #include "integrator.h"
 #include "rest.h"
 #include "simulation_state.h"
@@ -20,10 +21,6 @@
 
 /* After this many steps in a row without trouble a halved length is doubled. */
 enum { steps_before_growth = 3 };
-
-static const double (*read_only(double (*a)[3]))[3] {
-    return (const double(*)[3])a;
-}
 
 static void find_contacts(simulation *sim) {
     collisions_detect(&sim->collisions, simulation_time(sim), sim->step.h, read_only(sim->state.x),
