@@ -76,7 +76,10 @@ static void add_loop(const reports *r, buffer *out, const report_loop *loop) {
     buffer_text(out, "</td><td class=\"number\">");
     page_gain(out, &loop->time);
     buffer_text(out, "</td><td class=\"wide\">");
-    html_text(out, loop->time.runs > 0 ? json_word(loop->time.last, "method") : "-");
+    if (loop->time.runs > 0)
+        html_text(out, json_word(loop->time.last, "method"));
+    else
+        buffer_text(out, "<span class=\"soft\">-</span>");
     buffer_text(out, "</td><td class=\"wide\">");
     add_plan(out, &loop->time);
     buffer_text(out, "</td></tr>\n");

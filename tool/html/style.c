@@ -32,6 +32,7 @@ const char page_style[] =
     "th{color:var(--soft);font-weight:600;font-size:.85rem;white-space:nowrap}\n"
     "tbody tr:hover{background:var(--band)}\n"
     ".number{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}\n"
+    "td.wide{white-space:nowrap}\n"
     ".place{overflow-wrap:anywhere}\n"
     "td:first-child{min-width:10.5rem}.note td{min-width:0}\n"
     ".mark{display:inline-block;border-radius:.3rem;padding:.05rem .45rem;font-size:.85rem;"
