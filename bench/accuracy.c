@@ -112,7 +112,7 @@ static void add_up_by_redcc(double *b) {
             while (redcc_next(&worker)) {
                 double *const to = worker.base[0];
                 const redcc_owner own = worker.owner[0];
-                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     int t = (int)(worker.origin + run->begin);
                     const int end = t + (int)(run->count_and_guard / 2);
                     if (!(run->count_and_guard & 1))

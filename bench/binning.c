@@ -89,7 +89,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for ea
         while (redcc_next(&worker)) {                                                              \
             ROW *const R = worker.base[0];                                                         \
             const redcc_owner own = worker.owner[0];                                               \
-            for (const redcc_run *run = worker.run; run != worker.run_end; run++) {                \
+            for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {         \
                 redcc_int t = worker.origin + run->begin;                                          \
                 const redcc_int end = t + run->count_and_guard / 2;                                \
                 if (!(run->count_and_guard & 1))                                                   \

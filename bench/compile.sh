@@ -23,7 +23,7 @@ for file in ${FILES:-bench/lanes_kernels.c}; do
         source=$work/$form.c
         [ $form != serial ] || source=$file
         # shellcheck disable=SC2086
-        seconds "$compiler" $flags -ffp-contract=off -fopenmp -Ibench -Iexamples/fabric -Iruntime/include \
+        seconds "$compiler" $flags -ffp-contract=off -Ibench -Iexamples/fabric -Iruntime/include \
           -iquote "$(dirname "$file")" -c "$source" -o "$work/object.o" >>"$work/times.$form"
       done
     done

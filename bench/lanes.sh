@@ -27,8 +27,8 @@ make_program() { # NAME FLAGS...
   done
   "$compiler" "$@" -ffp-contract=off -Ibench -c bench/lanes_kernels.c -o "$work/serial.o"
   objcopy "${renamed[@]}" "$work/serial.o"
-  "$compiler" "$@" -fopenmp -Ibench -Iruntime/include -c "$work/translated.c" -o "$work/translated.o"
-  "$compiler" -O2 -fopenmp -Ibench -Iruntime/include -Iruntime/src bench/lanes.c bench/lanes_data.c \
+  "$compiler" "$@" -Ibench -Iruntime/include -c "$work/translated.c" -o "$work/translated.o"
+  "$compiler" -O2 -Wl,-u,redcc_run -Ibench -Iruntime/include -Iruntime/src bench/lanes.c bench/lanes_data.c \
     "$work/serial.o" "$work/translated.o" "$runtime" -lm -o "$programs/$name"
 }
 make_program lanes-native -O3 "-march=${ARCH:-native}"

@@ -248,7 +248,7 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
                 const redcc_owner own_b = worker.owner[0], own_a = worker.owner[ARRAYS - 1];       \
                 (void)to_a;                                                                        \
                 (void)own_a;                                                                       \
-                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {            \
+                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {     \
                     int n = (int)(worker.origin + run->begin);                                     \
                     const int end = n + (int)(run->count_and_guard / 2);                           \
                     if (!(run->count_and_guard & 1))                                               \

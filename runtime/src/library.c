@@ -2,14 +2,23 @@
 #include "library.h"
 
 #include "execute/rows.h"
+#include "operands.h"
 #include "redcc/bins.h"
 #include "redcc/entry.h"
+#include "series.h"
 #include "settings.h"
 
 static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
     const redcc_loop *loop = worker->call->loop;
     redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
 }
+
+static const redcc_series_calls series = {.join = redcc_series_join,
+                                          .room = redcc_series_room,
+                                          .again = redcc_series_again,
+                                          .is_over = redcc_series_is_over,
+                                          .has_any = redcc_series_has_any,
+                                          .find = redcc_series_find};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
@@ -28,4 +37,6 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .sequential_end = redcc_sequential_end,
                                    .fill = redcc_rows_fill,
                                    .settle = redcc_rows_settle,
-                                   .misuse = stop_at_misuse};
+                                   .misuse = stop_at_misuse,
+                                   .operands_give = redcc_operands_give_all,
+                                   .series = &series};

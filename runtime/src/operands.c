@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Memory for the operands of scalars that a loop accumulates into beside its arrays. */
+#include "operands.h"
+
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/system.h"
 #include "loop.h"
+#include "series.h"
 #include "settings.h"
 
 /* Without a limit no more than a quarter of the machine's memory: as much again is what the loop's
@@ -27,4 +29,27 @@ void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size) {
 
 void redcc_operands_give(void *operands) {
     redcc_memory_give(operands);
+}
+
+bool redcc_operands_take_all(redcc_loop *loop, const redcc_attempt *attempt) {
+    bool is_there = true;
+    for (redcc_u32 i = 0; i < attempt->operand_count; i++) {
+        attempt->operands[i] =
+            is_there ? redcc_operands_take(loop, attempt->trip, attempt->operand_bytes[i]) : NULL;
+        is_there = attempt->operands[i];
+    }
+    for (redcc_u32 i = 0; i < attempt->series_count; i++) {
+        attempt->series[i] = is_there ? redcc_series_take(loop, attempt->trip) : NULL;
+        is_there = attempt->series[i];
+    }
+    if (!is_there)
+        redcc_operands_give_all(attempt);
+    return is_there;
+}
+
+void redcc_operands_give_all(const redcc_attempt *attempt) {
+    for (redcc_u32 i = 0; i < attempt->operand_count; i++)
+        redcc_operands_give(attempt->operands[i]);
+    for (redcc_u32 i = 0; i < attempt->series_count; i++)
+        redcc_series_give(attempt->series[i]);
 }

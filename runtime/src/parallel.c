@@ -6,6 +6,7 @@
 #include "bins/binning.h"
 #include "library.h"
 #include "loop.h"
+#include "operands.h"
 #include "settings.h"
 #include "slices.h"
 
@@ -56,7 +57,13 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     }
     prepare(site);
     redcc_loop *loop = &site->binned.loop;
-    if (loop->flags & REDCC_LIGHT && !redcc_is_worth_entering(attempt->trip))
+    if (loop->flags & REDCC_SHORT && !redcc_is_worth_entering(attempt->trip))
+        return 0;
+    const redcc_linkage *const linkage = attempt->linkage;
+    if (linkage && !redcc_are_linked(linkage->called, linkage->count, linkage->expected,
+                                     linkage->expected_count))
+        return redcc_is_unlinked(loop);
+    if (!redcc_operands_take_all(loop, attempt))
         return 0;
     /* Also where the loop then runs sequentially: a row that is named for another array may make
      * arrays seem to overlap. */
@@ -66,8 +73,10 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (redcc_enter(&shared.call, loop, attempt->trip, attempt->bases, attempt->known, attempt->key,
                     redcc_region_threads(), redcc_region_is_nested()))
         redcc_region_run(shared.call.threads, work, &shared);
-    if (!redcc_leave(&shared.call))
+    if (!redcc_leave(&shared.call)) {
+        redcc_operands_give_all(attempt);
         return 0;
+    }
     redcc_sequential_done(loop);
     return 1;
 }

@@ -8,6 +8,8 @@
  * cannot run. What is lost are operands alone, and they depend on nothing that the loop updates: an
  * execution of all iterations that owns nothing comes to the same.
  */
+#include "series.h"
+
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/system.h"
@@ -16,7 +18,6 @@
 #include "settings.h"
 
 #include <assert.h>
-#include <redcc/runtime.h>
 
 enum { BLOCK_OPERANDS = 8192 - 8, HEAD = offsetof(redcc_series_part, value) / sizeof(double) };
 

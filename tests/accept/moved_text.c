@@ -19,7 +19,7 @@ static double half(double x);
 static void a_macro(int n) {
 #undef FACTOR
 #define FACTOR 8.0
-    for (int t = 0; t < n; t++) // EXPECT: transformed
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
         h[s[t]] += FACTOR * w[t];
 }
 
@@ -28,7 +28,7 @@ static void a_type(int n) {
     struct pair {
         float a;
     } p = {0.1f};
-    for (int t = 0; t < n; t++) { // EXPECT: transformed
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         real r = (real)w[t];
         struct pair q = p;
         h[s[t]] += r + q.a;

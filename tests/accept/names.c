@@ -97,7 +97,7 @@ static void types(int n) {
     typedef double real;
     enum kind { first, second } kind;
     _Bool is_odd;
-    for (int t = 0; t < n; t++) { // EXPECT: transformed
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         typedef struct pair {
             real a, b;
         } pair;

@@ -27,7 +27,7 @@ static void linear(double *f, int n) {
 }
 
 static void variable(int rows_of, int columns, double v[rows_of][columns], int n) {
-    for (int t = 0; t < n; t++) // EXPECT: transformed
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
         v[r[t]][s[t] % columns] += w[t];
 }
 

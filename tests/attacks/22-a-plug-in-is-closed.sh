@@ -54,7 +54,7 @@ cd "$work"
 "$ATTACK_REDCC" loop.c -o parallel.c -- -O2 >/dev/null 2>&1
 gcc -O2 main.c -o main -ldl -pthread
 gcc -O2 -fPIC -shared loop.c -o sequential.so
-gcc -O2 -fPIC -shared -fopenmp -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel.so
+gcc -O2 -fPIC -shared -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel.so
 ./main ./sequential.so >expected
 for threads in 2 3 7; do
     for policy in active passive; do

@@ -81,8 +81,8 @@ expect "$some" -fPIC -fvisibility=hidden -fvisibility=default
 
 "$ATTACK_REDCC" object.c -o parallel.c -- -O2 -fPIC 2>remarks
 for form in object parallel; do
-    cc -w -O2 -fPIC -ffp-contract=off -fopenmp -idirafter "$ATTACK_INCLUDE" -shared $form.c "$ATTACK_LIBRARY" -o lib$form.so
-    cc -w -O2 main.c ./lib$form.so -fopenmp -lm -o $form
+    cc -w -O2 -fPIC -ffp-contract=off -Wl,-u,redcc_run -idirafter "$ATTACK_INCLUDE" -shared $form.c "$ATTACK_LIBRARY" -o lib$form.so
+    cc -w -O2 main.c ./lib$form.so -Wl,-u,redcc_run -lm -o $form
 done
 ./object >expected
 for threads in 1 2 3 7; do

@@ -30,7 +30,7 @@ ulimit -Hs | grep -q unlimited || exit 0 # it cannot be lifted here
 ulimit -s unlimited
 "$ATTACK_REDCC" loop.c -o parallel.c -- -O2 >/dev/null 2>&1
 gcc -O2 loop.c -o sequential
-gcc -O2 -fopenmp -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
+gcc -O2 -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
 ./sequential >expected
 for threads in 1 2 3 7; do
     OMP_NUM_THREADS=$threads REDCC_METHOD=localwrite REDCC_REPORT=run.json ./parallel >found

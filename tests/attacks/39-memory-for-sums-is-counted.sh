@@ -30,7 +30,7 @@ C
 cd "$work"
 "$ATTACK_REDCC" loop.c -o parallel.c -- -O2 >/dev/null 2>&1
 gcc -O2 loop.c -o sequential
-gcc -O2 -fopenmp -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
+gcc -O2 -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
 ./sequential >expected 2>/dev/null
 export OMP_NUM_THREADS=3 REDCC_REPORT=run.json
 REDCC_METHOD=localwrite ./parallel >found 2>/dev/null

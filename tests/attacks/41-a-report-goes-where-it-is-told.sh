@@ -19,7 +19,7 @@ int main(void) {
 C
 cd "$work"
 "$ATTACK_REDCC" loop.c -o parallel.c -- -O2 >/dev/null 2>&1
-gcc -O2 -fopenmp -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
+gcc -O2 -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
 export OMP_NUM_THREADS=2 REDCC_METHOD=localwrite
 
 mkfifo pipe

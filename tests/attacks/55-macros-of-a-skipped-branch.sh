@@ -48,7 +48,7 @@ END
 "$ATTACK_REDCC" x.c -o y.c --report=json --report-file=report.json
 for with in "" -DB; do
     gcc -O1 -w $with x.c -o x
-    gcc -O1 -w $with -fopenmp -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
+    gcc -O1 -w $with -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
     ./x >expected
     REDCC_METHOD=localwrite OMP_NUM_THREADS=3 ./y >found
     cmp expected found

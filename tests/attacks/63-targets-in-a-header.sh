@@ -39,7 +39,7 @@ int main(void) {
 END
 for option in -DOTHER '-DFAST=__attribute__((target("avx2,fma")))'; do
     "$ATTACK_REDCC" x.c -o y.c -- "$option"
-    gcc -O2 -w -fopenmp "$option" -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
+    gcc -O2 -w -Wl,-u,redcc_run "$option" -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
     REDCC_METHOD=serial ./y >expected
     REDCC_METHOD=localwrite OMP_NUM_THREADS=2 ./y >found
     cmp expected found

@@ -45,7 +45,7 @@ checks="-fsanitize=float-cast-overflow -fno-sanitize-recover=all"
 # shellcheck disable=SC2086
 gcc -O2 -w $checks x.c -o x -lm
 # shellcheck disable=SC2086
-gcc -O2 -w $checks -fopenmp -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
+gcc -O2 -w $checks -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
 ./x >expected
 for lanes in 2 4; do
     REDCC_LANES=$lanes REDCC_METHOD=localwrite OMP_NUM_THREADS=1 ./y >found

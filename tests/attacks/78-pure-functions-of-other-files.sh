@@ -101,7 +101,7 @@ check() { # check NAME FLAGS...: in `parallel` the functions whose loops are to 
   "$ATTACK_REDCC" "$1.c" -o "$1-parallel.c" --report=json --report-file=report.json "${@:2}" 2>remarks
   found=$(jq -r '.loops[] | select(.verdict == "transformed").function' report.json | sort | paste -sd ' ')
   [ "$found" = "$parallel" ] || fail "$*: in parallel '$found', not '$parallel'"
-  gcc -w -O2 -ffp-contract=off -fopenmp -I"$ATTACK_INCLUDE" "$1-parallel.c" other.c "$ATTACK_LIBRARY" -o changed -lm
+  gcc -w -O2 -ffp-contract=off -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" "$1-parallel.c" other.c "$ATTACK_LIBRARY" -o changed -lm
   for threads in 1 2 3 7; do
     REDCC_METHOD=localwrite OMP_NUM_THREADS=$threads OMP_WAIT_POLICY=passive ./changed | cmp -s - expected ||
       fail "$*: another program at $threads threads"

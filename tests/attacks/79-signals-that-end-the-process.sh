@@ -35,7 +35,7 @@ int main(int count, char **argument) {
 }
 C
 "$ATTACK_REDCC" long.c -o translated.c -- -O2 >/dev/null 2>&1
-gcc -O2 -fopenmp -I"$ATTACK_INCLUDE" translated.c "$ATTACK_LIBRARY" -o long
+gcc -O2 -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" translated.c "$ATTACK_LIBRARY" -o long
 export REDCC_METHOD=localwrite
 ends() { # ends SIGNAL AFTER ARGUMENT...: within two seconds, by the signal
     local status=0 signal=$1 after=$2

@@ -32,7 +32,7 @@ expect_match remarks 'runs in parallel'
 same_bits() { # PROGRAM
   local threads
   for threads in 1 2 3; do OMP_NUM_THREADS=$threads "$1" | expect_same expected /dev/stdin; done
-  { nm -D "$1" && nm "$1"; } 2>/dev/null | grep -q redcc_enter || fail "$1: not parallel"
+  { nm -D "$1" && nm "$1"; } 2>/dev/null | grep -q redcc_run || fail "$1: not parallel"
 }
 eval "gcc -O2 -ffp-contract=off out.c $(pkg-config --cflags --libs redcc) -o by-hand" || fail pkg-config
 same_bits ./by-hand

@@ -63,7 +63,7 @@ expect_same_dependencies here.d -- -I. -MD -c here.c
 expect_same_dependencies prog.d -- -Iinc -MMD src/x.c -o prog
 echo 'int f(void) { return 3; }' >f.c
 expect_same_dependencies x.d f.d -- -Iinc -MMD -c src/x.c f.c
-nm obj/x.o x.o obj/z.o here.o | grep -c redcc_fake_mark | grep -q 4 || fail "$case_name: not translated"
+nm obj/x.o x.o obj/z.o here.o | grep -c redcc_run | grep -q 4 || fail "$case_name: not translated"
 end
 
 begin "CMake's and automake's way to ask for dependencies"
@@ -182,7 +182,7 @@ make_project
 for name in "a b.c" "é ü.c" "it's.c" 'q"q.c' 'a,b.c' '-minus.c' 'x.y.c' '$HOME.c' 'back\slash.c'; do
   cp here.c "./$name"
   "$redcc_cc" -Iinc -I. -c "./$name" 2>messages || fail "$case_name: $name: $(cat messages)"
-  nm "./${name%.c}.o" 2>/dev/null | grep -q redcc_fake_mark || fail "$case_name: $name not translated"
+  nm "./${name%.c}.o" 2>/dev/null | grep -q redcc_run || fail "$case_name: $name not translated"
 done
 sed 's/main(void) {/& puts(__BASE_FILE__);/' here.c >'a=b.c' # no prefix map can name it
 "$redcc_cc" -Iinc -I. -v 'a=b.c' -o p 2>messages || fail "$case_name: a=b.c: $(cat messages)"

@@ -62,7 +62,7 @@ export REDCC_KEEP="$PWD/../kept here"
 "$redcc_cc" -x c -c - -o i.o <src/x.c
 cd ..
 for kept in src/x.c up/other/x.c "${work#/}/case/other/x.c" stdin.c; do
-  expect_match "kept here/$kept" redcc_fake_mark
+  expect_match "kept here/$kept" redcc_run
 done
 expect_no_file "kept here/src/plain.c"
 expect_no_file "kept here/src/x.c.messages"
@@ -162,7 +162,7 @@ done
 (PATH="$work/my prefix/bin:$PATH" && redcc-cc x.c -o p) || fail "$case_name"
 expect_equal "$case_name" "translated ran" "$(./p | paste -sd' ')"
 rm "$work/my prefix/lib/libredcc_rt.a"
-(cd "$work/my prefix/lib" && printf '#include <stdio.h>\nvoid redcc_fake_mark(void) { puts("translated"); }\n' |
+(cd "$work/my prefix/lib" && printf '#include <stdio.h>\nvoid redcc_run(void) { puts("translated"); }\n' |
   cc -shared -fPIC -x c - -o libredcc_rt.so)
 "$work/my prefix/bin/redcc-cc" x.c -o p || fail "$case_name"
 expect_equal "$case_name: shared" "translated ran" "$(./p | paste -sd' ')"

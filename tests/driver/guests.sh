@@ -38,7 +38,7 @@ if command -v ccache >/dev/null; then
     expect_equal "$case_name: $how: misses" 1 "$(awk '/^cache_miss/ {print $2}' stats)"
     expect_same count1.o count2.o
     redcc-cc count3.o -o p && expect_bits p
-    nm count3.o | grep -q redcc_enter || fail "$case_name: $how: not translated"
+    nm count3.o | grep -q redcc_run || fail "$case_name: $how: not translated"
   done
   # another text, the same name: no hit of the first
   sed -i 's/7919/7717/' count.c && gcc -O2 -ffp-contract=off count.c -o serial && ./serial >expected

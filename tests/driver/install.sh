@@ -63,9 +63,7 @@ expect_equal version "$("$prefix/bin/redcc-cc" --redcc-version | sed 's/.* //')"
 cat >use.c <<'END'
 #include <redcc/runtime.h>
 REDCC_REQUIRE_VERSION(REDCC_RUNTIME_VERSION);
-int (*enter)(redcc_call *, redcc_loop *, redcc_int, void *const *, const redcc_extent *,
-             const redcc_word *, int, int) = redcc_enter;
-int main(void) { return enter == 0; }
+int main(void) { return redcc_run == 0; }
 END
 eval "cc use.c $(pkg-config --cflags --libs redcc) -o use" || fail "$case_name"
 ./use || fail "$case_name: a program starts without a variable"
@@ -122,7 +120,7 @@ for compiler in gcc clang-19; do
     for threads in 1 2 3; do
       OMP_NUM_THREADS=$threads ./parallel | expect_same expected /dev/stdin
     done
-    nm parallel | grep -q redcc_enter || fail "$compiler $how: not parallel"
+    nm parallel | grep -q redcc_run || fail "$compiler $how: not parallel"
   done
 done
 end

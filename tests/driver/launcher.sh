@@ -91,16 +91,6 @@ expect_no_match "$RECORD" '^redcc'
 expect_match "$RECORD" '^redcc'
 end
 
-begin "clang without its OpenMP library"
-printf '%s' "$source_text" >x.c
-mkdir bin
-printf '#!/bin/bash\ncase "$1" in -print-file-name=*) echo "${1#*=}" ;; *) exec cc "$@" ;; esac\n' >bin/clang
-chmod +x bin/clang
-"$redcc_cc" bin/clang -v x.c -o p 2>messages || fail "$case_name"
-expect_equal "$case_name" "ran" "$(run_p)"
-expect_match messages 'no OpenMP library'
-end
-
 begin "redcc-cc called by a compiler's name, first in PATH"
 printf '%s' "$source_text" >x.c
 mkdir bin

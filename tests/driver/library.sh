@@ -2,7 +2,7 @@
 # What the tests of redcc-cc share: a fake installation whose translator is a few lines of shell, a
 # fresh folder to work in, and assertions that say what was expected.
 #
-# The fake translator turns each line `MARK;` into a call of redcc_fake_mark(), defined in the fake
+# The fake translator turns each line `MARK;` into a call of redcc_run(), defined in the fake
 # runtime: a program shows by what it prints whether its translated text was compiled.
 # Given by ctest: REDCC_CC_PROGRAM (the wrapper under test), FAKES (folder of fake programs).
 set -u
@@ -36,10 +36,10 @@ make_root() {
   mkdir -p "$1/bin" "$1/lib" "$1/include/redcc"
   cp "$FAKES/translator" "$1/bin/redcc"
   chmod +x "$1/bin/redcc"
-  echo 'void redcc_fake_mark(void);' >"$1/include/redcc/runtime.h"
+  echo 'void redcc_run(void);' >"$1/include/redcc/runtime.h"
   (cd "$1" && cc -fPIC -c -x c - -o mark.o <<'END' && ar rcs lib/libredcc_rt.a mark.o && rm mark.o
 #include <stdio.h>
-void redcc_fake_mark(void) { puts("translated"); }
+void redcc_run(void) { puts("translated"); }
 END
   ) || fail "the fake runtime does not build"
 }

@@ -15,7 +15,6 @@
 #include "driver/command.h"
 #include "driver/dependencies.h"
 #include "driver/files.h"
-#include "driver/openmp.h"
 #include "driver/temporary.h"
 
 static void table_is_sorted(void **state) {
@@ -228,31 +227,6 @@ static void reports_become_one_line(void **state) {
     temporary_remove(folder);
 }
 
-static void openmp_in_preprocessed_text(void **state) {
-    (void)state;
-    static const struct {
-        const char *text;
-        bool found;
-    } cases[] = {
-        {"", false},
-        {"int x;\n", false},
-        {"#pragma omp parallel for\n", true},
-        {"  # pragma  omp simd", true},
-        {"#pragma ompx\n#pragma once\n#pragma STDC omp\n", false},
-        {"int omp;\nint compute(int romp);\n", false},
-        {"int n = omp_get_num_threads();\n", true},
-        {"int my_omp_x;\n", false},
-        {"puts(\"omp_x \\\" omp_y\"); char c = '\\'';\n", false},
-        {"puts(\"\\\\\"); omp_x();\n", true},
-        {"# 1 \"/usr/lib/omp.h\" 1 3 4\nint omp_x(void);\n# 2 \"a.c\" 2\nint y;\n", false},
-        {"# 1 \"/usr/lib/omp.h\" 1 3 4\n# 2 \"a3.c\" 2\nint omp_x(void);\n", true},
-        {"# 1 \"omp_3.h\" 1\nint y;\n", false},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-        if ((openmp_in_text(cases[i].text) != NULL) != cases[i].found)
-            fail_msg("%s", cases[i].text);
-}
-
 static int set_up(void **state) {
     *state = arena_new();
     return 0;
@@ -270,7 +244,7 @@ int main(void) {
         cmocka_unit_test(output_is_joined_or_apart), cmocka_unit_test(splits_as_gcc_does),
         cmocka_unit_test(response_files_come_back),  cmocka_unit_test(reads_dependency_files),
         cmocka_unit_test(compares_dependencies),     cmocka_unit_test(finds_words_that_stand_alone),
-        cmocka_unit_test(reports_become_one_line),   cmocka_unit_test(openmp_in_preprocessed_text),
+        cmocka_unit_test(reports_become_one_line),
     };
     return cmocka_run_group_tests_name("driver options", tests, set_up, tear_down);
 }

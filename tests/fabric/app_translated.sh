@@ -13,7 +13,7 @@ for name in effects/triangle effects/hinge effects/drag effects/drag_along effec
   jq -e '[.loops[].verdict] | length > 0 and all(. == "transformed")' "$work/report.json" >/dev/null ||
     { echo "$name: not all loops are transformed"; jq -c '.loops[]' "$work/report.json"; exit 1; }
   for compiler in gcc clang clang-19; do
-    "$compiler" -std=gnu17 -O3 -Wall -Wextra -Werror -fopenmp -I"$include" -I"$sources" \
+    "$compiler" -std=gnu17 -O3 -Wall -Wextra -Werror -I"$include" -I"$sources" \
       -I"$(dirname "$file")" -c "$work/out.c" -o "$work/out.o"
   done
 done

@@ -32,8 +32,6 @@ static const char *describe(arena *a, const loop_plan *plan) {
     buffer out = {0};
     if (plan->obstacle.message) {
         buffer_format(&out, "obstacle: %s; ", plan->obstacle.message);
-    } else if (plan->no_functions) {
-        buffer_format(&out, "no functions: %s; ", plan->no_functions);
     } else {
         describe_bins(&out, plan);
         if (plan->prefetch.declined)

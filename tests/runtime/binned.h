@@ -89,7 +89,7 @@ struct binned_loop {
         (void)by;                                                                                  \
         while (redcc_next(worker)) {                                                               \
             ROW *const rows = worker->base[0];                                                     \
-            for (const redcc_run *run = worker->run; run != worker->run_end; run++) {              \
+            for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {       \
                 const redcc_int begin = worker->origin + run->begin;                               \
                 const redcc_int end = begin + run->count_and_guard / 2;                            \
                 for (redcc_int t = begin; t < end; t++) {                                          \

@@ -113,7 +113,7 @@ bool work_run(const struct work *w, int threads) {
                 ;
             push(w, &worker);
             while (redcc_next(&worker))
-                for (const redcc_run *r = worker.run; r != worker.run_end; r++)
+                for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
                     execute(w, worker.origin + r->begin,
                             worker.origin + r->begin + r->count_and_guard / 2);
         }

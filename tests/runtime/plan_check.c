@@ -45,7 +45,7 @@ static void record_visits(const struct plan *plan, struct visit *visit) {
         const struct schedule *schedule = &plan->schedule[thread];
         for (size_t c = 0; c < schedule->chunk_count; c++) {
             struct run_reader runs = redcc_runs_of(schedule, &schedule->chunk[c]);
-            for (redcc_run run; redcc_runs_read(&runs, &run, 1) > 0;) {
+            for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) > 0;) {
                 assert_int_equal(run.count_and_guard & 1, 0);
                 for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++) {
                     struct visit *it = &visit[schedule->chunk[c].origin + run.begin + i];
@@ -117,7 +117,7 @@ static void mark_visits(const struct problem *problem, const struct plan *plan, 
             if (c > 0 && chunk->stage != chunk[-1].stage)
                 before = -1;
             struct run_reader runs = redcc_runs_of(schedule, chunk);
-            for (redcc_run run; redcc_runs_read(&runs, &run, 1) > 0;) {
+            for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) > 0;) {
                 redcc_int t = chunk->origin + run.begin;
                 assert_true(run.count_and_guard / 2 > 0);
                 for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++, t++) {

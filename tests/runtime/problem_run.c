@@ -120,7 +120,7 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                 double *const d = second_width ? worker.base[1] : 0;
                 const redcc_owner own_first = worker.owner[0];
                 const redcc_owner own_second = worker.owner[second_width ? 1 : 0];
-                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     redcc_int t = worker.origin + run->begin;
                     const redcc_int end = t + run->count_and_guard / 2;
                     if (!(run->count_and_guard & 1))

@@ -6,14 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifdef _OPENMP
+#if !defined(REDCC_OFF) && defined(__has_include)
+#if __has_include(<redcc/runtime.h>)
 #include <redcc/runtime.h>
 REDCC_REQUIRE_VERSION(1);
 #ifdef SPRINGS_LEAVE_OUT /* breaks the promise, for REDCC_VALIDATE to find out */
-#define redcc_owns(owner, address) ((void)(owner), 0)
+#define redcc_asks(worker, owner, address) ((void)(owner), 0)
 #endif
-#else
-#define REDCC_SEQUENTIAL_DONE
+#endif
+#endif
+#ifndef REDCC_RUNTIME_H
+#define REDCC_OVER(redcc_site)
 #endif
 #if defined(__clang__)
 #pragma clang fp contract(off)
@@ -32,8 +35,17 @@ static void spring(const double (*x)[3], int i, int j, double *f) {
 }
 
 /* clang-format off */
-#ifdef _OPENMP
+#ifdef REDCC_RUNTIME_H
 REDCC_QUIET_BEGIN
+static const redcc_array redcc__arrays_springs[] = {{"s->b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double[3])}};
+static const redcc_source redcc__sources_springs[] = {{"edge", 1}, {"x", 0}};
+static redcc_site redcc__site_springs = {{{"springs.c", 4, "springs", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE | REDCC_SELECTS, 1, redcc__arrays_springs, 2, redcc__sources_springs, 3, 0}, 0, 0}, 0};
+struct redcc__context_springs {
+    REDCC_PROGRESSIONS_OF(2);
+    __typeof__(const int (*)[2]) edge;
+    __typeof__(const double (*)[3]) x;
+    struct system *s;
+};
 REDCC_SLICE redcc__slice_springs(REDCC_SLICE_PARAMETERS, int t, const int (*edge)[2], const double (*x)[3], struct system *s) {
     int i, j;
     i = edge[t][0]; j = edge[t][1];
@@ -51,28 +63,36 @@ REDCC_BODY redcc__body_springs(REDCC_BODY_PARAMETERS_1, int t, double (*redcc__t
         }
     }
 }
+REDCC_MEMBER redcc__member_springs(REDCC_MEMBER_PARAMETERS) {
+    REDCC_BEGIN(redcc__context_springs);
+    __typeof__(const int (*)[2]) edge = redcc__context->edge;
+    __typeof__(const double (*)[3]) x = redcc__context->x;
+    struct system *s = redcc__context->s;
+    REDCC_PARALLEL(REDCC_CHUNK_1,
+        redcc__slice_springs(REDCC_SLICE_ARGUMENTS, REDCC_COUNTER(int, redcc__k), edge, x, s),
+        redcc__body_springs(REDCC_BODY_ARGUMENTS_1, REDCC_COUNTER(int, redcc__k), redcc__base_0, edge, x))
+}
 REDCC_QUIET_END
 #endif
 static void springs(int n, const int (*edge)[2], const double (*x)[3], struct system *s) {
     int t, i, j;
     double f[3];
     { /* redcc: in parallel, with the bits of the sequential loop: s->b (+) */
-#ifdef _OPENMP
+#ifdef REDCC_RUNTIME_H
     REDCC_QUIET_BEGIN
-    static const redcc_array redcc__arrays[] = {{"s->b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double[3])}};
-    static const redcc_source redcc__sources[] = {{"edge", 1}, {"x", 0}};
-    static redcc_loop redcc__loop = {"springs.c", 4, "springs", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE | REDCC_SELECTS, 1, redcc__arrays, 2, redcc__sources, 3, 0};
     REDCC_COUNT_UP(0, (redcc_int)n);
     int redcc__done = 0;
-    if (redcc__trip > 0) {
-        REDCC_ATTEMPT(1, 2, 3); REDCC_BASE(0, s->b); REDCC_KEY(1, (redcc_size)edge); REDCC_KEY(2, (redcc_size)s);
+    if (REDCC_IS_WORTH(redcc__site_springs, redcc__trip)) {
+        REDCC_ATTEMPT(redcc__context_springs, 1, 2, 3);
+        REDCC_BASE(0, s->b);
+        REDCC_KEY(1, (redcc_size)edge);
+        REDCC_KEY(2, (redcc_size)s);
         redcc__known[1].first = (const char *)x; /* x[i]: the inspector tells the ends */
-        REDCC_FIRST_AND_LAST { __typeof__(t) t = (__typeof__(t))REDCC_AN_END(1); REDCC_KNOWN_ROW(0, edge[t]); }
-        if (REDCC_ENTER(redcc__known)) REDCC_THREADS(firstprivate(edge, x, s, n))
-            REDCC_PARALLEL(REDCC_CHUNK_1,
-                redcc__slice_springs(REDCC_SLICE_ARGUMENTS, REDCC_COUNTER(__typeof__(t), redcc__k), edge, x, s),
-                redcc__body_springs(REDCC_BODY_ARGUMENTS_1, REDCC_COUNTER(__typeof__(t), redcc__k), redcc__base_0, edge, x))
-        redcc__done = redcc_leave(&redcc__call);
+        REDCC_FIRST_AND_LAST { int t = (int)REDCC_AN_END(1); REDCC_KNOWN_ROW(0, edge[t]); }
+        redcc__context.edge = edge;
+        redcc__context.x = x;
+        redcc__context.s = s;
+        redcc__done = REDCC_EXECUTED(redcc__site_springs, redcc__member_springs);
     }
     REDCC_QUIET_END if (redcc__done) {
         t = (__typeof__(t))redcc__final; /* the counter outlives the loop */
@@ -86,7 +106,7 @@ static void springs(int n, const int (*edge)[2], const double (*x)[3], struct sy
             s->b[i][c] += f[c];
             s->b[j][c] -= f[c];
         }
-    } REDCC_SEQUENTIAL_DONE }
+    } REDCC_OVER(redcc__site_springs) }
     if (t != n)
         abort();
 }
@@ -116,15 +136,11 @@ int main(int count, char **arguments) {
             sum = (sum ^ bits) * 0x9e3779b97f4a7c15u;
         }
     printf("%016lx\n", sum);
-#ifdef _OPENMP
-    if (count > 3) {
-        printf("%lld unasked, ", (long long)redcc_unasked_iterations);
-        redcc_unasked_iterations = 0;
-        for (redcc_int trip = 0; trip < 10000; trip++)
-            if (redcc_is_worth_entering(trip)) {
-                printf("from %lld\n", (long long)trip);
-                break;
-            }
+#ifdef REDCC_RUNTIME_H
+    if (count > 3 && redcc__site_springs.calls) {
+        const redcc_calls *calls = redcc__site_springs.calls;
+        printf("%lld unasked, from %lld\n", (long long)*calls->unasked_iterations,
+               (long long)*calls->least_trip);
     }
 #endif
     free(edge);

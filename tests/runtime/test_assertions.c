@@ -66,7 +66,7 @@ static void execute(void) {
                 redcc_iteration_done(&worker);
             }
         while (redcc_next(&worker))
-            for (const redcc_run *run = worker.run; run < worker.run_end; run++)
+            for (const redcc_iterations *run = worker.run; run < worker.run_end; run++)
                 for (redcc_u32 i = 0; i < run->count_and_guard / 2; i++) {
                     const redcc_int t = worker.origin + run->begin + i;
                     add(&worker, row[t], t, run->count_and_guard & 1);
@@ -108,7 +108,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
         assert_true(redcc_schedule_add(schedule, 0, 0, 1, false));
     for (size_t c = 0; c < good.chunk_count; c++) {
         struct run_reader runs = redcc_runs_of(&good, &good.chunk[c]);
-        for (redcc_run run; redcc_runs_read(&runs, &run, 1) == 1;)
+        for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) == 1;)
             for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++)
                 copy_iteration(schedule, good.chunk[c].stage, good.chunk[c].origin + run.begin + i,
                                thread);

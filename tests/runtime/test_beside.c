@@ -47,7 +47,7 @@ static void execute(const int *q) {
             }
         while (redcc_next(&worker)) {
             const redcc_owner own = worker.owner[0];
-            for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+            for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                 redcc_int t = worker.origin + run->begin;
                 for (redcc_int n = 0; n < run->count_and_guard / 2; n++, t++) {
                     if (!(run->count_and_guard & 1) || redcc_owns(&own, &b[p[t]]))

@@ -93,7 +93,7 @@ static int row[TRIP];
                     }                                                                              \
                 while (redcc_next(&worker)) {                                                      \
                     T(*const b)[1 + GAP] = worker.base[0];                                         \
-                    for (const redcc_run *run = worker.run; run != worker.run_end; run++) {        \
+                    for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) { \
                         int t = (int)(worker.origin + run->begin);                                 \
                         const int end = t + (int)(run->count_and_guard / 2);                       \
                         for (; t < end; t++)                                                       \

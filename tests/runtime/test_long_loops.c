@@ -87,7 +87,7 @@ static int run_loop(redcc_loop *loop, struct tally *tally, redcc_int trip, redcc
             while (redcc_next(&worker)) {
                 struct tally *const to = worker.base[0];
                 const redcc_owner own = worker.owner[0];
-                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     redcc_int t = worker.origin + run->begin;
                     const redcc_int last = t + run->count_and_guard / 2;
                     while (t < last) {

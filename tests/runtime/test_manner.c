@@ -257,7 +257,7 @@ static void iterations_are_cut_into_parts(void **unused) {
 static void expect_all_in_parts(const struct schedule *schedule, const char *guarded,
                                 redcc_int trip, redcc_int length) {
     struct run_reader reader = redcc_runs_of(schedule, &schedule->chunk[0]);
-    redcc_run run[3];
+    redcc_iterations run[3];
     redcc_int at = 0;
     for (redcc_int left = length; at < trip; left = left == 0 ? length : left) {
         const redcc_int before = left;

@@ -301,7 +301,7 @@ static void classify(const redcc_worker *worker, const void *array, size_t bytes
                         continue;                                                                  \
                     }                                                                              \
                     T *const to = worker.base[0];                                                  \
-                    for (const redcc_run *run = worker.run; run != worker.run_end; run++) {        \
+                    for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) { \
                         int t = (int)(worker.origin + run->begin);                                 \
                         const int end = t + (int)(run->count_and_guard / 2);                       \
                         for (; t < end; t++)                                                       \
@@ -467,7 +467,7 @@ static void rows_by_functions(triple *array, int threads) {
                 }
                 triple *const to = worker.base[0];
                 const redcc_owner own = worker.owner[0];
-                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     int t = (int)(worker.origin + run->begin);
                     const int end = t + (int)(run->count_and_guard / 2);
                     for (; t < end; t++)

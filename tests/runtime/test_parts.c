@@ -258,7 +258,7 @@ static void more_iterations_than_32_bits_count(void **unused) {
             redcc_int before = 0;
             for (size_t c = 0; c < schedule->chunk_count; c++) {
                 struct run_reader runs = redcc_runs_of(schedule, &schedule->chunk[c]);
-                for (redcc_run run; redcc_runs_read(&runs, &run, 1) > 0;) {
+                for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) > 0;) {
                     const redcc_int begin = schedule->chunk[c].origin + run.begin;
                     const redcc_int count = run.count_and_guard / 2;
                     assert_true(begin >= before);
@@ -317,7 +317,7 @@ static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
     int r = 0;
     for (size_t c = 0; c < schedule.chunk_count; c++) {
         struct run_reader reader = redcc_runs_of(&schedule, &schedule.chunk[c]);
-        redcc_run run[7];
+        redcc_iterations run[7];
         for (size_t got; (got = redcc_runs_read(&reader, run, 1 + c % 7)) > 0;)
             for (size_t i = 0; i < got; i++, r++) {
                 assert_int_equal(schedule.chunk[c].stage, r / 1000);

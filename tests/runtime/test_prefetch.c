@@ -13,7 +13,7 @@
 enum { MOST_RUNS = 9, MOST_COUNT = 5 };
 
 /* All iterations of the runs, in a list. */
-static int list_all(const redcc_run *run, int runs, redcc_int origin, redcc_int *list) {
+static int list_all(const redcc_iterations *run, int runs, redcc_int origin, redcc_int *list) {
     int count = 0;
     for (int r = 0; r < runs; r++)
         for (redcc_u32 i = 0; i < run[r].count_and_guard / 2; i++)
@@ -22,10 +22,11 @@ static int list_all(const redcc_run *run, int runs, redcc_int origin, redcc_int 
 }
 
 static void try_runs(int runs, int distance) {
-    redcc_run run[MOST_RUNS];
+    redcc_iterations run[MOST_RUNS];
     redcc_int list[MOST_RUNS * MOST_COUNT], origin = rand() % 1000;
     for (int r = 0; r < runs; r++)
-        run[r] = (redcc_run){(redcc_u32)(rand() % 100), (redcc_u32)(rand() % (2 * MOST_COUNT))};
+        run[r] =
+            (redcc_iterations){(redcc_u32)(rand() % 100), (redcc_u32)(rand() % (2 * MOST_COUNT))};
     const int count = list_all(run, runs, origin, list);
     const redcc_worker worker = {.origin = origin, .run = run, .run_end = run + runs};
     redcc_ahead ahead;

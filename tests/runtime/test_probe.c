@@ -114,7 +114,7 @@ static void expect_same_schedule(const struct schedule *one, const struct schedu
         struct run_reader mine = redcc_runs_of(one, &one->chunk[c]);
         struct run_reader its = redcc_runs_of(two, &two->chunk[c]);
         assert_int_equal(one->chunk[c].origin, two->chunk[c].origin);
-        redcc_run run, same;
+        redcc_iterations run, same;
         while (redcc_runs_read(&mine, &run, 1)) {
             assert_int_equal(redcc_runs_read(&its, &same, 1), 1);
             assert_int_equal(run.begin, same.begin);

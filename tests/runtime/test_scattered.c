@@ -51,7 +51,7 @@ static void oracle(struct rows *it) {
 
 static void execute(const struct rows *it, redcc_worker *worker) {
     const redcc_owner own = worker->owner[0];
-    for (const redcc_run *run = worker->run; run != worker->run_end; run++) {
+    for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {
         redcc_int t = worker->origin + run->begin;
         const redcc_int end = t + run->count_and_guard / 2;
         for (; t < end; t++) {

@@ -79,7 +79,7 @@ static int execute(int threads, bool waits) {
                 const redcc_owner own = worker.owner[0];
                 while (waits && thread == 1 && !atomic_load(&first_is_done))
                     sched_yield();
-                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     redcc_int t = worker.origin + run->begin;
                     const redcc_int end = t + run->count_and_guard / 2;
                     const bool guarded = run->count_and_guard & 1;

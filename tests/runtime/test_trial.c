@@ -42,7 +42,7 @@ static void tell_all(redcc_worker *worker) {
     }
 }
 
-static void execute_run(const redcc_worker *worker, redcc_run run) {
+static void execute_run(const redcc_worker *worker, redcc_iterations run) {
     const redcc_int begin = worker->origin + run.begin;
     const int guarded = run.count_and_guard & 1;
     const redcc_owner *owner = &worker->owner[0];
@@ -62,7 +62,7 @@ static void execute_all(redcc_worker *worker) {
                            (worker->manner.lanes ? WITH_LANES : 0) |
                            (worker->manner.lanes == 4 ? WITH_HALF : 0);
         long count = 0;
-        for (const redcc_run *run = worker->run; run != worker->run_end; run++) {
+        for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {
             execute_run(worker, *run);
             count += run->count_and_guard / 2;
         }

@@ -57,7 +57,7 @@ void sixth(int n) {
 }
 
 void seventh(int n) {
-    for (int t = 0; t < n; t++) { // EXPECT: transformed
+    for (int t = 0; t < n; t++) { // EXPECT: refuse binding
         /* plant: only in front */
         const int won = one[t], two = one[n - 1 - t];
         hers[won] += 0.5;

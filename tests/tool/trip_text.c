@@ -100,7 +100,7 @@ static void print_generated(arena *a, unsigned number, const struct type_row *co
     loop_text loop = {
         .arena = a, .facts = &facts, .plan = &plan, .counter_type = counter->spelling};
     writer out = {.depth = 1};
-    const char *entry = plain(a, write_trip_count(&loop, &out));
+    const char *entry = plain(a, write_trip_count(&loop, &out, "site"));
     printf("static redcc_int generated_%u(%s from, %s to, redcc_int *last) {\n", number,
            counter->spelling, bound->spelling);
     printf("%s    (void)from;\n    *last = redcc__final;\n    return %s ? redcc__trip : 0;\n}\n",
@@ -148,6 +148,8 @@ static void print_check(unsigned number, const struct type_row *counter,
 static const char head[] =
     "#include <stdio.h>\n"
     "#include <redcc/runtime.h>\n"
+    "#undef REDCC_IS_WORTH\n"
+    "#define REDCC_IS_WORTH(redcc_site, redcc_trip) ((redcc_trip) > 0)\n"
     "enum { LONGEST = 300 };\n"
     "static unsigned long compared, declined, wrong;\n"
     "/* around zero and around both ends of a type */\n"

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include "driver/files.h"
+#include "driver/linked_loops.h"
+#include "support/source.h"
 
 /* One run of the compiler whose messages are held back until it is known to count. */
 typedef struct attempt {
@@ -53,22 +55,24 @@ bool build_can_add_runtime(const session *s) {
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 
-/* The runtime and OpenMP, as needed: a program in which nothing was translated links as ever. */
-static void add_runtime(session *s, word_list *list) {
+/* The runtime, where something that is linked has loops for it: these refer to it weakly, by which
+ * a linker takes nothing. */
+static void add_runtime(session *s, word_list *list, bool has_loops) {
     arena *a = s->memory;
-    if (!build_can_add_runtime(s))
+    if (!build_can_add_runtime(s) || !(has_loops || loops_are_linked(s)))
         return;
+    const char *const library = s->tools.library;
     if (s->command.language)
         words_add(a, list, "-xnone");
-    words_add(a, list, "-Wl,--push-state,--as-needed");
-    words_add(a, list, s->tools.library);
-    size_t length = strlen(s->tools.library);
-    if (length > 3 && strcmp(s->tools.library + length - 3, ".so") == 0)
-        words_add(a, list, arena_format(a, "-Wl,-rpath,%s", path_folder(a, s->tools.library)));
-    const char *openmp = NULL;
-    if (s->real.is_clang && !s->show)
-        openmp = compiler_openmp(a, &s->real, s->folder);
-    words_add(a, list, openmp ? openmp : "-lgomp");
+    if (source_ends_with(library, ".so")) {
+        words_add(a, list, "-Wl,--push-state,--no-as-needed");
+        words_add(a, list, library);
+        words_add(a, list, "-Wl,--pop-state");
+        words_add(a, list, arena_format(a, "-Wl,-rpath,%s", path_folder(a, library)));
+        return;
+    }
+    words_add(a, list, "-Wl,-u,redcc_run,--push-state,--as-needed");
+    words_add(a, list, library);
     words_add(a, list, "-lpthread");
     words_add(a, list, "-lm");
     words_add(a, list, "-Wl,--pop-state");
@@ -77,12 +81,12 @@ static void add_runtime(session *s, word_list *list) {
 /* The command as it was given; a link gets the runtime, and where that does not work does without.
  */
 static _Noreturn void build_original(session *s) {
-    if (!build_can_add_runtime(s))
+    if (!build_can_add_runtime(s) || !loops_are_linked(s))
         session_become_compiler(s);
     word_list with_runtime = {0}, plain = {0};
     session_add_original(s, &with_runtime);
     add_colour(s, &with_runtime);
-    add_runtime(s, &with_runtime);
+    add_runtime(s, &with_runtime, true);
     attempt first = try_command(s, &with_runtime, s->input);
     if (first.status == 0 || was_interrupted(&first)) {
         show_attempt(s, &first);
@@ -111,7 +115,7 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
     }
     translation_add_after(s, list, t);
     add_colour(s, list);
-    add_runtime(s, list);
+    add_runtime(s, list, true);
 }
 
 /* Adds the compilation of one translated text by itself: to `object`, or (NULL) to where the
@@ -257,6 +261,13 @@ static _Noreturn void build_separately(session *s, const translation *translatio
     session_end(s, status);
 }
 
+static bool any_done(const bool *done, unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        if (done[i])
+            return true;
+    return false;
+}
+
 /* Links: the objects of the translated texts stand where their sources stood. */
 static _Noreturn void build_linked(session *s, const translation *translations, const bool *done,
                                    unsigned count) {
@@ -277,7 +288,7 @@ static _Noreturn void build_linked(session *s, const translation *translations, 
             words_add(a, &words, arena_format(a, "-x%s", one->language));
     }
     add_colour(s, &words);
-    add_runtime(s, &words);
+    add_runtime(s, &words, any_done(done, count));
     if (s->real.is_clang) /* options for what was compiled before */
         words_add(a, &words, "-Qunused-arguments");
     attempt made = try_command(s, &words, s->input);

@@ -152,18 +152,3 @@ compiler compiler_choose(arena *a, const char *self, unsigned count, char *const
 bool compiler_has_launcher(const compiler *c) {
     return c->bare.count < c->words.count;
 }
-
-const char *compiler_openmp(arena *a, const compiler *c, const char *scratch_folder) {
-    word_list ask = {0};
-    words_add_all(a, &ask, &c->bare);
-    words_add(a, &ask, c->is_clang ? "-print-file-name=libomp.so" : "-print-file-name=libgomp.so");
-    const char *answer = arena_format(a, "%s/openmp", scratch_folder);
-    remove(answer);
-    if (process_run(a, &ask, (process_streams){NULL, answer, "/dev/null"}) != 0)
-        return NULL;
-    char *text = file_read(a, answer, NULL);
-    if (!text || !strchr(text, '/'))
-        return NULL; /* the bare name comes back where the compiler has no such file */
-    text[strcspn(text, "\n")] = 0;
-    return text;
-}

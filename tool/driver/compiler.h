@@ -30,8 +30,4 @@ bool compiler_has_launcher(const compiler *c);
 /** Whether the program runs the compiler that is named after it (ccache, distcc). */
 bool compiler_is_launcher(const char *word);
 
-/** The compiler's OpenMP library, by its path; NULL where there is none (clang comes without). Asks
- *  the compiler; what it says passes through a file in `scratch_folder`. */
-const char *compiler_openmp(arena *a, const compiler *c, const char *scratch_folder);
-
 #endif

@@ -16,6 +16,7 @@
 #include "driver/build_report.h"
 #include "driver/cache.h"
 #include "driver/files.h"
+#include "driver/linked_loops.h"
 #include "driver/temporary.h"
 #include "html/html.h"
 
@@ -218,16 +219,13 @@ static void warn_of_missing_runtime(session *s) {
         return;
     for (unsigned i = 0; i < s->command.count; i++) {
         const item *one = &s->command.items[i];
-        size_t length = 0;
         if (strcmp(one->text, "-r") == 0)
             return; /* the object that it makes is linked later */
-        const char *bytes =
-            one->kind == INPUT_LINK ? file_read(s->memory, one->text, &length) : NULL;
-        if (bytes && memmem(bytes, length, "redcc_enter", 11)) {
+        if (one->kind == INPUT_LINK && has_loops(s, one->text)) {
             session_warn(
                 s,
-                "%s: has translated loops, and the command takes no library: add the runtime, "
-                "%s, and OpenMP's library",
+                "%s: has translated loops, and the command takes no library: they run sequentially "
+                "without the runtime, -Wl,-u,redcc_run %s",
                 one->text, s->tools.library ? s->tools.library : "libredcc_rt.a");
             return;
         }

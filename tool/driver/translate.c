@@ -12,7 +12,6 @@
 #include "driver/dependencies.h"
 #include "driver/files.h"
 #include "driver/identity.h"
-#include "driver/openmp.h"
 #include "driver/shared_text.h"
 
 static const char *environment(const char *name) {
@@ -137,16 +136,7 @@ static bool list_files(session *s, translation *t) {
     return is_listed;
 }
 
-/* gcc's -fopenmp defines _REENTRANT as -pthread does, and the source may ask for it. A -D of the
- * user's comes later. */
-static void add_thread_options(session *s, word_list *list) {
-    if (!s->real.is_clang && !(s->command.meaning & OPTION_THREADS))
-        words_add(s->memory, list, "-U_REENTRANT");
-}
-
 static void add_code_options(session *s, word_list *list) {
-    if (!(s->command.meaning & OPTION_OPENMP))
-        words_add(s->memory, list, "-fopenmp");
     if (!s->contracts)
         words_add(s->memory, list, "-ffp-contract=off");
 }
@@ -158,31 +148,6 @@ static word_list files_of(session *s, const translation *t) {
         if (!t->is_input || strcmp(t->read.items[i], "-") != 0)
             words_add(s->memory, &files, t->read.items[i]);
     return files;
-}
-
-/* A text without these words is the same with OpenMP: the preprocessor need not be asked. (A pragma
- * of OpenMP may be put together by the program's own _Pragma; glibc's are for warnings.) */
-static bool may_mention_openmp(session *s, const word_list *files) {
-    word_list own = {0};
-    for (unsigned i = 0; i < files->count; i++)
-        if (strncmp(files->items[i], "/usr/include/", 13) != 0)
-            words_add(s->memory, &own, files->items[i]);
-    return dependencies_mention(s->memory, files, "omp") ||
-           dependencies_mention(s->memory, files, "_OPENMP") ||
-           dependencies_mention(s->memory, &own, "_Pragma");
-}
-
-/* The compiler's OpenMP library, which was there when the compiler was asked, and is. */
-static const char *openmp_library(session *s, const translation *t) {
-    static const char about[] = "its OpenMP library";
-    const word_list none = {0};
-    const char *kept = cached_text(s, t->cached, about, &none);
-    if (kept && access(kept, F_OK) == 0)
-        return kept;
-    const char *path = compiler_openmp(s->memory, &s->real, t->folder);
-    if (path)
-        cached_keep_text(s, t->cached, about, &none, path);
-    return path;
 }
 
 /* An answer about the texts of the source and its headers, NULL or not, that is kept with them: to
@@ -203,12 +168,6 @@ static const char *kept_answer_of(session *s, const translation *t, const char *
  * by; NULL: nothing. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
-    const bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
-    if (openmp_is_off && may_mention_openmp(s, &files)) {
-        const char *why = openmp_would_change(s, t->source, t->folder);
-        if (why)
-            return why;
-    }
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
         return "it uses __BASE_FILE__, which would name a temporary";
     return NULL;
@@ -235,8 +194,6 @@ static const char *obstacle(session *s, translation *t) {
         return NULL;
     if (strchr(t->text, '=')) /* a prefix map would part at it */
         return "its name, or that of the temporary folder, holds a '='";
-    if (!openmp_library(s, t))
-        return "the compiler has no OpenMP library";
     const char *precompiled = precompiled_header(s, t);
     if (precompiled)
         return arena_format(s->memory, "a precompiled header, %s, is for other options",
@@ -251,7 +208,6 @@ static const char *list_predefined(session *s, const translation *t) {
     const char *list = temporary(s, t, "predefined");
     word_list words = {0};
     words_add_all(a, &words, &s->real.bare);
-    add_thread_options(s, &words);
     command_add_options(a, &words, &s->command,
                         OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
                             OPTION_MACROS);
@@ -409,7 +365,6 @@ static void add_placement(session *s, word_list *list) {
 }
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
-    add_thread_options(s, list);
     add_placement(s, list);
     if (t->is_input)
         return; /* compiled as standard input again: headers are looked for where they were */

@@ -18,8 +18,7 @@ typedef struct translation {
 } translation;
 
 /** Translates `source`, the command's C input number `number`. text is set only where something was
- *  transformed and what was transformed can be compiled: the runtime and the compiler's OpenMP are
- *  there, and -fopenmp would not wake OpenMP pragmas that the user leaves asleep. */
+ *  transformed and what was transformed can be compiled: the runtime is there. */
 translation translate(session *s, const item *source, unsigned number);
 
 /** Adds the options that the translated text must be compiled with, to stand before and after the

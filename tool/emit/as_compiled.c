@@ -82,8 +82,18 @@ static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
     buffer_byte(out, '\n');
 }
 
+/** From the function's beginning: what stands in front of it is as compiled as the loop. */
+static ir_range looked_at(const loop_text *loop) {
+    return (ir_range){loop->facts->function->range.begin, loop->facts->loop->range.end};
+}
+
 bool has_branches(const loop_text *loop) {
-    return loop->whole != loop->unit && loop_text_has_branches(loop->whole, loop->facts->loop);
+    const ir_range text = looked_at(loop);
+    for (unsigned i = loop_text_first_directive(loop->whole, text.begin);
+         i < loop->whole->directive_count && loop->whole->directives[i].range.begin < text.end; i++)
+        if (directive_is_conditional(&loop->whole->directives[i]))
+            return true;
+    return false;
 }
 
 /** Of each group of directives those up to the branch that is compiled, one within the other; what
@@ -92,7 +102,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;
     const ir_unit *whole = loop->whole;
-    const ir_range text = {loop_text_begin(whole, loop->facts->loop), loop->facts->loop->range.end};
+    const ir_range text = looked_at(loop);
     unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
     bool is_decided = true;           /* of the group that is looked at, a branch is compiled */
     const ir_directive *before = NULL;

@@ -7,8 +7,8 @@
 #include "emit/base/loop.h"
 
 /** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
- * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
-const char *write_trip_count(loop_text *loop, writer *out);
+ * must hold for the parallel form to be entered; `site` is the loop's. */
+const char *write_trip_count(loop_text *loop, writer *out, const char *site);
 
 /** describe.c: the static objects that describe the loop; the key of one execution. */
 void write_description(loop_text *loop, writer *out);

@@ -2,11 +2,13 @@
 /** The loop as the runtime sees it: static descriptions, and the key of one execution. */
 #include <assert.h>
 
+#include "emit/base/names.h"
 #include "emit/bins/bins.h"
 #include "emit/call.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "plan/execution.h"
+#include "plan/lookup.h"
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {
@@ -69,7 +71,7 @@ static const char *unit_text(loop_text *loop, unsigned number) {
 
 static void write_arrays(loop_text *loop, writer *out) {
     writer_fill(out, true);
-    writer_line(out, "static const redcc_array redcc__arrays[] =");
+    writer_line(out, "static const redcc_array %s[] =", outlined_name(loop, "arrays"));
     const unsigned count = loop->facts->array_count;
     for (unsigned i = 0; i < count; i++) {
         const reduction_array *array = &loop->facts->arrays[i];
@@ -87,7 +89,7 @@ static void write_sources(loop_text *loop, writer *out) {
     if (loop->plan->source_count == 0)
         return;
     writer_fill(out, true);
-    writer_line(out, "static const redcc_source redcc__sources[] =");
+    writer_line(out, "static const redcc_source %s[] =", outlined_name(loop, "sources"));
     for (unsigned i = 0; i < loop->plan->source_count; i++)
         writer_line(out, "    %s{%s, %d}%s", i == 0 ? "{" : "",
                     text_quoted(loop->arena, loop->plan->sources[i].fact->name),
@@ -137,7 +139,7 @@ void fill_key(loop_text *loop, writer *out) {
 }
 
 static const char *flags_text(const loop_text *loop) {
-    const bool prefetches = loop->outline.done && loop->plan->prefetch.ahead > 0;
+    const bool prefetches = loop->plan->prefetch.ahead > 0;
     const struct {
         bool is_set;
         const char *name;
@@ -147,10 +149,11 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->plan->execution.needs_every_iteration, "REDCC_EVERY_ITERATION"},
                  {loop->plan->precheck != PRECHECK_NONE, "REDCC_DRY_RUN"},
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
-                 {loop->outline.done, "REDCC_SELECTS"},
+                 {!leaves_values(loop->facts), "REDCC_SELECTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
+                 {loop->facts->has_short_iterations, "REDCC_SHORT"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
@@ -167,16 +170,15 @@ static void write_loop_object(loop_text *loop, writer *out) {
     _Static_assert(sizeof orders / sizeof *orders == ORDER_ANY + 1, "all orders");
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_fill(out, true);
-    writer_line(out, "static redcc_%s redcc__loop =", loop->bins ? "binned" : "loop");
-    writer_line(out, "    %s{__FILE__, %u, %s, %s, %s,", loop->bins ? "{" : "", place.line,
+    writer_line(out, "static redcc_site %s =", outlined_name(loop, "site"));
+    writer_line(out, "    {{{__FILE__, %u, %s, %s, %s,", place.line,
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
-    const char *streams =
-        loop->bins ? arena_format(loop->arena, "}, %u, redcc__streams", bins_stream_count(loop))
-                   : "";
-    writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0%s};", loop->facts->array_count,
-                loop->plan->source_count, loop->plan->source_count > 0 ? "redcc__sources" : "0",
-                loop->plan->execution.key_count, streams);
+    writer_line(out, "    %u, %s, %u, %s, %u, 0}, %u, %s}, 0};", loop->facts->array_count,
+                outlined_name(loop, "arrays"), loop->plan->source_count,
+                loop->plan->source_count > 0 ? outlined_name(loop, "sources") : "0",
+                loop->plan->execution.key_count, loop->bins ? bins_stream_count(loop) : 0,
+                loop->bins ? outlined_name(loop, "streams") : "0");
     writer_fill(out, false);
 }
 

@@ -29,21 +29,24 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where,
                            const plan_options *options) {
     const unsigned lanes = options->lanes;
     const char *width = lanes > 1 ? arena_format(a, "#define REDCC_ONLY_WIDTH %u\n", lanes) : "";
-    const char *vectors =
-        lanes ? arena_format(a, "#ifdef _OPENMP\n%s#include <redcc/lanes.h>\n#endif\n", width) : "";
+    const char *vectors = lanes ? arena_format(a,
+                                               "#ifdef REDCC_RUNTIME_H\n%s"
+                                               "#include <redcc/lanes.h>\n#endif\n",
+                                               width)
+                                : "";
     return arena_format(
         a,
-        "#ifdef _OPENMP\n"
-        "#include <redcc/runtime.h>\n"
-        "REDCC_REQUIRE_VERSION(1);\n"
-        "%s"
-        "#else\n"
-        "#define REDCC_SEQUENTIAL_DONE\n"
-        "%s"
-        "#endif\n"
-        "%s%s"
-        "#line 1 %s\n",
-        options->linked ? "static int redcc__linked(void);\n" : "",
+        REDCC_BEGINNING "REDCC_REQUIRE_VERSION(1);\n"
+                        "%s"
+                        "#endif\n"
+                        "#endif\n"
+                        "#ifndef REDCC_RUNTIME_H\n"
+                        "#define REDCC_OVER(redcc_site)\n"
+                        "%s"
+                        "#endif\n"
+                        "%s%s"
+                        "#line 1 %s\n",
+        options->linked ? "static const redcc_linkage *redcc__linked(void);\n" : "",
         where == CONTRACTION_OFF_IN_LOOPS ? "#define REDCC_UNFUSED\n" : "",
         where == CONTRACTION_OFF_IN_FILE ? contraction_directives(a, unit, lanes > 0) : "", vectors,
         text_quoted(a, ir_position_of(unit, 0).file));
@@ -105,6 +108,13 @@ static const ir_type *missing_type(const ir_unit *unit, const ir_function *funct
 
 /* ---- in front of a function ---------------------------------------------------------------- */
 
+static bool names_function(const ir_unit *unit, const ir_declared *declared) {
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->declared == declared)
+            return true;
+    return false;
+}
+
 /** Is it declared outside of all functions, before `place`? */
 static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32_t place) {
     if (!declared)
@@ -114,6 +124,8 @@ static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_function *function = unit->functions[i];
         const uint32_t end = function->body ? function->body->range.end : function->range.end;
+        if (!function->body && names_function(unit, declared))
+            continue; /* `int f(void), g(void);` */
         if (function->is_in_main_file && function->declared != declared &&
             declared->offset >= function->range.begin && declared->offset < end)
             return false;
@@ -194,21 +206,16 @@ static bool add_loop(const loop_text *start, const loop_verdict *verdict, unsign
     const ir_unit *unit = start->unit;
     const plan_options *options = start->options;
     const unsigned left = options->leave ? options->leave[number] : 0;
-    loop_form form = left >= (options->lanes ? 2 : 1)  ? FORM_IN_PLACE
-                     : options->lanes > 0 && left == 0 ? FORM_LANES
-                                                       : FORM_BINNED;
+    loop_form form = options->lanes > 0 && left == 0 ? FORM_LANES : FORM_BINNED;
     loop_piece front = {0}, block = {0};
-    written_loop moved = {0};
-    for (;; form++) {
-        front.text = NULL;
-        if (!write_loop(*start, &form, &front, &block, why))
-            return false;
-        if (!front.text)
-            break;
-        moved = unmark(a, unit, &front, number);
-        moved.copied = verdict->facts->counted.body->range;
-        if (all_is_known(unit, &moved))
-            break;
+    if (!write_loop(*start, &form, &front, &block, why))
+        return false;
+    written_loop moved = unmark(a, unit, &front, number);
+    moved.copied = verdict->facts->counted.body->range;
+    if (!all_is_known(unit, &moved)) {
+        *why = (reason){.message = "it names something that is declared in its function",
+                        .range = verdict->loop->range};
+        return false;
     }
     written_loop loop = unmark(a, unit, &block, number);
     if (overlaps_another(loops, loop.replaced)) {
@@ -223,9 +230,8 @@ static bool add_loop(const loop_text *start, const loop_verdict *verdict, unsign
         *why = (reason){.message = message, .range = verdict->loop->range};
         return false;
     }
-    loop.is_moved = moved.is_moved = front.text != NULL;
-    if (front.text)
-        insert(a, loops, moved);
+    loop.has_lanes = moved.has_lanes = form == FORM_LANES;
+    insert(a, loops, moved);
     insert(a, loops, loop);
     return true;
 }
@@ -271,7 +277,7 @@ static void join(arena *a, const ir_unit *unit, contraction where, const plan_op
     assert(copied <= s->length);
     buffer_append(&out, s->text + copied, s->length - copied);
     if (options->linked)
-        buffer_format(&out, "\n#ifdef _OPENMP\n%s#endif\n", options->linked);
+        buffer_format(&out, "\n#ifdef REDCC_RUNTIME_H\n%s#endif\n", options->linked);
     result->text = arena_copy(a, out.data, out.length);
     result->length = out.length;
     buffer_free(&out);

@@ -11,10 +11,16 @@
 #include "plan/lane_reason.h"
 #include "plan/options.h"
 
+/** What each text begins with. */
+#define REDCC_BEGINNING                                                                            \
+    "#if !defined(REDCC_OFF) && defined(__has_include)\n"                                          \
+    "#if __has_include(<redcc/runtime.h>)\n"                                                       \
+    "#include <redcc/runtime.h>\n"
+
 /** A loop as it was written, or what of it stands in front of its function. */
 typedef struct written_loop {
     unsigned verdict;    /* which */
-    bool is_moved;       /* part of it stands in front of the function */
+    bool has_lanes;      /* it may be written without */
     ir_range replaced;   /* bytes of the input */
     uint32_t begin, end; /* bytes of the result that stand for them: */
     const char *text;    /* these */

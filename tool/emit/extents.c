@@ -2,6 +2,7 @@
 /** Where things lie that the loop reads, as far as that is known before the inspection. */
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
+#include "emit/base/names.h"
 #include "emit/base/wrapping.h"
 #include "emit/call.h"
 #include "emit/text/origin.h"
@@ -60,7 +61,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
                         is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
         } else if (fact->extent == EXTENT_TOUCHED && !fact->base) {
             /* moves with nothing, as this object does not */
-            writer_line(out, "redcc__known[%u].first = (const char *)&redcc__loop;", i);
+            writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
+                        outlined_name(loop, "site"));
         }
     }
 }
@@ -200,8 +202,8 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
     writer_line(out, "redcc_int redcc__to = %s;", descends ? "redcc__lower" : last);
     for (unsigned i = 0; i < fact->limit_count; i++)
         write_limit(loop, out, &fact->limits[i]);
-    writer_line(out, "redcc__known[%u].first = redcc__known[%u].end = (const char *)&redcc__loop;",
-                number, number);
+    writer_line(out, "redcc__known[%u].first = redcc__known[%u].end = (const char *)&%s;", number,
+                number, outlined_name(loop, "site"));
     writer_line(out, "if (redcc__from <= redcc__to)");
     writer_line(out, "    redcc_exact_extent(&redcc__known[%u], %s,", number,
                 exact_address(loop, &address, "redcc__from"));

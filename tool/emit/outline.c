@@ -9,8 +9,12 @@
 #include "emit/base/names.h"
 #include "emit/bins/bins.h"
 #include "emit/body/body.h"
+#include "emit/body/series.h"
+#include "emit/call.h"
+#include "emit/context.h"
 #include "emit/lanes/lanes.h"
 #include "emit/macro_names.h"
+#include "emit/region.h"
 #include "emit/slice/slice.h"
 #include "emit/text/origin.h"
 #include "emit/write_loop.h"
@@ -19,21 +23,17 @@
 #include "plan/outline.h"
 #include "plan/place.h"
 
-/* ---- what is handed over ------------------------------------------------------------------- */
-
-static const char *parameter_text(loop_text *loop, const ir_variable *variable) {
-    const char *name = origin_declarator(loop->arena, variable);
-    if (variable->type->kind == IR_ARRAY)
-        return declaration_text(loop, variable->type->target,
-                                arena_format(loop->arena, "*%s", name));
-    return declaration_text(loop, variable->type, name);
-}
-
 /* ---- heads and calls ----------------------------------------------------------------------- */
 
 /** Marks each variable that the user's body mentions, what is replaced in it left out. */
 static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_mentioned) {
     const int array = loop_array_of_base(loop->facts, node);
+    const int scalar = scalar_update_at(loop->facts, node);
+    if (scalar >= 0) {
+        if (loop->facts->scalars[scalar].value)
+            mark_mentioned(loop, loop->facts->scalars[scalar].value, is_mentioned);
+        return;
+    }
     if (node == body_increment(loop->facts))
         return;
     if (array >= 0 && !loop->arrays[array].is_shadowed)
@@ -46,8 +46,22 @@ static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_
         mark_mentioned(loop, node->children[i], is_mentioned);
 }
 
+static void mark_variables(const ir_node *node, bool *is_mentioned) {
+    if (node->kind == IR_VARIABLE)
+        is_mentioned[node->variable->id] = true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        mark_variables(node->children[i], is_mentioned);
+}
+
+/** What a scalar of a series is reached by, where a thread reads it in the end. */
+static void mark_series(const loop_text *loop, bool *is_mentioned) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_series && !is_kept_scalar(loop, i))
+            mark_variables(loop->facts->scalars[i].target, is_mentioned);
+}
+
 static const char *counter_parameter(loop_text *loop, bool is_used) {
-    return arena_format(loop->arena, "%s%s", parameter_text(loop, loop->facts->counted.counter),
+    return arena_format(loop->arena, "%s%s", handed_declaration(loop, loop->facts->counted.counter),
                         is_used ? "" : " __attribute__((__unused__))");
 }
 
@@ -60,12 +74,42 @@ static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_bod
         const ir_variable *variable = loop->unit->variables[i];
         const handing how =
             is_mentioned[i] ? handing_of(loop->plan, variable, of_body) : NOT_HANDED;
-        loop->outline.possible &= how != CANNOT_BE_HANDED;
-        if (how != HANDED)
+        if (how == CANNOT_BE_HANDED)
+            loop_obstacle(loop, loop->facts->loop->range,
+                          "'%s' cannot be handed to a function in front of the one that it stands "
+                          "in",
+                          variable->name);
+        if (how == NOT_HANDED || how == CANNOT_BE_HANDED)
             continue;
-        buffer_format(&h->parameters, ", %s", parameter_text(loop, variable));
-        buffer_format(&h->arguments, ", %s", origin_variable(loop->arena, variable));
+        loop->outline.is_handed[i] = true;
+        buffer_format(&h->parameters, ", %s", handed_declaration(loop, variable));
+        buffer_format(&h->arguments, ", %s", handed_argument(loop, variable));
     }
+}
+
+/** Which variables are known by their addresses, before anything is written. */
+static void name_pointed(loop_text *loop) {
+    loop->outline.by_address =
+        ARENA_ARRAY(loop->arena, const char *, loop->unit->variable_count + 1);
+    bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    mark_variables(loop->facts->counted.body, is_mentioned);
+    for (unsigned i = 0; i < loop->unit->variable_count; i++) {
+        const ir_variable *variable = loop->unit->variables[i];
+        if (is_mentioned[i] && handing_of(loop->plan, variable, false) == HANDED_BY_ADDRESS)
+            loop->outline.by_address[i] =
+                arena_format(loop->arena, "(*%s)", pointer_name(loop, variable));
+    }
+}
+
+static void add_extra(const extra_value *value, void *context) {
+    head *h = context;
+    buffer_format(&h->parameters, ", %s", value->declaration);
+    buffer_format(&h->arguments, ", %s", value->name);
+}
+
+/** A text of the translator's own, and of the user's, that is kept to find names in it. */
+static void remember_text(loop_text *loop, const char *text) {
+    loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
 
 static void add_stand_ins(loop_text *loop, head *h) {
@@ -79,7 +123,10 @@ static void add_stand_ins(loop_text *loop, head *h) {
             continue;
         }
         const char *name = arena_format(loop->arena, "*%s", array->declarator);
-        buffer_format(&h->parameters, ", %s", declaration_text(loop, row, name));
+        if (row->spelling)
+            buffer_format(&h->parameters, ", %s", declaration_text(loop, row, name));
+        else
+            buffer_format(&h->parameters, ", void *const redcc__start_%u", i);
         buffer_format(&h->arguments, ", redcc__base_%u", i);
     }
 }
@@ -90,8 +137,11 @@ static void write_slice(loop_text *loop, writer *out) {
     writer statements = {.depth = 1};
     head h = {0};
     write_slice_statements(loop, &statements, is_mentioned);
+    const char *text = writer_text(loop->arena, &statements);
     const bool is_used = is_mentioned[facts->counted.counter->id];
     add_variables(loop, is_mentioned, false, &h);
+    for_each_extra(loop, text, add_extra, &h);
+    remember_text(loop, text);
     loop->outline.slice_call =
         arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
                      loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
@@ -99,10 +149,26 @@ static void write_slice(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
                 outlined_name(loop, "slice"), counter_parameter(loop, is_used),
                 buffer_take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
-    if (statements.out.length > 0)
-        buffer_shorten(&statements.out, 1); /* the line goes on */
-    buffer_text(&out->out, writer_text(loop->arena, &statements));
-    writer_line(out, " }");
+    buffer_text(&out->out, text);
+    writer_line(out, "}");
+}
+
+static bool names_by_address(const loop_text *loop) {
+    for (unsigned i = 0; i < loop->unit->variable_count; i++)
+        if (loop->outline.by_address[i])
+            return true;
+    return false;
+}
+
+/** Of elements whose type has no name. */
+static void declare_stand_ins(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->array_count; i++) {
+        const ir_type *row = loop->facts->arrays[i].base->type->target;
+        if (loop->arrays[i].local && row && !row->spelling)
+            writer_line(out, "__typeof__(&%s[0]) %s = redcc__start_%u;",
+                        loop_operand(loop, loop->facts->arrays[i].base), loop->arrays[i].declarator,
+                        i);
+    }
 }
 
 static void write_body(loop_text *loop, writer *out) {
@@ -111,8 +177,19 @@ static void write_body(loop_text *loop, writer *out) {
     head h = {0};
     mark_mentioned(loop, facts->counted.body, is_mentioned);
     loop->outline.possible &= !is_mentioned[loop->unit->variable_count];
-    add_stand_ins(loop, &h);
+    mark_series(loop, is_mentioned);
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (loop->arrays[i].local && facts->arrays[i].base->type->target &&
+            !facts->arrays[i].base->type->target->spelling)
+            mark_variables(facts->arrays[i].base, is_mentioned); /* its type is said by it */
     add_variables(loop, is_mentioned, true, &h);
+    add_stand_ins(loop, &h);
+    writer iteration = {.depth = 1};
+    declare_stand_ins(loop, &iteration);
+    write_iteration(loop, &iteration);
+    const char *text = writer_text(loop->arena, &iteration);
+    for_each_extra(loop, text, add_extra, &h);
+    remember_text(loop, text);
     const unsigned count = facts->array_count;
     const char *kind = loop->bins ? "BINNED" : "BODY";
     loop->outline.body_arguments = buffer_take(loop->arena, &h.arguments);
@@ -123,43 +200,67 @@ static void write_body(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s", outlined_name(loop, "body"),
                 kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->outline.body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
-    out->depth = 1;
-    write_iteration(loop, out);
-    out->depth = 0;
-    writer_line(out, loop->lanes.is_wanted ? "}" : "} REDCC_QUIET_END");
-    write_lanes(loop, out);
-    if (loop->lanes.is_wanted)
-        writer_line(out, "REDCC_QUIET_END");
+    buffer_text(&out->out, text);
+    writer_line(out, "}");
+    if (!names_by_address(loop))
+        write_lanes(loop, out);
+}
+
+/** What each thread does: it takes the context, inspects and executes. */
+static void write_member(loop_text *loop, writer *out) {
+    writer_line(out, "REDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {", outlined_name(loop, "member"));
+    out->depth++;
+    if (loop->plan->prefetch.ahead > 0)
+        writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
+    take_context(loop, out);
+    write_region(loop, out);
+    out->depth--;
+    writer_line(out, "}");
+}
+
+/** All that stands in front of the function: what is written last names what is declared first. */
+static void write_parts(loop_text *loop, writer *out) {
+    writer parts = {0}, last = {0};
+    write_slice(loop, &parts);
+    write_body(loop, &parts);
+    remember_text(loop, loop_counter_value(loop));
+    write_thread_end(loop, &last);
+    remember_text(loop, writer_text(loop->arena, &last));
+    declare_inlined(loop, out);
+    if (loop->bins)
+        write_bins(loop, out);
+    write_description(loop, out);
+    write_context(loop, out);
+    buffer_text(&out->out, writer_text(loop->arena, &parts));
+    write_member(loop, out);
 }
 
 const char *write_outlined(loop_text *loop, uint32_t *place) {
     const loop_facts *facts = loop->facts;
-    loop->outline.possible = !loop->plan->no_functions;
-    if (!loop->outline.possible)
-        return NULL;
+    loop->outline.possible = true;
     writer out = {0};
     const bool is_in_line = place_in_front(loop->unit, facts->function, place);
     buffer_text(&out.out, is_in_line ? "\n" : "");
-    loop->outline.done = true;
+    loop->outline.is_handed = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    loop->outline.text = "";
+    name_pointed(loop);
     begin_as_compiled(loop, &out.out);
     buffer_text(&out.out, loop_condition(loop));
-    writer_fill(&out, true);
     writer_line(&out, "/* redcc: what an iteration of line %u's loop touches, and what it does */",
                 ir_position_of(loop->unit, facts->loop->range.begin).line);
     writer_line(&out, "REDCC_QUIET_BEGIN");
-    declare_inlined(loop, &out);
-    if (loop->bins)
-        write_bins(loop, &out);
-    writer_fill(&out, false);
-    write_slice(loop, &out);
-    write_body(loop, &out);
-    loop->outline.done = loop->outline.possible && !loop->obstacle;
+    write_parts(loop, &out);
+    writer_line(&out, "REDCC_QUIET_END");
     buffer_text(&out.out, "#endif\n");
     end_as_compiled(loop, &out.out);
     if (!loop->is_unfused) /* else the function's own piece says it */
-        buffer_format(&out.out, "%s\n%s", loop_line_directive(loop, facts->function->range.begin),
+        buffer_format(&out.out, "%s\n%s", loop_line_directive(loop, *place),
                       is_in_line ? loop_column_blanks(loop, *place) : "");
     check_macro_names(loop, &out.out);
     const char *text = writer_text(loop->arena, &out);
-    return loop->outline.done ? text : NULL;
+    if (!loop->outline.possible)
+        loop_obstacle(loop, facts->loop->range,
+                      "its slice or its body names something that cannot be handed to a function "
+                      "in front of the one that it stands in");
+    return loop->obstacle ? NULL : text;
 }

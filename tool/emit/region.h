@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The parallel region. */
+/** What a thread does that executes a part of the loop. */
 #ifndef EMIT_REGION_H
 #define EMIT_REGION_H
 
 #include "emit/base/loop.h"
 
-/** region.c: `#pragma omp parallel` and what stands in it. */
+/** It inspects its iterations, then executes what it is handed. */
 void write_region(loop_text *loop, writer *out);
-
-/** Copies of thread-local scalars: before the region, or in it, under their own names. */
-void write_thread_local_copies(loop_text *loop, writer *out, bool in_region);
+/** What it does after that. */
+void write_thread_end(loop_text *loop, writer *out);
 
 #endif

@@ -224,7 +224,7 @@ static void write_count(loop_text *loop, writer *out, const header *h, const cha
                 count);
 }
 
-const char *write_trip_count(loop_text *loop, writer *out) {
+const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     const header h = header_of(loop->arena, &loop->facts->counted);
     conditions ends = {0};
     require_of_ends(&ends, &h);
@@ -244,9 +244,8 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     buffer_free(&ends.text);
 
     conditions entry = {0};
-    require(&entry, "redcc__trip > 0");
-    if (loop->facts->has_short_iterations)
-        require(&entry, "redcc_is_worth_entering(redcc__trip)");
+    require(&entry, "REDCC_IS_WORTH%s(%s, redcc__trip)",
+            loop->facts->has_short_iterations ? "_LIGHT" : "", site);
     const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
     if (counts_up)

@@ -13,41 +13,37 @@
 #include "emit/body/live_out.h"
 #include "emit/body/scalars.h"
 #include "emit/call.h"
+#include "emit/context.h"
 #include "emit/distribution.h"
 #include "emit/macro_names.h"
 #include "emit/outline.h"
-#include "emit/region.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
 static void write_execution(loop_text *loop, writer *out) {
-    writer_line(out, "if (REDCC_ENTER(%s))%s", loop->plan->source_count > 0 ? "redcc__known" : "0",
-                loop->outline.done ? "" : " {");
-    if (!loop->outline.done)
-        writer_fill(out, false);
-    write_region(loop, out);
-    if (!loop->outline.done) {
-        writer_fill(out, true);
-        writer_line(out, "}");
-    }
-    writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
+    fill_context(loop, out);
+    writer_line(out, "redcc__done = REDCC_EXECUTED(%s, %s);", outlined_name(loop, "site"),
+                outlined_name(loop, "member"));
     write_distributed_stores(loop, out);
 }
 
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->plan->source_count,
-                loop->plan->execution.key_count);
-    if (loop->outline.done && loop->plan->prefetch.ahead > 0)
+    writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
+                facts->array_count, loop->plan->source_count, loop->plan->execution.key_count);
+    if (loop->plan->prefetch.ahead > 0)
         writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
+    if (loop->options->linked)
+        writer_line(out, "redcc__attempt.linkage = redcc__linked();");
     declare_extents(loop, out);
     declare_operands(loop, out);
+    if (loop->plan->prefetch.ahead > 0)
+        writer_line(out, "REDCC_NO_PROGRESSIONS;");
     write_starts(loop, out);
     declare_entry_values(loop, out, false);
-    write_thread_local_copies(loop, out, false);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
             writer_line(out, "redcc__bases[%u] = 0;", i);
@@ -56,15 +52,13 @@ static void write_attempt(loop_text *loop, writer *out) {
                         macro_argument(loop->arena, loop_operand(loop, facts->arrays[i].base)));
     fill_key(loop, out);
     fill_extents(loop, out);
-    const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
-    const bool is_conditional = memory || known;
-    if (is_conditional) {
-        writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
-                    memory ? memory : "");
+    const char *known = extents_are_known(loop);
+    if (known) {
+        writer_line(out, "if (%s) {", known);
         out->depth++;
     }
     write_execution(loop, out);
-    if (is_conditional) {
+    if (known) {
         out->depth--;
         writer_line(out, "}");
     }
@@ -79,7 +73,7 @@ static void write_outcome(loop_text *loop, writer *out) {
     if (counter_outlives(facts))
         writer_line(out, "%s = (%s)redcc__final;",
                     origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
-    write_live_outs(loop, out, true);
+    take_live_outs(loop, out);
     write_stepped_values(loop, out);
     take_conditional_live_outs(loop, out);
     out->depth--;
@@ -102,8 +96,8 @@ static const char *heading(loop_text *loop) {
 const char *loop_condition(const loop_text *loop) {
     const bool has_branch = has_branches(loop), rounds = loop->facts->slice.has_floating_work;
     if (!has_branch && !rounds)
-        return "#ifdef _OPENMP\n";
-    return arena_format(loop->arena, "#if defined(_OPENMP)%s%s\n",
+        return "#ifdef REDCC_RUNTIME_H\n";
+    return arena_format(loop->arena, "#if defined(REDCC_RUNTIME_H)%s%s\n",
                         has_branch ? " && defined(redcc__as_compiled)" : "",
                         rounds ? " && REDCC_ROUNDS_ALIKE" : "");
 }
@@ -139,24 +133,13 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     open_block(loop, out);
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
-    const char *unfused = loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "";
-    if (!loop->outline.done) {
-        writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
-        declare_inlined(loop, out);
-    }
-    writer_fill(out, true);
-    if (loop->outline.done)
-        writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
-    write_description(loop, out);
-    const char *entry = write_trip_count(loop, out);
+    writer_line(out, "%sREDCC_QUIET_BEGIN", loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "");
+    const char *entry = write_trip_count(loop, out, outlined_name(loop, "site"));
     declare_entry_values(loop, out, true);
     declare_live_outs(loop, out);
-    declare_conditional_live_outs(loop, out, false);
+    declare_conditional_live_outs(loop, out);
     writer_line(out, "int redcc__done = 0;");
-    writer_line(out, "if (%s%s) {", entry,
-                loop->options->linked
-                    ? " && (redcc__linked() || redcc_is_unlinked(REDCC_DESCRIPTOR))"
-                    : "");
+    writer_line(out, "if (%s) {", entry);
     out->depth++;
     write_attempt(loop, out);
     out->depth--;
@@ -165,7 +148,6 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
-    writer_fill(out, false);
     buffer_text(&out->out, "#endif\n");
 }
 
@@ -179,19 +161,20 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
 /** After the loop: how long it took is of use the next time. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
     const bool may_be_alone = loop->facts->slice.has_floating_work; /* with nothing to be timed */
+    const char *site = outlined_name(loop, "site");
     if (!may_be_alone && !has_branches(loop)) {
-        buffer_text(&out->out, " REDCC_SEQUENTIAL_DONE }");
+        buffer_format(&out->out, " REDCC_OVER(%s) }", site);
         return;
     }
     buffer_byte(&out->out, '\n');
     if (may_be_alone) {
         buffer_text(&out->out, loop_condition(loop));
-        writer_line(out, "redcc_sequential_done(REDCC_DESCRIPTOR);");
+        writer_line(out, "REDCC_OVER(%s)", site);
         buffer_text(&out->out, "#endif\n");
     }
     if (has_branches(loop)) {
         buffer_format(&out->out, "#ifdef redcc__as_compiled\n%s }\n#endif\n",
-                      may_be_alone ? "" : "REDCC_SEQUENTIAL_DONE");
+                      may_be_alone ? "" : arena_format(loop->arena, "REDCC_OVER(%s)", site));
         end_as_compiled(loop, &out->out);
         buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.end),
                       loop_column_blanks(loop, range.end));
@@ -203,18 +186,19 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
 
 /** Sets the outcome, as far as the plan knows it. */
 static bool may_have_lanes(const loop_text *loop) {
-    const lane_reason why = loop->plan->no_lanes;
+    const lane_reason why = leaves_values(loop->facts) && loop->plan->no_lanes == LANES_WRITTEN
+                                ? NO_LANES_PLACE
+                                : loop->plan->no_lanes;
     *loop->lanes.outcome = (lanes_outcome){why, loop->facts->loop->range};
     return why == LANES_WRITTEN;
 }
 
 /** What goes in front of the function, in the first form from *form on that is possible. */
 static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
-    for (; !loop->obstacle && *form != FORM_IN_PLACE; (*form)++) {
+    for (;; (*form)++) {
         loop->lanes =
             (lanes_text){.is_wanted = *form == FORM_LANES, .outcome = loop->lanes.outcome};
         loop->bins = NULL;
-        loop->outline.done = false;
         if (*form == FORM_LANES && !may_have_lanes(loop))
             continue;
         if (*form == FORM_BINNED)
@@ -223,9 +207,8 @@ static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
             continue;
         front->text = write_outlined(loop, &front->replaced.begin);
         front->replaced.end = front->replaced.begin;
-        if (front->text && (*form != FORM_LANES || loop->lanes.name))
+        if ((front->text && (*form != FORM_LANES || loop->lanes.name)) || *form == FORM_SHORT)
             break;
-        front->text = NULL;
         loop->obstacle = NULL; /* perhaps there is none in the next form */
     }
     lanes_outcome *outcome = loop->lanes.outcome;
@@ -240,6 +223,11 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     distributed_take_out(loop.facts->distribution);
     name_things(&loop);
     write_front(&loop, form, front);
+    if (!front->text) {
+        distributed_put_back(loop.facts->distribution);
+        *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
+        return false;
+    }
     block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
                                  syntax_statement_end(loop.unit->source, whole)};
     assert(block->replaced.begin <= whole->range.begin && whole->range.end <= block->replaced.end);

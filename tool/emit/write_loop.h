@@ -11,13 +11,12 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** With slice and body in front of the function: with a body for several iterations at once as
- * well, with a form for bins, with neither; and in place. Each is tried where the one before is not
- *  possible. */
-typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } loop_form;
+/** With a body for several iterations at once, with a form for bins, with neither: each is tried
+ *  where the one before is not possible. */
+typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT } loop_form;
 
 /** loop.c: the block of a loop of which arena, unit, facts, options and is_unfused are set, and
- * what goes in front of the function (in place: nothing does); sets *form to what was possible.
+ * what goes in front of the function; sets *form to what was possible.
  * False, with the obstacle in *why: it cannot be written. */
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 

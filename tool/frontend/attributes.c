@@ -75,17 +75,15 @@ bool is_under_may_alias(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* Is the attribute a harmless one, spelled where it stands? What a macro makes of a name may be
- * another. */
+/* Is the attribute a harmless one, as it is spelled in the end, in a macro's definition perhaps? */
 static bool is_harmless(CXCursor attribute) {
-    CXFile file, spelling_file;
-    unsigned offset, spelling_offset;
+    CXFile file;
+    unsigned offset;
     size_t size = 0, length = 0;
     const CXSourceLocation begin = clang_getRangeStart(clang_getCursorExtent(attribute));
-    clang_getExpansionLocation(begin, &file, NULL, NULL, &offset);
-    clang_getSpellingLocation(begin, &spelling_file, NULL, NULL, &spelling_offset);
-    if (file == NULL || !clang_File_isEqual(file, spelling_file) || offset != spelling_offset)
-        return false;
+    clang_getSpellingLocation(begin, &file, NULL, NULL, &offset);
+    if (file == NULL)
+        return false; /* put together from pieces */
     CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
     const char *text = clang_getFileContents(unit, file, &size);
     while (text != NULL && offset + length < size && is_word_byte(text[offset + length]))

@@ -89,9 +89,9 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
 
 /** gcc inlines no function into another where only one may be contracted: one that is declared
  *  inline is left as it is. An attribute is no part of a declaration without a type. */
-static bool may_have_attribute(arena *a, const ir_unit *unit, const ir_function *function) {
+static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
-    return has_place_in_front(a, unit, function) &&
+    return has_place_in_front(unit, function) &&
            !holds_word(unit->source, begin, function->body->range.begin, "inline") &&
            !source_starts_with(unit->source->text + begin, function->name) &&
            !has_directive(unit, begin, function->body->range.begin, false);
@@ -125,7 +125,7 @@ contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result 
         is_forbidden[i] = true;
         matters |= options->order != ORDER_ANY || facts->slice.has_floating_work;
         is_local = is_local && !calls_what_contracts(a, unit, facts) &&
-                   may_have_attribute(a, unit, facts->function);
+                   may_have_attribute(unit, facts->function);
     }
     if (matters && is_local)
         return CONTRACTION_OFF_IN_LOOPS;

@@ -20,11 +20,7 @@ static const char *skip_quoted(const char *at, const char *end) {
     return at < end ? at + 1 : end;
 }
 
-/** To the text of `#pragma omp`, in which macros are replaced; past other directives. */
 static const char *skip_directive(const char *at, const char *end) {
-    static const char openmp[] = "#pragma omp ";
-    if ((size_t)(end - at) >= sizeof openmp && strncmp(at, openmp, sizeof openmp - 1) == 0)
-        return at + sizeof openmp - 1;
     const char *line_end = memchr(at, '\n', (size_t)(end - at));
     return line_end ? line_end : end;
 }
@@ -36,10 +32,13 @@ static const char *skip_comment(const char *at, const char *end) {
     return end;
 }
 
-/** The one macro of the compiler's own that generated text is meant to use (scalars.c). */
+/** Macros of the compiler's own that generated text is meant to use (scalars.c, loop.h). */
 static bool is_meant(const char *word, size_t length) {
-    static const char meant[] = "__ATOMIC_RELAXED";
-    return length == sizeof meant - 1 && memcmp(word, meant, length) == 0;
+    static const char *const meant[] = {"__ATOMIC_RELAXED", "__ATOMIC_ACQUIRE"};
+    for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
+        if (length == strlen(meant[i]) && memcmp(word, meant[i], length) == 0)
+            return true;
+    return false;
 }
 
 /** Is this word, which ends at `after`, replaced by the preprocessor? */
@@ -122,19 +121,12 @@ static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is
            is_own(unit, name) || (is_searched && has_name(unit->source, name));
 }
 
-/** OpenMP's functions that the runtime's header declares, `int name(void)`, may be declared again.
- */
-static bool is_taken_from_openmp(const ir_unit *unit, const char *name) {
-    return meaning_of(unit->text.names, name) == IR_NAME_AS_OTHER || is_own(unit, name);
-}
-
 const char *taken_name(const ir_unit *unit) {
     const bool is_searched = strstr(unit->source->text, "redcc_") != NULL;
     for (size_t i = 0; i < sizeof words_of_header / sizeof *words_of_header; i++) {
         const char *word = words_of_header[i];
-        if ((source_starts_with(word, "redcc_") || source_starts_with(word, "REDCC_"))
-                ? is_taken_from_runtime(unit, word, is_searched)
-                : source_starts_with(word, "omp_") && is_taken_from_openmp(unit, word))
+        if ((source_starts_with(word, "redcc_") || source_starts_with(word, "REDCC_")) &&
+            is_taken_from_runtime(unit, word, is_searched))
             return word;
     }
     return NULL;

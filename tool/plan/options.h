@@ -16,9 +16,8 @@ typedef struct plan_options {
                                whether functions of other files are those that were analysed; NULL:
                                nothing rests on other files */
     unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
-    const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once; 2:
-                                   nor move slice and body in front of the function. Without
-                                   `lanes` 1 is as 2. NULL: 0 everywhere */
+    const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once.
+                                   NULL: 0 everywhere */
 } plan_options;
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "analysis/base/loop_text.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 #include "plan/macros.h"
@@ -13,40 +14,80 @@ enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
 
 /* ---- the place, and the function's name ---------------------------------------------------- */
 
+/** Does a directive between the two places give a copy another meaning? Conditional ones are copied
+ *  as well (as_compiled.h). */
+static bool changes_copies(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    for (unsigned i = loop_text_first_directive(unit, begin);
+         i < unit->directive_count && unit->directives[i].range.begin < end; i++) {
+        const ir_directive *d = &unit->directives[i];
+        const bool is_pragma =
+            d->kind == IR_DIRECTIVE_PRAGMA && (is_pragma_of(d, "redcc") || is_pragma_of(d, "omp"));
+        if (!directive_can_be_left_out(d) && !is_pragma)
+            return true;
+    }
+    return false;
+}
+
 static bool has_place(const loop_plan *plan) {
     const source *file = plan->unit->source;
     const ir_function *function = plan->facts->function;
     return function->range.begin <= plan->facts->loop->range.begin &&
-           has_place_in_front(plan->arena, plan->unit, function) &&
-           !has_directive(plan->unit, function->range.begin,
-                          syntax_statement_end(file, plan->facts->loop), false);
+           has_place_in_front(plan->unit, function) &&
+           !changes_copies(plan->unit, function->range.begin,
+                           syntax_statement_end(file, plan->facts->loop));
 }
 
-/** A string that a macro makes up may be the function's name. */
-static bool has_string_of_macro(const ir_node *node) {
-    if (node->kind == IR_STRING && node->flags & IR_FROM_MACRO)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_string_of_macro(node->children[i]))
-            return true;
+static const char *const words_for_name[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
+
+/** Does a macro of the file's own ask what function it stands in? */
+static bool may_macro_name_function(const loop_plan *plan) {
+    for (unsigned i = 0; has_macro(plan) && i < plan->unit->directive_count; i++) {
+        const char *text = plan->unit->directives[i].text;
+        for (size_t k = 0; text && k < sizeof words_for_name / sizeof *words_for_name; k++)
+            if (strstr(text, words_for_name[k]))
+                return true;
+    }
     return false;
 }
 
-/** May the body ask what function it stands in? The tree has the answer as a string. */
+static unsigned count_names(const loop_plan *plan, const ir_node *node) {
+    unsigned count = says_function_name(plan, node) && !(node->flags & IR_FROM_MACRO);
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += count_names(plan, node->children[i]);
+    return count;
+}
+
+/** May the body ask what function it stands in where the tree does not say so, in a sizeof? */
 static bool may_name_function(const loop_plan *plan) {
-    static const char *const words[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
     const ir_node *body = plan->facts->counted.body;
-    const source *file = plan->unit->source;
-    const bool anywhere = has_macro(plan);
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (holds_word(file, anywhere ? 0 : body->range.begin,
-                       anywhere ? (uint32_t)file->length : body->range.end, words[i]))
-            return true;
-    return has_string_of_macro(body);
+    const char *text = plan->unit->source->text;
+    unsigned count = 0;
+    for (uint32_t at = body->range.begin; at < body->range.end; at++)
+        for (size_t k = 0; k < sizeof words_for_name / sizeof *words_for_name; k++)
+            count += source_starts_with(text + at, words_for_name[k]);
+    return may_macro_name_function(plan) || count != count_names(plan, body);
+}
+
+bool says_function_name(const loop_plan *plan, const ir_node *node) {
+    const char *name = plan->facts->function->name;
+    const size_t length = strlen(name);
+    if (node->kind != IR_STRING)
+        return false;
+    if (!(node->flags & IR_FROM_MACRO))
+        return plan->unit->source->text[node->range.begin] == '_';
+    return node->text && strlen(node->text) == length + 2 &&
+           strncmp(node->text + 1, name, length) == 0;
 }
 
 static bool is_of_file(const ir_variable *variable) {
     return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
+}
+
+/** Is it declared within the function, but for its parameters? */
+static bool is_of_function(const loop_facts *facts, const ir_variable *variable) {
+    const ir_range body = facts->function->body->range;
+    return variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
+           variable->range.begin < body.end;
 }
 
 static bool has_address_taken(const ir_node *node, const ir_variable *variable) {
@@ -62,7 +103,7 @@ static bool has_address_taken(const ir_node *node, const ir_variable *variable) 
 /** Of an array a pointer is handed over. */
 static bool can_be_handed(const loop_plan *plan, const ir_variable *variable) {
     const ir_type *type = variable->type;
-    if (variable->storage == IR_THREAD_LOCAL || type->is_volatile || type->is_atomic)
+    if (type->is_volatile || type->is_atomic)
         return false;
     if (type->kind == IR_ARRAY)
         return type->target->spelling && type->target->size > 0 && can_be_pointer(plan, variable) &&
@@ -78,34 +119,39 @@ static bool is_stand_in(const loop_plan *plan, const ir_variable *variable, bool
     return false;
 }
 
-static bool has_thread_local(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.captured_count; i++)
-        if (facts->variables.captured[i]->storage == IR_THREAD_LOCAL)
-            return true;
-    return false;
+/* ---- both ---------------------------------------------------------------------------------- */
+
+/** Its name is replaced in the tree; a name that the tree has not is found undeclared. */
+static bool can_be_pointed_to(const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    return type->spelling && type->size > 0 && type->kind != IR_OTHER_TYPE && !type->is_volatile &&
+           !type->is_atomic;
 }
 
-/* ---- both ---------------------------------------------------------------------------------- */
+static bool is_declared_in_body(const loop_facts *facts, const ir_variable *variable) {
+    const ir_range body = facts->counted.body->range;
+    return variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
+           variable->range.begin < body.end;
+}
 
 handing handing_of(const loop_plan *plan, const ir_variable *variable, bool of_body) {
     const loop_facts *facts = plan->facts;
     if (variable == facts->counted.counter || is_declared_in(facts, variable) ||
-        is_stand_in(plan, variable, of_body))
+        is_declared_in_body(facts, variable) || is_stand_in(plan, variable, of_body))
         return NOT_HANDED;
-    const bool names_object = is_of_file(variable) && variable->type->kind == IR_ARRAY;
+    const bool names_object = is_of_file(variable) && !is_of_function(facts, variable) &&
+                              variable->type->kind == IR_ARRAY;
     if (can_be_handed(plan, variable))
         return names_object ? NOT_HANDED : HANDED;
-    return is_of_file(variable) ? NOT_HANDED : CANNOT_BE_HANDED;
+    if (is_of_file(variable) && !is_of_function(facts, variable))
+        return NOT_HANDED;
+    return can_be_pointed_to(variable) ? HANDED_BY_ADDRESS : CANNOT_BE_HANDED;
 }
 
 const char *plan_outline(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    if (leaves_values(facts) || facts->counted.steps_inside)
-        return "the loop leaves more than its updates of arrays";
     if (facts->array_count > MOST_ARRAYS)
         return "it updates too many arrays";
-    if (has_thread_local(facts))
-        return "it reads an object that each thread has for itself";
     if (has_macro_of_header_words(plan->arena, plan->unit))
         return "a macro of the program would change what the macros of loop.h say";
     if (!has_place(plan))

@@ -6,6 +6,13 @@
 #include "plan/macros.h"
 #include "support/attributes.h"
 
+bool is_pragma_of(const ir_directive *d, const char *whose) {
+    const char *at = d->text ? strstr(d->text, "pragma") : NULL;
+    at = at ? at + strlen("pragma") : NULL;
+    at = at ? at + strspn(at, " \t") : NULL;
+    return at && source_starts_with(at, whose);
+}
+
 bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *directive = &unit->directives[i];
@@ -24,12 +31,18 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
     return false;
 }
 
-/** The last byte before `end` that is neither blank nor part of a directive or comment: its place
- *  plus 1; 0: there is none. */
-static uint32_t end_of_last_token(const ir_unit *unit, uint32_t end) {
+/** Where tokens of the file end. */
+typedef struct token_ends {
+    uint32_t last;        /* the last one's place plus 1; 0: there is none */
+    uint32_t declaration; /* the same of the last ; or } outside of parentheses */
+} token_ends;
+
+/** Those before `end`, without directives and comments. */
+static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
-    unsigned next = 0;
-    uint32_t last = 0, at = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
+    unsigned next = 0, depth = 0;
+    token_ends found = {0, 0};
+    uint32_t at = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
     while ((at = source_skip_blanks(file, at, end)) < end) {
         while (next < unit->directive_count && unit->directives[next].range.end <= at)
             next++;
@@ -37,31 +50,68 @@ static uint32_t end_of_last_token(const ir_unit *unit, uint32_t end) {
             at = unit->directives[next].range.end;
             continue;
         }
-        const bool is_quoted = file->text[at] == '"' || file->text[at] == '\'';
-        at = is_quoted ? source_skip_quoted(file, at, end) : at + 1;
-        last = at;
+        const char c = file->text[at];
+        depth += c == '(';
+        depth -= c == ')' && depth > 0;
+        at = c == '"' || c == '\'' ? source_skip_quoted(file, at, end) : at + 1;
+        found.last = at;
+        if (depth == 0 && (c == ';' || c == '}'))
+            found.declaration = at;
     }
-    return last;
+    return found;
 }
 
-bool has_place_in_front(arena *a, const ir_unit *unit, const ir_function *function) {
+/** A pragma may be about what follows it. */
+static bool has_foreign_pragma(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->range.end > begin && d->range.begin < end && d->kind == IR_DIRECTIVE_PRAGMA &&
+            !is_pragma_of(d, "redcc"))
+            return true;
+    }
+    return false;
+}
+
+/** Is what stands there a function that a macro makes whole? */
+static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *other = unit->functions[i];
+        if (other->is_in_main_file && other->body && other->range.begin >= begin &&
+            other->range.begin < end)
+            return true;
+    }
+    return false;
+}
+
+/** Where declarations go that stand in front of the function: what is right before it may be its
+ *  own, the name of a macro perhaps. UINT32_MAX: nowhere. */
+static uint32_t place_of(const ir_unit *unit, const ir_function *function) {
+    const token_ends before = tokens_before(unit, function->range.begin);
+    if (before.last == before.declaration)
+        return has_foreign_pragma(unit, before.last, function->range.begin) ? UINT32_MAX
+                                                                            : function->range.begin;
+    if (is_made_by_macro(unit, before.declaration, function->range.begin))
+        return function->range.begin;
+    return before.declaration == 0 ||
+                   has_directive(unit, before.declaration, function->range.begin, false)
+               ? UINT32_MAX
+               : before.declaration;
+}
+
+bool has_place_in_front(const ir_unit *unit, const ir_function *function) {
     const source *file = unit->source;
     const uint32_t begin = function->range.begin;
     if (!function->is_in_main_file || function->has_other_attributes ||
         function->range.end <= begin || begin >= function->body->range.begin ||
         unit->text.includes_itself || unit->text.names_optimize ||
-        !attributes_are_harmless(file->text + begin, file->text + function->body->range.begin) ||
-        macro_name_in(a, unit, file->text + begin, function->body->range.begin - begin))
-        return false; /* a macro may make attributes, or another name each time */
-    const uint32_t before = end_of_last_token(unit, begin);
-    if (before > 0 && !strchr(";}", file->text[before - 1]))
+        !attributes_are_harmless(file->text + begin, file->text + function->body->range.begin))
         return false;
-    return !has_directive(unit, before, begin, true);
+    return place_of(unit, function) != UINT32_MAX;
 }
 
 bool place_in_front(const ir_unit *unit, const ir_function *function, uint32_t *place) {
     const char *text = unit->source->text;
-    const uint32_t begin = function->range.begin;
+    const uint32_t begin = place_of(unit, function);
     *place = begin;
     while (*place > 0 && (text[*place - 1] == ' ' || text[*place - 1] == '\t'))
         --*place;

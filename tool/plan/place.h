@@ -8,12 +8,15 @@
 /** Does a directive touch bytes [begin, end)? Of pragmas, if `pragmas_only`. */
 bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only);
 
+/** Is it `#pragma WHOSE ...`? */
+bool is_pragma_of(const ir_directive *d, const char *whose);
+
 /** Do bytes [begin, end) of the text hold the word? */
 bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word);
 
 /** May declarations stand in front of the function, and an attribute of its own? Not where what is
  *  put there would be part of something else, or a pragma or a macro may be about the function. */
-bool has_place_in_front(arena *a, const ir_unit *unit, const ir_function *function);
+bool has_place_in_front(const ir_unit *unit, const ir_function *function);
 
 /** That place: on the lines above the function (false), or in its line, if something else begins
  *  that (true). */

@@ -9,6 +9,7 @@
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
 #include "plan/lanes.h"
+#include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/precheck.h"
 #include "plan/prefetch.h"
@@ -39,15 +40,20 @@ static void plan_stand_ins(loop_plan *plan) {
 
 /** The forms, of a loop that can be written. */
 static void plan_form(loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
     plan_stand_ins(plan);
     plan_execution(plan);
     plan->no_lanes = plan_lanes(plan);
-    plan->no_functions = plan_outline(plan);
-    if (plan->no_functions)
-        return;
+    const char *obstacle = plan_outline(plan);
+    if (obstacle)
+        plan_obstacle(plan, facts->loop->range, "%s", obstacle);
     plan_prefetch(plan);
-    plan_bins(plan);
-    plan_inner_skips(plan);
+    if (leaves_values(facts))
+        plan->no_bins = "the loop leaves more than its updates of arrays";
+    else
+        plan_bins(plan);
+    if (!leaves_values(facts))
+        plan_inner_skips(plan);
 }
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,

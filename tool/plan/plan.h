@@ -67,8 +67,6 @@ typedef struct loop_plan {
     const bool *is_shadowed;    /* of each array: a pointer of its name stands for it in the body */
     dependence_precheck precheck;
     execution_plan execution;
-    const char *no_functions; /* why slice and body cannot be functions of their own (outline.h), or
-                                 NULL. Prefetch, bins, skips and lanes are of that form */
     prefetch_plan prefetch;
     const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: there is none, */
     const char *no_bins;          /* because of this */

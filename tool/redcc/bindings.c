@@ -115,19 +115,25 @@ static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
-/** The runtime's, OpenMP's and the compiler's: no program in which they mean anything else is
+/** The runtime's and the compiler's: no program in which they mean anything else is
  *  translated (emit's taken_name). */
 static bool is_own_name(const char *name) {
     return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
-           starts_with(name, "omp_") || starts_with(name, "__builtin_") ||
-           starts_with(name, "__atomic_");
+           starts_with(name, "__builtin_") || starts_with(name, "__atomic_");
+}
+
+/** Does the translator's own text declare it? */
+static bool is_own(const comparison *c, const ir_declared *declared) {
+    const int number = declared->file ? -1 : written_loop_at(c->written, declared->offset);
+    const written_loop *loop = number < 0 ? NULL : &c->written->loops[number];
+    return loop && !origin_at(loop, declared->offset - loop->begin);
 }
 
 static bool is_right(const comparison *c, const written_loop *loop, const ir_reference *reference) {
     const uint32_t at = reference->offset - loop->begin;
     const origin *from = origin_at(loop, at);
     if (!from)
-        return is_own_name(reference->declared->name);
+        return is_own_name(reference->declared->name) || is_own(c, reference->declared);
     switch (from->kind) {
     case ORIGIN_COPY:
         return is_as_before(c, reference, from->from + (at - from->begin));

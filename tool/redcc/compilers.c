@@ -7,10 +7,10 @@
 #include "frontend/predefined.h"
 #include "ir/ir_text.h"
 
-/* gcc, with -fopenmp, as its macros show it. */
+/* gcc, as its macros show it. */
 #define AS_GCC                                                                                     \
-    "-D_REENTRANT=1", "-fgnuc-version=" REDCC_GCC_VERSION, FLAGS_WITHOUT_CLANG,                    \
-        FLAGS_WITHOUT_FEATURES, FLAGS_OF_GCC_TYPES
+    "-fgnuc-version=" REDCC_GCC_VERSION, FLAGS_WITHOUT_CLANG, FLAGS_WITHOUT_FEATURES,              \
+        FLAGS_OF_GCC_TYPES
 
 /* What gcc would answer to these is not known here: the answer must not matter. */
 #define WITHOUT_ANSWERS "-D__has_builtin(x)=0", "-D__has_attribute(x)=0", "-D__has_c_attribute(x)=0"
@@ -54,7 +54,6 @@ static bool is_same(arena *a, const source *file, const string_list *flags, cons
     string_list all = {0};
     for (unsigned i = 0; i < flags->count; i++)
         VECTOR_PUSH(a, &all, flags->items[i]);
-    VECTOR_PUSH(a, &all, "-fopenmp");
     for (; *more; more++)
         VECTOR_PUSH(a, &all, *more);
     const frontend_result parsed = frontend_parse(a, file, all.count, all.items);

@@ -173,10 +173,11 @@ const char *imports_check(arena *a, const ir_unit *unit, const char **obstacle) 
             : arena_format(a,
                            "%s"
                            "/* redcc: are these the functions that were analysed? */\n"
-                           "static int redcc__linked(void) {\n"
+                           "static const redcc_linkage *redcc__linked(void) {\n"
                            "    static const redcc_callee called[] = {%s};\n"
                            "    static const redcc_expectation expected[] = {%s};\n"
-                           "    return redcc_are_linked(called, %u, expected, %u);\n"
+                           "    static const redcc_linkage linkage = {called, %u, expected, %u};\n"
+                           "    return &linkage;\n"
                            "}\n",
                            records.data, called.data, expected.data, c.direct.count, count);
     buffer_free(&records);

@@ -54,10 +54,10 @@ const char options_help[] =
     "  --help, --version\n"
     "\n"
     "To compile the result:\n"
-    "  cc -fopenmp OUTPUT.c $(pkg-config --cflags --libs redcc)\n"
+    "  cc OUTPUT.c $(pkg-config --cflags --libs redcc)\n"
     "Compile it with the flags of INPUT.c; where it stands in another folder, add\n"
-    "-iquote FOLDER-OF-INPUT for its own headers. Without -fopenmp it is the sequential\n"
-    "program and needs nothing of redcc. redcc-cc does all this in the compiler's place.\n"
+    "-iquote FOLDER-OF-INPUT for its own headers. Without redcc's headers, or with\n"
+    "-DREDCC_OFF, it is the sequential program. redcc-cc does all this in the compiler's place.\n"
     "\n"
     "Exit status: 0 done; 1 the input cannot be read or parsed, or the output cannot be\n"
     "written (an old one is then untouched); 2 wrong usage; 3 --require not met.\n";

@@ -21,13 +21,6 @@ static string_list with_flags(arena *a, const string_list *flags, const char *co
     return all;
 }
 
-static bool has_errors(const frontend_result *result) {
-    for (unsigned i = 0; i < result->diagnostic_count; i++)
-        if (result->diagnostics[i].is_error)
-            return true;
-    return !result->unit;
-}
-
 static void note(arena *a, const emit_result *written, int loop, reason_id id, const char *text,
                  reason *found) {
     for (unsigned i = 0; i < written->loop_count; i++)
@@ -68,7 +61,7 @@ static void note_types(arena *a, const ir_unit *output, const emit_result *writt
 bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found) {
     const source *output = source_from_text(a, input->source->path, written->text, written->length);
-    const char *const parallel_flags[] = {"-fopenmp", "-DREDCC_IS_CHECKED", "-idirafter",
+    const char *const parallel_flags[] = {"-DREDCC_IS_CHECKED", "-idirafter",
                                           installation_find(a).include, NULL};
     const string_list parallel = with_flags(a, flags, parallel_flags);
     const frontend_result first = parse(a, output, &parallel);
@@ -77,15 +70,10 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
     note_errors(a, &first, written, found);
     if (first.unit)
         note_types(a, first.unit, written, found);
-    const char *const sequential_flags[] = {"-fno-openmp", "-U_OPENMP", NULL};
+    const char *const sequential_flags[] = {"-DREDCC_OFF", NULL};
     const string_list sequential = with_flags(a, flags, sequential_flags);
     const frontend_result second = parse(a, output, &sequential);
-    /* the user's own text may hold without OpenMP what it does not hold with it */
-    if (has_errors(&second)) {
-        const frontend_result before = parse(a, input->source, &sequential);
-        if (!has_errors(&before))
-            note_errors(a, &second, written, found);
-    }
+    note_errors(a, &second, written, found);
     for (unsigned i = 0; i < written->loop_count; i++)
         if (found[i].id != REASON_NONE)
             return false;

@@ -40,13 +40,8 @@ static const char *parser_flags(arena *a, const options *o, const char *input, s
     return NULL;
 }
 
-/** Analysed is the program that the parallel form becomes part of: the one with OpenMP on. */
 frontend_result translate_file_parse(arena *a, const source *file, const string_list *flags) {
-    string_list all = {0};
-    for (unsigned i = 0; i < flags->count; i++)
-        VECTOR_PUSH(a, &all, flags->items[i]);
-    VECTOR_PUSH(a, &all, "-fopenmp");
-    return frontend_parse(a, file, all.count, all.items);
+    return frontend_parse(a, file, flags->count, flags->items);
 }
 
 static bool has_errors(const frontend_result *parsed) {
@@ -233,7 +228,7 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
         loop_verdict *verdict = &verdicts[written->loops[i].verdict];
         if (found[i].id == REASON_NONE)
             continue;
-        if (written->loops[i].is_moved) {
+        if (written->loops[i].has_lanes) {
             leave[written->loops[i].verdict]++;
             continue;
         }
@@ -326,8 +321,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
 /** Is this a text that redcc wrote? It begins so; what stands before is the user's (a #version line
  *  of a preprocessor, a comment of a licence tool). */
 static bool is_translated(const source *file) {
-    static const char beginning[] =
-        "#ifdef _OPENMP\n#include <redcc/runtime.h>\nREDCC_REQUIRE_VERSION(";
+    static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&
            memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
 }

@@ -48,22 +48,23 @@ static const char *build(const workplace *w, const program *p, bool is_parallel)
     words_add(a, &words, real_compiler());
     words_add(a, &words, "-O2"); /* the user's flags, which follow, may say otherwise */
     for (unsigned i = 0; i < w->flags->count; i++)
-        if (is_parallel || strcmp(w->flags->items[i], "-fopenmp") != 0)
-            words_add(a, &words, w->flags->items[i]);
+        words_add(a, &words, w->flags->items[i]);
     words_add(a, &words, "-w");
     words_add(a, &words, "-ffp-contract=off");
     words_add(a, &words, "-iquote");
     words_add(a, &words, w->input_folder);
     if (is_parallel) {
-        words_add(a, &words, "-fopenmp");
+        words_add(a, &words, "-Wl,-u,redcc_run");
         words_add(a, &words, "-idirafter");
         words_add(a, &words, w->redcc.include);
     }
     words_add(a, &words, p->source);
     words_add(a, &words, "-o");
     words_add(a, &words, p->binary);
-    if (is_parallel)
+    if (is_parallel) {
         words_add(a, &words, w->redcc.library);
+        words_add(a, &words, "-lpthread");
+    }
     words_add(a, &words, "-lm");
     const process_streams streams = {"/dev/null", NULL, NULL};
     if (process_run(a, &words, streams) == 0)

@@ -7,9 +7,13 @@
 #include "support/source.h"
 
 bool attribute_is_harmless(const char *name, size_t length) {
-    static const char *const harmless[] = {
-        "cold",    "flatten",         "hot",    "noclone", "noinline",          "noipa", "nonnull",
-        "nothrow", "returns_nonnull", "unused", "used",    "warn_unused_result"};
+    static const char *const harmless[] = {"aligned",    "cold",
+                                           "flatten",    "hot",
+                                           "noclone",    "noinline",
+                                           "noipa",      "nonnull",
+                                           "nothrow",    "returns_nonnull",
+                                           "unused",     "used",
+                                           "visibility", "warn_unused_result"};
     if (length > 4 && strncmp(name, "__", 2) == 0 && strncmp(name + length - 2, "__", 2) == 0) {
         name += 2;
         length -= 4;
@@ -26,12 +30,15 @@ static const char *skip_blanks(const char *at, const char *end) {
     return at;
 }
 
-/* Past (1, 2) and the like; NULL: there is something else in the parentheses than numbers. */
+/* Past (1, 2), ("default") and the like; NULL: there is something else in the parentheses than
+ * numbers and words in quotes. */
 static const char *skip_numbers(const char *at, const char *end) {
     if (at == end || *at != '(')
         return at;
     for (at++; at < end && *at != ')'; at++)
-        if (!isdigit((unsigned char)*at) && !isspace((unsigned char)*at) && *at != ',')
+        if (*at == '"' && memchr(at + 1, '"', (size_t)(end - at - 1)))
+            at = memchr(at + 1, '"', (size_t)(end - at - 1));
+        else if (!isdigit((unsigned char)*at) && !isspace((unsigned char)*at) && *at != ',')
             return NULL;
     return at < end ? skip_blanks(at + 1, end) : NULL;
 }

@@ -67,7 +67,7 @@ enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
         return 1;
-    redcc_push_outside(bins->buffer, row);
+    bins->calls->push_outside(bins->buffer, row);
     return 0;
 }
 
@@ -110,7 +110,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
     (redcc__guarded == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
-         : !redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
+         : !redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of the row, of type `redcc_row`, that has the element as its part `redcc_part`. */
 #define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
@@ -300,7 +300,7 @@ REDCC_RECORDS(float);
             ? redcc_copy_base(redcc__bins_##redcc_i,                                               \
                               &redcc__streams[redcc__part_##redcc_i.stream],                       \
                               redcc__part_##redcc_i.part)                                          \
-            : redcc__bases[redcc_i];
+            : redcc__attempt->bases[redcc_i];
 #define REDCC_BINS_1_OF(redcc_of) redcc_of(0)
 #define REDCC_BINS_2_OF(redcc_of) REDCC_BINS_1_OF(redcc_of) redcc_of(1)
 #define REDCC_BINS_3_OF(redcc_of) REDCC_BINS_2_OF(redcc_of) redcc_of(2)
@@ -314,8 +314,8 @@ REDCC_RECORDS(float);
     {                                                                                              \
         const int redcc__guarded = redcc_mode;                                                     \
         redcc_probe *const redcc__probe __attribute__((__unused__)) = 0;                           \
-        redcc_bins_n##_OF(REDCC_BINS_OF) for (redcc__k = redcc__worker.first;                      \
-                                              redcc__k < redcc__worker.last; redcc__k++) {         \
+        redcc_bins_n##_OF(REDCC_BINS_OF) for (redcc__k = redcc__worker->first;                     \
+                                              redcc__k < redcc__worker->last; redcc__k++) {        \
             if (redcc__told)                                                                       \
                 redcc_call_of_slice;                                                               \
             redcc_call_of_body;                                                                    \
@@ -326,12 +326,14 @@ REDCC_RECORDS(float);
  *    redcc_bins_n       REDCC_BINS_n, of n arrays
  *    redcc_told_bits    of sources whose reads are told while iterations are pushed
  *    redcc_all_exact    may the updates be made on private copies? */
-#define REDCC_PARALLEL_BINNED(redcc_chunk, redcc_bins_n, redcc_told_bits, redcc_all_exact,         \
-                              redcc_call_of_slice, redcc_call_of_body)                             \
+#define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
+                              redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
     {                                                                                              \
-        redcc_bins redcc__all[sizeof(redcc__streams) / sizeof(redcc_stream)];                      \
+        const redcc_stream *const redcc__streams = redcc_streams;                                  \
+        redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
-        while (__builtin_expect(redcc_bins_next(&redcc__worker, redcc__all, 0), 0)) {              \
+        while (__builtin_expect(                                                                   \
+            redcc__worker->call->calls->bins_next(redcc__worker, redcc__all, 0), 0)) {             \
             const redcc_u32 redcc__told = redcc_told_bits;                                         \
             if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                               \
                 REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_slice,               \

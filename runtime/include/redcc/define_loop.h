@@ -48,6 +48,7 @@
 #ifndef REDCC_FLAGS
 #define REDCC_FLAGS REDCC_VERIFIABLE
 #endif
+#define REDCC_ALL_FLAGS ((REDCC_FLAGS) | ((REDCC_FLAGS)&REDCC_LIGHT ? REDCC_SHORT : 0))
 #ifndef REDCC_ORDERED
 #define REDCC_ORDERED REDCC_ORDER_SERIAL
 #endif
@@ -86,9 +87,9 @@ static __attribute__((__unused__)) void REDCC_THIS(_sequential)(const REDCC_CONT
 
 static redcc_site REDCC_THIS(_site) = {{{REDCC_WHERE, REDCC_ORDERED,
 #ifdef REDCC_STREAMS
-                                         (REDCC_FLAGS) | REDCC_SELECTS | REDCC_BINS_FLAG,
+                                         REDCC_ALL_FLAGS | REDCC_SELECTS | REDCC_BINS_FLAG,
 #else
-                                         (REDCC_FLAGS) | REDCC_SELECTS,
+                                         REDCC_ALL_FLAGS | REDCC_SELECTS,
 #endif
                                          REDCC_ARRAYS, REDCC_THIS(_arrays), REDCC_SOURCES,
 #if REDCC_SOURCES > 0
@@ -305,6 +306,9 @@ static int REDCC_THIS(_run)(const REDCC_CONTEXT *loop) {
     attempt.bases = bases;
     attempt.known = known;
     attempt.key = key;
+    attempt.linkage = 0;
+    attempt.operand_count = 0;
+    attempt.series_count = 0;
     return redcc_run(REDCC_INTERFACE, &REDCC_THIS(_site), &attempt, REDCC_THIS(_member), loop);
 }
 
@@ -360,6 +364,7 @@ static __attribute__((__unused__)) void REDCC_THIS(_execute)(const REDCC_CONTEXT
 #undef REDCC_STEP
 #undef REDCC_KEYS
 #undef REDCC_FLAGS
+#undef REDCC_ALL_FLAGS
 #undef REDCC_ORDERED
 #undef REDCC_STREAMS
 #undef REDCC_NAMED

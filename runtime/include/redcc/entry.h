@@ -21,6 +21,14 @@ typedef struct redcc_attempt {
     void *const *bases;
     const redcc_extent *known;
     const redcc_word *key;
+    const redcc_linkage *linkage; /* 0: no function of another file was read */
+    /* Operands of each iteration, which the caller uses afterwards. */
+    redcc_u32 operand_count;
+    const redcc_size *operand_bytes; /* [operand_count] */
+    void **operands; /* [operand_count], set before any thread begins; where the loop is done, the
+                        caller gives them back (operands_give) */
+    redcc_u32 series_count;
+    redcc_series **series; /* [series_count], of redcc/series.h; likewise */
 } redcc_attempt;
 
 /** What each thread does: it inspects and executes what it is handed. */

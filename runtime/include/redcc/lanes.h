@@ -307,9 +307,9 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
         if (!redcc__asked)                                                                         \
             break;                                                                                 \
         {                                                                                          \
-            redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                    \
-            const redcc_iterations *redcc__run_end = redcc__worker.run_end;                        \
-            const int redcc__width = redcc_lanes_of(&redcc__worker);                               \
+            redcc_chunk const redcc_iterations *redcc__run = redcc__worker->run;                   \
+            const redcc_iterations *redcc__run_end = redcc__worker->run_end;                       \
+            const int redcc__width = redcc_lanes_of(redcc__worker);                                \
             redcc_iterations redcc__rest[REDCC_MOST_LANES];                                        \
             REDCC_PREFETCH_BEGIN(redcc__width > redcc__prefetches ? redcc__width                   \
                                                                   : redcc__prefetches)             \
@@ -318,7 +318,7 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
                 int redcc__count, redcc__i;                                                        \
                 redcc_block redcc__block;                                                          \
                 redcc_ahead redcc__from;                                                           \
-                redcc_ahead_begin(&redcc__from, &redcc__worker, 0);                                \
+                redcc_ahead_begin(&redcc__from, redcc__worker, 0);                                 \
                 while ((redcc__count = redcc_block_take(&redcc__block, &redcc__from,               \
                                                         redcc__width)) == redcc__width) {          \
                     if (redcc__wished)                                                             \
@@ -335,7 +335,7 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
                 redcc__run = redcc__rest;                                                          \
                 redcc__run_end =                                                                   \
                     redcc__rest + redcc_block_rest(&redcc__block, redcc__count,                    \
-                                                   redcc__worker.origin, redcc__rest);             \
+                                                   redcc__worker->origin, redcc__rest);            \
             }                                                                                      \
             REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                            \
         }                                                                                          \

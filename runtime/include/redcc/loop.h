@@ -15,6 +15,8 @@
 #ifndef REDCC_LOOP_FORM_H
 #define REDCC_LOOP_FORM_H
 
+#include <redcc/entry.h>
+
 /** No multiplication and addition is contracted into one rounding in the function that follows, and
  *  from the beginning of a block on. gcc contracts functions, when all is inlined; clang
  *  expressions, unless it is given -ffp-contract=fast, of which no text can talk it out. */
@@ -49,15 +51,28 @@
                 _Pragma("GCC diagnostic ignored \"-Wc++-compat\"") REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
-/** What one execution is described by: bases, extents of sources, key. */
-#define REDCC_ATTEMPT(redcc_arrays, redcc_sources, redcc_keys)                                     \
-    redcc_call redcc__call;                                                                        \
+/** What compilers must not take for a variable without a value: it may have no members that matter.
+ */
+REDCC_INLINE int redcc_is_there(void *context) {
+    __asm__ __volatile__("" : : "r"(context) : "memory");
+    return 1;
+}
+
+/** What one execution is described by: bases, extents of sources, key; and the loop's context. */
+#define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
+    struct redcc_context redcc__context;                                                           \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                              \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
-    redcc_progression redcc__progressions[(redcc_sources) + 1]                                     \
-        __attribute__((__unused__)) = {{0, 0, 0}};                                                 \
     redcc_word redcc__key[redcc_keys];                                                             \
-    int redcc__end __attribute__((__unused__))
+    int redcc__end __attribute__((__unused__)) = redcc_is_there(&redcc__context)
+
+/** In the context: where rows lie that are prefetched. */
+#define REDCC_PROGRESSIONS_OF(redcc_sources)                                                       \
+    redcc_progression redcc__progressions[(redcc_sources) + 1]
+#define REDCC_NO_PROGRESSIONS                                                                      \
+    __builtin_memset(redcc__context.redcc__progressions, 0,                                        \
+                     sizeof redcc__context.redcc__progressions)
 
 /** Where an array begins, and what the subscripts depend on. */
 #define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
@@ -79,8 +94,8 @@
         const char *const redcc__row = (const char *)&redcc_row;                                   \
         redcc_known_row(&redcc__known[redcc_i], redcc__row, sizeof(redcc_row));                    \
         if (redcc__prefetches > 0)                                                                 \
-            redcc_progression_row(&redcc__progressions[redcc_i], redcc__row, sizeof(redcc_row),    \
-                                  redcc__end, redcc__trip);                                        \
+            redcc_progression_row(&redcc__context.redcc__progressions[redcc_i], redcc__row,        \
+                                  sizeof(redcc_row), redcc__end, redcc__trip);                     \
     } while (0)
 REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
@@ -89,10 +104,7 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
         extent->end = row + bytes;
 }
 
-/** The loop's descriptor, perhaps the first member of a larger one. */
-#define REDCC_DESCRIPTOR ((redcc_loop *)(void *)&redcc__loop)
-
-#include "prefetch.h"
+#include <redcc/prefetch.h>
 
 /** Keeps rbp for the function's frame. What lives across redcc_enter is in registers that calls
  *  preserve, and so are the bases of the loop beside it, which by itself would have others. Loads
@@ -107,14 +119,61 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** Asks the runtime whether the loop is to run in parallel. Not expected to: what registers there
- *  are is for the loop beside it. */
-#define REDCC_ENTER(redcc_known)                                                                   \
+/** Are there iterations, and of short ones enough? Nothing is asked where there is no runtime. */
+#define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
+#define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
+    (redcc_run && redcc_is_worth(&(redcc_site), redcc_trip))
+REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
+    const redcc_calls *const calls = __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
+    return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
+}
+
+/** Executes the loop in parallel: 1. 0: nothing was written, the loop must run as it was. Not
+ *  expected to: what registers there are is for the loop beside it. */
+#define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower, REDCC_KEEP_FRAME,                                   \
-     __builtin_expect(redcc_enter(&redcc__call, REDCC_DESCRIPTOR, redcc__trip, redcc__bases,       \
-                                  redcc_known, redcc__key, omp_get_max_threads(),                  \
-                                  omp_in_parallel()),                                              \
+     redcc__attempt.trip = redcc__trip, redcc__attempt.first = redcc__lower,                       \
+     redcc__attempt.bases = redcc__bases, redcc__attempt.known = redcc__known,                     \
+     redcc__attempt.key = redcc__key,                                                              \
+     __builtin_expect(redcc_run(REDCC_INTERFACE, &(redcc_site), &redcc__attempt, redcc_member,     \
+                                &redcc__context),                                                  \
                       0))
+
+/** The runtime keeps operands of each iteration, of so many updates (redcc__operand_bytes). */
+#define REDCC_OPERANDS(redcc_count)                                                                \
+    void *redcc__operands[redcc_count];                                                            \
+    redcc__attempt.operand_count = redcc_count;                                                    \
+    redcc__attempt.operand_bytes = redcc__operand_bytes;                                           \
+    redcc__attempt.operands = redcc__operands
+/** And so many series (redcc/series.h). */
+#define REDCC_HAS_SERIES(redcc_count)                                                              \
+    redcc_series *redcc__series[redcc_count];                                                      \
+    redcc__attempt.series_count = redcc_count;                                                     \
+    redcc__attempt.series = redcc__series
+/** They are used. */
+#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->operands_give(&redcc__attempt)
+
+/** What the function for one thread is given. */
+#define REDCC_MEMBER_PARAMETERS                                                                    \
+    redcc_worker *redcc__worker, const redcc_attempt *redcc__attempt, const void *redcc__given
+#define REDCC_MEMBER static void
+/** What it begins with. */
+#define REDCC_BEGIN(redcc_context)                                                                 \
+    const struct redcc_context *const redcc__context = (const struct redcc_context *)redcc__given; \
+    const redcc_int redcc__lower __attribute__((__unused__)) = redcc__attempt->first;              \
+    const redcc_int redcc__trip __attribute__((__unused__)) = redcc__attempt->trip
+
+/** In the body, after the last iteration: 1 for one of the threads that execute it. */
+#define REDCC_CLAIMS_LAST redcc__worker->call->calls->claims_last(redcc__worker)
+
+/** For some instructions no other thread is between the two. */
+REDCC_INLINE void redcc_lock(int *lock) {
+    while (__atomic_exchange_n(lock, 1, __ATOMIC_ACQUIRE))
+        ;
+}
+REDCC_INLINE void redcc_unlock(int *lock) {
+    __atomic_store_n(lock, 0, __ATOMIC_RELEASE);
+}
 
 /** The induction variable, of type redcc_type, redcc_offset after its first value. Compilers may
  *  assume that the conversion preserves the value. So they increment addresses; else they would
@@ -130,8 +189,14 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         __builtin_unreachable();
 }
 
-/** After the original loop; without OpenMP it says nothing. */
-#define REDCC_SEQUENTIAL_DONE redcc_sequential_done(REDCC_DESCRIPTOR);
+/** After the original loop: auto learns what it takes. */
+#define REDCC_OVER(redcc_site)                                                                     \
+    do {                                                                                           \
+        const redcc_calls *const redcc__calls =                                                    \
+            __atomic_load_n(&(redcc_site).calls, __ATOMIC_ACQUIRE);                                \
+        if (redcc__calls && __atomic_load_n(redcc__calls->timed_loops, __ATOMIC_RELAXED))          \
+            redcc__calls->sequential_end(&(redcc_site).binned.loop);                               \
+    } while (0);
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 
@@ -243,27 +308,27 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
  *  loop of their own, in which nothing is called or stored: a compiler keeps in registers what does
  *  not change. */
 #define REDCC_INSPECT(redcc_call_of_slice)                                                         \
-    while (redcc_inspect(&redcc__worker)) {                                                        \
+    while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
         const redcc_u32 redcc__told = 0;                                                           \
-        for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last;                        \
-             redcc__k += redcc__worker.stride) {                                                   \
-            if (redcc_is_settled(&redcc__worker)) {                                                \
+        for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last;                      \
+             redcc__k += redcc__worker->stride) {                                                  \
+            if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
-                for (; redcc__k < redcc__worker.last; redcc__k++) {                                \
+                for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
                     redcc_probe redcc__seen = {0, 0, 0};                                           \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \
                         break;                                                                     \
                 }                                                                                  \
-                redcc__worker.alike += redcc__k - redcc__from;                                     \
-                if (redcc__k == redcc__worker.last)                                                \
+                redcc__worker->alike += redcc__k - redcc__from;                                    \
+                if (redcc__k == redcc__worker->last)                                               \
                     break;                                                                         \
             }                                                                                      \
             {                                                                                      \
                 redcc_probe *const redcc__probe = 0;                                               \
                 redcc_call_of_slice;                                                               \
-                redcc_iteration_done(&redcc__worker);                                              \
+                redcc_iteration_done(redcc__worker);                                               \
             }                                                                                      \
         }                                                                                          \
     }
@@ -273,10 +338,18 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 /** redcc__guarded is a constant in each use of the function. */
 #define REDCC_BODY REDCC_INLINE void
 
+REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner,
+                            const void *address) {
+    const redcc_size into = (redcc_size)((const char *)address - owner->first);
+    if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))
+        return 1;
+    return owner->hook && worker->call->calls->hooked(owner->hook, address);
+}
+
 /** Goes before an update of array number redcc_i: it is this thread's part only where it owns the
  *  element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
-    if (!redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
+    if (!redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** In an inner loop, before the rest of a turn: in the guarded form it is left out where the thread
  *  owns no row that it would update. */
@@ -287,21 +360,23 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
 /* For each array, what one chunk holds of it: where to write, and who owns what. */
-#define REDCC_BODY_PARAMETERS_1 const int redcc__guarded, const redcc_owner *const redcc__own_0
+#define REDCC_BODY_PARAMETERS_1                                                                    \
+    redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__guarded,       \
+        const redcc_owner *const redcc__own_0
 #define REDCC_BODY_PARAMETERS_2 REDCC_BODY_PARAMETERS_1, const redcc_owner *const redcc__own_1
 #define REDCC_BODY_PARAMETERS_3 REDCC_BODY_PARAMETERS_2, const redcc_owner *const redcc__own_2
 #define REDCC_BODY_PARAMETERS_4 REDCC_BODY_PARAMETERS_3, const redcc_owner *const redcc__own_3
 #define REDCC_BODY_PARAMETERS_5 REDCC_BODY_PARAMETERS_4, const redcc_owner *const redcc__own_4
 #define REDCC_BODY_PARAMETERS_6 REDCC_BODY_PARAMETERS_5, const redcc_owner *const redcc__own_5
-#define REDCC_BODY_ARGUMENTS_1 redcc__guarded, &redcc__owner_0
+#define REDCC_BODY_ARGUMENTS_1 redcc__worker, redcc__guarded, &redcc__owner_0
 #define REDCC_BODY_ARGUMENTS_2 REDCC_BODY_ARGUMENTS_1, &redcc__owner_1
 #define REDCC_BODY_ARGUMENTS_3 REDCC_BODY_ARGUMENTS_2, &redcc__owner_2
 #define REDCC_BODY_ARGUMENTS_4 REDCC_BODY_ARGUMENTS_3, &redcc__owner_3
 #define REDCC_BODY_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_4, &redcc__owner_4
 #define REDCC_BODY_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_5, &redcc__owner_5
 #define REDCC_CHUNK_OF(redcc_i)                                                                    \
-    void *const redcc__base_##redcc_i __attribute__((__unused__)) = redcc__worker.base[redcc_i];   \
-    const redcc_owner redcc__owner_##redcc_i = redcc__worker.owner[redcc_i];
+    void *const redcc__base_##redcc_i __attribute__((__unused__)) = redcc__worker->base[redcc_i];  \
+    const redcc_owner redcc__owner_##redcc_i = redcc__worker->owner[redcc_i];
 #define REDCC_CHUNK_1 REDCC_CHUNK_OF(0)
 #define REDCC_CHUNK_2 REDCC_CHUNK_1 REDCC_CHUNK_OF(1)
 #define REDCC_CHUNK_3 REDCC_CHUNK_2 REDCC_CHUNK_OF(2)
@@ -314,8 +389,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
-            redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;            \
-        redcc__k = redcc__worker.origin + redcc__run->begin;                                       \
+            redcc__worker->origin + redcc__run->begin + redcc__run->count_and_guard / 2;           \
+        redcc__k = redcc__worker->origin + redcc__run->begin;                                      \
         while (redcc__k < redcc__end) {                                                            \
             const redcc_int redcc__stop = redcc__wished ? redcc__k + 1 : redcc__end;               \
             REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                \
@@ -337,20 +412,20 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
     {                                                                                              \
         const redcc_u32 redcc__told = 0;                                                           \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
-        for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last; redcc__k++) {          \
+        for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
             redcc_probe redcc__seen = {0, 0, 1};                                                   \
             redcc_probe *const redcc__probe = &redcc__seen;                                        \
             redcc_call_of_slice;                                                                   \
-            redcc__class[redcc__k - redcc__worker.first] = redcc_class_of(&redcc__seen);           \
+            redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \
         }                                                                                          \
-        redcc_classes_give(&redcc__worker, redcc__class);                                          \
+        redcc_classes_give(redcc__worker, redcc__class);                                           \
     }
 
 /** The next chunk to execute, in front of a block; before it, iterations are selected where the
  *  runtime asks for that. */
 #define REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
     for (;;) {                                                                                     \
-        redcc__asked = redcc_next(&redcc__worker);                                                 \
+        redcc__asked = redcc__worker->call->calls->next(redcc__worker);                            \
         if (__builtin_expect(redcc__asked != REDCC_SELECT, 1))                                     \
             break;                                                                                 \
         REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
@@ -358,14 +433,17 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 
 /** Hands out chunks to execute, run by run, guarded or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
+    REDCC_EXECUTE_AND(0, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
+/** The same, also once more where that is asked for in the end. */
+#define REDCC_EXECUTE_AND(redcc_again, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)       \
     for (;;) {                                                                                     \
         int redcc__asked;                                                                          \
         REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
-        if (!redcc__asked)                                                                         \
+        if (!redcc__asked && !(redcc_again))                                                       \
             break;                                                                                 \
         {                                                                                          \
-            redcc_chunk const redcc_iterations *redcc__run = redcc__worker.run;                    \
-            const redcc_iterations *const redcc__run_end = redcc__worker.run_end;                  \
+            redcc_chunk const redcc_iterations *redcc__run = redcc__worker->run;                   \
+            const redcc_iterations *const redcc__run_end = redcc__worker->run_end;                 \
             REDCC_PREFETCH_BEGIN(redcc__prefetches)                                                \
             REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                            \
         }                                                                                          \
@@ -383,35 +461,27 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__guarded ? 1 : 16)")
 #endif
 
-/** In front of the loop over a run where the body stands in the block, once: with redcc__guarded as
- *  the run has it. Unrolling compiles the body for both values; a variable in place of the constant
- *  was measured at up to twice the instructions. */
-#define REDCC_PLAIN_OR_GUARDED                                                                     \
-    REDCC_UNROLLED for (redcc__guarded = 0; redcc__guarded < 2;                                    \
-                        redcc__guarded++) if (redcc__guarded ==                                    \
-                                              (int)(redcc__run->count_and_guard & 1))
-
 /* ---- all of it ----------------------------------------------------------------------------- */
 
-/** The region's threads, with a clause of OpenMP's, or none. */
-#define REDCC_PRAGMA(redcc_text) _Pragma(#redcc_text)
-#define REDCC_THREADS(redcc_clause)                                                                \
-    REDCC_PRAGMA(omp parallel num_threads(redcc__call.threads) redcc_clause)
-
-/** A thread of the region joins the execution, and tells the runtime what it asks for. */
+/** A thread tells the runtime what it asks for. */
 #define REDCC_JOIN(redcc_call_of_slice)                                                            \
-    redcc_worker redcc__worker;                                                                    \
-    redcc_worker *const redcc__teller = &redcc__worker;                                            \
+    redcc_worker *const redcc__teller = redcc__worker;                                             \
     redcc_int redcc__k;                                                                            \
-    redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());         \
     REDCC_INSPECT(redcc_call_of_slice)
 
-/** What each thread of the parallel region does: it inspects the iterations that it is handed, and
+/** What each thread does: it inspects the iterations that it is handed, and
  *  executes those that it is handed then. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
+    }
+
+/** The same where iterations may be handed out once more (redcc/series.h). */
+#define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
+    {                                                                                              \
+        REDCC_JOIN(redcc_call_of_slice)                                                            \
+        REDCC_EXECUTE_AND(redcc_again, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)       \
     }
 
 /** gcc inlines a static function that is called at one place only; several copies of the place are

@@ -57,7 +57,9 @@ typedef struct redcc_progression {
 } redcc_progression;
 
 /** Of a loop's sources, by their numbers. */
-#define REDCC_PROGRESSIONS ((int)(sizeof redcc__progressions / sizeof *redcc__progressions))
+#define REDCC_PROGRESSIONS                                                                         \
+    ((int)(sizeof redcc__context->redcc__progressions /                                            \
+           sizeof *redcc__context->redcc__progressions))
 
 /** Iteration 0 reads a row there (is_last: iteration trip - 1 does). */
 REDCC_INLINE void redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes,
@@ -139,11 +141,12 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead = {0, 0, 0, 0, 0}, redcc__farther = {0, 0, 0, 0, 0};                  \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
-    const int redcc__wished = redcc__prefetches > 0 && redcc__worker.manner.prefetches;            \
+    const int redcc__wished = redcc__prefetches > 0 && redcc__worker->manner.prefetches;           \
     if (redcc__wished) {                                                                           \
-        redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc_distance);                          \
-        redcc_ahead_begin(&redcc__farther, &redcc__worker, 2 * (redcc_distance));                  \
-        redcc_progressions_begin(redcc__rows, redcc__progressions, REDCC_PROGRESSIONS);            \
+        redcc_ahead_begin(&redcc__ahead, redcc__worker, redcc_distance);                           \
+        redcc_ahead_begin(&redcc__farther, redcc__worker, 2 * (redcc_distance));                   \
+        redcc_progressions_begin(redcc__rows, redcc__context->redcc__progressions,                 \
+                                 REDCC_PROGRESSIONS);                                              \
     }
 
 /** Goes before an iteration: the rows of the one farther ahead, and the slice of the one ahead;

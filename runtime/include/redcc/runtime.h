@@ -57,20 +57,7 @@
 #define REDCC_IS_ON___NO_SIGNED_ZEROS__ 0
 #endif
 
-#include <redcc/structures.h>
-
-#ifndef REDCC_LIBRARY
-/** Iterations of a chunk, by the name that generated text has for them. */
-typedef redcc_iterations redcc_run;
-#endif
-
-#ifdef _OPENMP
-/* Of OpenMP, what the calls below need; omp.h may follow. */
-extern int omp_get_max_threads(void);
-extern int omp_get_num_threads(void);
-extern int omp_get_thread_num(void);
-extern int omp_in_parallel(void);
-#endif
+#include <redcc/entry.h>
 
 #if defined(__GNUC__)
 #ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
@@ -255,6 +242,9 @@ static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) 
 
 #include <redcc/series.h>
 
+#ifndef REDCC_LIBRARY
+#pragma weak redcc_run
 #include "loop.h"
+#endif
 
 #endif

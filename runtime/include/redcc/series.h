@@ -5,92 +5,69 @@
  * iterations that it executes one behind the other; at the end the first thread applies them in the
  * order of the iterations.
  *
- *     redcc_series_take       one thread    before redcc_enter: room for a part an iteration
- *     redcc_series_join       each thread   after redcc_join
+ *     redcc_run               one thread    takes room for a part an iteration (redcc_attempt)
+ *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   an iteration begins
  *     redcc_series_put        each thread   an operand
- *     redcc_series_again      each thread   once redcc_next has returned 0: where there was no
- *                                           memory for an operand, the first thread executes all
+ *     REDCC_SERIES_AGAIN      each thread   once there is nothing left to execute: where there was
+ *                                           no memory for an operand, the first thread executes all
  *                                           iterations once more, without any update, and adds up
- *     redcc_series_is_over    each thread   1: it is the first, and the loop is done
+ *     series->is_over         each thread   1: it is the first, and the loop is done
  *     REDCC_SERIES_APPLY      that thread
- *     redcc_series_give       one thread    after redcc_leave
+ *     operands_give           one thread    after the loop
  *
  * runtime.h includes this file.
  */
 #ifndef REDCC_SERIES_H
 #define REDCC_SERIES_H
 
-typedef struct redcc_series redcc_series;
-
 /** Operands of one iteration, in order. */
-typedef struct redcc_series_part {
+struct redcc_series_part {
     struct redcc_series_part *more; /**< those that come after; NULL: none */
     redcc_size count;
     double value[1]; /**< count of them; a float is a double's value as well */
-} redcc_series_part;
+};
 
 /** A thread's. */
-typedef struct redcc_series_writer {
+struct redcc_series_writer {
     redcc_series *series;
+    const redcc_series_calls *calls;
     redcc_series_part *part; /**< of the iteration at hand; NULL: it has none yet */
     double *at, *end;        /**< where the next operand goes; equal: there is no room for it */
     double *block_end;       /**< behind the memory that `at` leads into */
     int adds;                /**< the thread adds up by itself: there is never room */
     int begins;              /**< and has not begun yet */
-} redcc_series_writer;
+};
 
-#if defined(__GNUC__)
-#pragma GCC visibility push(default)
-#endif
-
-/** Room for a loop of so many iterations. NULL: trip is not positive, or there is no memory (which
- *  is reported), and the original loop must run. */
-redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip);
-
-/** Gives it back; NULL does nothing. */
-void redcc_series_give(redcc_series *series);
-
-void redcc_series_join(redcc_series_writer *writer, redcc_series *series);
-
-/** Called by redcc_series_put: makes room for an operand of iteration number k. 0: there is none,
- *  and what the thread adds up takes it. */
-int redcc_series_room(redcc_series_writer *writer, redcc_int k) __attribute__((__cold__));
-
-/** Hands out all iterations once more, as redcc_next does, to the first of the threads, where
- *  operands were lost. To be called with all series of the loop by each thread until it returns
- *  0. */
-int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
-
-/** 1 for the first thread, where the loop is done. All operands are there then. */
-int redcc_series_is_over(const redcc_worker *worker);
-
-/** Does any iteration have an operand? */
-int redcc_series_has_any(const redcc_series *series);
-
-/** The operands of the first iteration from *k on that has any, and its number; NULL: there are
- *  none left. */
-const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k);
-
-#if defined(__GNUC__)
-#pragma GCC visibility pop
-#endif
+/** Number `number` of the loop's series is this thread's to write to. */
+static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_worker *worker,
+                                                                      const redcc_attempt *attempt,
+                                                                      redcc_series_writer *writers,
+                                                                      redcc_u32 number) {
+    worker->call->calls->series->join(&writers[number], attempt->series[number]);
+    writers[number].calls = worker->call->calls->series;
+}
 
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at)
 
 /** Keeps an operand of iteration number k; 0: there is no room. */
-static __inline__ int redcc_series_put(redcc_series_writer *writer, redcc_int k, double operand) {
-    if (writer->at == writer->end && !redcc_series_room(writer, k))
+static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
+                                                                   redcc_int k, double operand) {
+    if (writer->at == writer->end && !writer->calls->room(writer, k))
         return 0;
     *writer->at++ = operand;
     writer->part->count++;
     return 1;
 }
 
+/** Is a chunk handed out once more? */
+#define REDCC_SERIES_AGAIN(redcc_count)                                                            \
+    redcc__worker->call->calls->series->again(redcc__worker, redcc__writers, redcc_count)
+
 /** The thread that adds up by itself begins with the scalar as it is, where it is ever updated. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \
-    ((redcc_writer).begins && redcc_series_has_any((redcc_writer).series)                          \
+    ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series)                 \
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 
@@ -98,13 +75,14 @@ static __inline__ int redcc_series_put(redcc_series_writer *writer, redcc_int k,
  *  redcc_operand. */
 #define REDCC_SERIES_APPLY(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,  \
                            redcc_own, redcc_sum, redcc_is_set)                                     \
-    if (redcc_series_has_any((redcc_writer).series)) {                                             \
+    if ((redcc_writer).calls->has_any((redcc_writer).series)) {                                    \
         redcc_int redcc__i = 0;                                                                    \
         redcc_size redcc__j;                                                                       \
         const redcc_series_part *redcc__part;                                                      \
         if (!(redcc_writer).adds) {                                                                \
             redcc_own = redcc_scalar;                                                              \
-            while ((redcc__part = redcc_series_find((redcc_writer).series, &redcc__i)) != 0)       \
+            while ((redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
+                   0)                                                                              \
                 for (redcc__i++; redcc__part; redcc__part = redcc__part->more)                     \
                     for (redcc__j = 0; redcc__j < redcc__part->count; redcc__j++)                  \
                         redcc_own = (redcc_type)(redcc_own redcc_operator(redcc_operand)           \

@@ -95,6 +95,14 @@ typedef struct redcc_expectation {
     redcc_u32 digest[2];
 } redcc_expectation;
 
+/** The functions that an object's loops call, and what they and all that they lead to must be. */
+typedef struct redcc_linkage {
+    const redcc_callee *called;
+    redcc_size count;
+    const redcc_expectation *expected;
+    redcc_size expected_count;
+} redcc_linkage;
+
 /** Structures that a compiler option packs (-fpack-struct) are not those of the library. */
 typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
     __attribute__((__unused__));
@@ -129,7 +137,9 @@ enum {
     REDCC_LIGHT = 8192,
     /** Its executor says of iterations whose rows they touch, where redcc_next gives
      *  REDCC_SELECT. */
-    REDCC_SELECTS = 16384
+    REDCC_SELECTS = 16384,
+    /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
+    REDCC_SHORT = 32768
 };
 
 enum {
@@ -312,7 +322,22 @@ typedef struct redcc_bins {
     const struct redcc_calls *calls;
 } redcc_bins;
 
+typedef struct redcc_series redcc_series;
+typedef struct redcc_series_part redcc_series_part;
+typedef struct redcc_series_writer redcc_series_writer;
+
+/** The same for redcc/series.h. */
+typedef struct redcc_series_calls {
+    void (*join)(redcc_series_writer *writer, redcc_series *series);
+    int (*room)(redcc_series_writer *writer, redcc_int k);
+    int (*again)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
+    int (*is_over)(const redcc_worker *worker);
+    int (*has_any)(const redcc_series *series);
+    const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
+} redcc_series_calls;
+
 struct redcc_kept_row;
+struct redcc_attempt;
 
 /**
  * What inline functions call while a loop is inspected and executed. A thread reaches it by its
@@ -342,6 +367,8 @@ typedef struct redcc_calls {
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
     /** Ends the program with a message: the rules of redcc/parallel.h are broken. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
+    void (*operands_give)(const struct redcc_attempt *attempt);
+    const redcc_series_calls *series;
 } redcc_calls;
 
 #endif

@@ -33,8 +33,10 @@ typedef struct lanes_text {
 
 /** Slice and body as functions of their own (outline.c). */
 typedef struct outline_text {
-    bool done;
     bool possible;                                /* cleared by what finds that it is not */
+    bool *is_handed;                              /* by variable: slice or body get it */
+    const char **by_address;                      /* by variable: what is written for its name */
+    const char *text;                             /* of both, and of what each thread does last */
     const char *slice_call, *body_call;           /* of iteration redcc__k */
     const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
 } outline_text;

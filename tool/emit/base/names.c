@@ -42,10 +42,7 @@ static void name_arrays(loop_text *loop) {
 
 static void name_counter(loop_text *loop) {
     const counted_loop *counted = &loop->facts->counted;
-    if (!counted->counter_is_declared_in_header)
-        loop->counter_type = arena_format(loop->arena, "__typeof__(%s)",
-                                          origin_variable(loop->arena, counted->counter));
-    else if (counted->counter->type->spelling)
+    if (counted->counter->type->spelling)
         loop->counter_type = origin_type(loop->arena, counted->counter->type);
     else
         loop_obstacle(loop, loop->facts->loop->range, "the type of its counter has no name");
@@ -78,13 +75,9 @@ static const char *spelling_of(arena *a, const ir_type *type) {
     return buffer_take(a, &out);
 }
 
-const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {
+static const char *declared(loop_text *loop, const ir_type *type, const char *spelling,
+                            const char *name) {
     arena *a = loop->arena;
-    if (!type->spelling) {
-        loop->outline.possible = false;
-        return "int";
-    }
-    const char *spelling = spelling_of(a, type);
     const char *marked = origin_spelling(a, type, spelling);
     const char last = spelling[0] ? spelling[strlen(spelling) - 1] : ' ';
     if (strpbrk(spelling, "(["))
@@ -92,11 +85,45 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return arena_format(a, last == '*' || last == ' ' ? "%s%s" : "%s %s", marked, name);
 }
 
+const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {
+    if (type->spelling)
+        return declared(loop, type, spelling_of(loop->arena, type), name);
+    loop->outline.possible = false;
+    return "int";
+}
+
+/** The spelling without a qualifier of the type itself. */
+static const char *unqualified(arena *a, const ir_type *type) {
+    static const char before[] = "const ", after[] = "const";
+    const char *spelling = spelling_of(a, type);
+    const size_t length = strlen(spelling);
+    if (!type->is_const)
+        return spelling;
+    if (type->kind != IR_POINTER && source_starts_with(spelling, before))
+        return spelling + sizeof before - 1;
+    if (type->kind == IR_POINTER && length > sizeof after &&
+        strcmp(spelling + length - (sizeof after - 1), after) == 0)
+        return arena_copy(a, spelling, length - (sizeof after - 1));
+    return spelling;
+}
+
+const char *assignable_declaration_text(loop_text *loop, const ir_type *type, const char *name) {
+    if (!type->spelling)
+        return declaration_text(loop, type, name);
+    return declared(loop, type, unqualified(loop->arena, type), name);
+}
+
 static const char *outlined_declaration(loop_text *loop, const ir_variable *variable) {
     const ir_type *type = variable->type;
-    if (variable->storage == IR_THREAD_LOCAL || type->size < 0 || type->kind == IR_OTHER_TYPE)
+    if (type->size < 0 || type->kind == IR_OTHER_TYPE)
         loop->outline.possible = false;
     return declaration_text(loop, type, origin_declarator(loop->arena, variable));
+}
+
+const char *pointed_name(const loop_text *loop, const ir_node *node) {
+    if (node->kind != IR_VARIABLE || !loop->outline.by_address)
+        return NULL;
+    return loop->outline.by_address[node->variable->id];
 }
 
 const char *outlined_name(loop_text *loop, const char *part) {
@@ -107,10 +134,7 @@ const char *outlined_name(loop_text *loop, const char *part) {
 
 const char *private_declaration(loop_text *loop, const private_variable *item) {
     const ir_variable *variable = item->variable;
-    if (loop->outline.done || item->is_declared_in_header)
-        return outlined_declaration(loop, variable);
-    return arena_format(loop->arena, "__typeof__(%s) %s", origin_variable(loop->arena, variable),
-                        origin_declarator(loop->arena, variable));
+    return outlined_declaration(loop, variable);
 }
 
 const char *loop_lanes_name(loop_text *loop) {

@@ -157,7 +157,9 @@ typedef struct nest_names {
 static const char *name_in_part(const ir_node *node, void *context) {
     const nest_names *its = context;
     const char *counter = nest_counter_text(its->loop, its->nest, node, its->part);
-    return counter || !its->others ? counter : its->others(node, its->loop);
+    if (counter)
+        return counter;
+    return its->others ? its->others(node, its->loop) : pointed_name(its->loop, node);
 }
 
 static const char *value_text(loop_text *loop, const bins_record *record, unsigned value,
@@ -375,7 +377,10 @@ unsigned bins_stream_count(const loop_text *loop) {
 void write_streams(loop_text *loop, writer *out) {
     const unsigned count = bins_stream_count(loop);
     for (unsigned i = 0; i < count; i++)
-        writer_line(out, "%s%s%s", i == 0 ? "static const redcc_stream redcc__streams[] = {" : "",
+        writer_line(out, "%s%s%s",
+                    i == 0 ? arena_format(loop->arena, "static const redcc_stream %s[] = {",
+                                          outlined_name(loop, "streams"))
+                           : "",
                     stream_text(loop, i), i + 1 < count ? "," : "};");
 }
 
@@ -390,4 +395,8 @@ static bool are_all_exact(const loop_text *loop) {
 const char *bins_phase(loop_text *loop) {
     return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
                         loop->bins->guarded_sources, are_all_exact(loop));
+}
+
+const char *streams_argument(loop_text *loop) {
+    return arena_format(loop->arena, "%s, ", outlined_name(loop, "streams"));
 }

@@ -16,5 +16,6 @@ void write_bins(loop_text *loop, writer *out);
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
 const char *bins_phase(loop_text *loop);
+const char *streams_argument(loop_text *loop);
 
 #endif

@@ -22,6 +22,8 @@
 #include "ir/ir_syntax.h"
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
+#include "plan/outline.h"
+#include "plan/place.h"
 #include "plan/unroll.h"
 
 typedef struct body_copy {
@@ -37,7 +39,10 @@ typedef struct body_copy {
 static const char *local_name(const ir_node *node, void *context) {
     const loop_text *loop = context;
     const int array = loop_array_of_base(loop->facts, node);
-    return array >= 0 ? loop->arrays[array].local : forward_read_name(loop, node);
+    if (array >= 0)
+        return loop->arrays[array].local;
+    const char *name = forward_read_name(loop, node);
+    return name ? name : pointed_name(loop, node);
 }
 
 /** The same where the program may not come to what is written: sums wrap around. */
@@ -52,7 +57,7 @@ static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** `{ if (!redcc__guarded || redcc_owns(...)) `: what goes before an update. */
+/** What goes before an update. */
 static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
     if (!target) {
@@ -63,11 +68,7 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *brace = needs_braces(update) ? "{ " : "";
     if (loop->bins)
         return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
-    if (loop->outline.done)
-        return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address,
-                            brace);
-    return arena_format(loop->arena, "{ if (!redcc__guarded || redcc_owns(&%s, &%s)) %s",
-                        loop->arrays[update->array].owner, target, brace);
+    return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 
 static const char *guard_end(const reduction_update *update) {
@@ -189,13 +190,46 @@ static void print_instead(body_copy *copy, const ir_node *statement) {
 
 /* ---- names --------------------------------------------------------------------------------- */
 
+/** Does the range hold the name of something that is pointed to? */
+static bool holds_pointed(const loop_text *loop, ir_range range) {
+    for (unsigned i = 0; i < loop->unit->variable_count; i++)
+        if (loop->outline.by_address[i] &&
+            holds_word(loop->unit->source, range.begin, range.end, loop->unit->variables[i]->name))
+            return true;
+    return false;
+}
+
+/** An enumerator that the function declares, or a sizeof of what has another name here. */
+static bool is_known_within(const loop_text *loop, const ir_node *node) {
+    if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
+        return false;
+    if (node->kind == IR_SIZEOF)
+        return holds_pointed(loop, node->range);
+    if (node->kind != IR_NUMBER)
+        return false;
+    const ir_unit *unit = loop->unit;
+    const ir_range body = loop->facts->function->body->range;
+    for (unsigned i = 0; i < unit->reference_count; i++)
+        if (unit->references[i].offset == node->range.begin) {
+            const ir_declared *declared = unit->references[i].declared;
+            return !declared->file && declared->offset >= body.begin &&
+                   declared->offset < loop->facts->counted.body->range.begin;
+        }
+    return false;
+}
+
 /** Another name for this very node: NULL, with *is_base set where it is an array's own. */
 static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
     if (array >= 0)
         return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
-    return forward_read_name(loop, node);
+    if (is_known_within(loop, node)) /* text_expression writes the value */
+        return text_expression(loop->arena, node, NULL, NULL);
+    if (node->kind == IR_STRING)
+        return says_function_name(loop->plan, node) ? node->text : NULL;
+    const char *name = forward_read_name(loop, node);
+    return name ? name : pointed_name(loop, node);
 }
 
 /** Visits each node in the body that must be replaced by another name. */
@@ -386,8 +420,7 @@ static const char *copied_text(body_copy *copy) {
     choose_printed_updates(copy);
     choose_printed_nests(copy, body);
     visit_names(copy, body, replace_name);
-    if (loop->outline.done)
-        skip_inner_iterations(copy, body);
+    skip_inner_iterations(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
     unroll_loops(copy, body);
@@ -429,15 +462,9 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
 
 static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    const ir_variable *counter = facts->counted.counter;
-    if (!loop->outline.done)
-        writer_line(out, "%s %s%s = %s;", loop->counter_type,
-                    origin_declarator(loop->arena, counter),
-                    body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
-                    loop_counter_value(loop));
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
         const private_variable *item = &facts->variables.privates[i];
-        if (item->is_declared_inside || item->is_live_after)
+        if (item->is_declared_inside)
             continue;
         writer_line(out, "%s%s%s;", private_declaration(loop, item),
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))",
@@ -459,21 +486,16 @@ void write_iteration(loop_text *loop, writer *out) {
                                   .before = print_guard,
                                   .in_front_of_for = pragma_in_body},
                       .loop = loop};
-    if (loop->outline.done)
-        writer_fill(out, true);
     declare_variables(loop, out);
-    if (loop->outline.done)
-        writer_fill(out, false);
     note_no_operands(loop, out);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
-    const bool continues = loop->outline.done && ir_continues(body);
+    const bool continues = ir_continues(body);
     buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");
-    if (!loop->outline.done)
-        buffer_format(&out->out, "%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
+    note_live_outs(loop, out);
 }

@@ -49,35 +49,20 @@ static bool is_name_shared(const ir_unit *unit, const char *name) {
 typedef struct declaring {
     const loop_text *loop;
     writer *out;
-    bool is_open;
 } declaring;
 
 static bool declare_callee(ir_node *node, void *context) {
     declaring *d = context;
-    if (node->kind != IR_CALL || node->children[0]->kind != IR_FUNCTION ||
-        !is_called_once(d->loop->unit, node->children[0]->function) ||
-        is_name_shared(d->loop->unit, node->children[0]->function->name))
-        return true;
-    const char *name = origin_function_declarator(d->loop->arena, node->children[0]->function);
-    if (d->loop->outline.done) {
-        writer_line(d->out, "REDCC_KEEP_INLINED(%s)", name);
-        return true;
-    }
-    if (!d->is_open)
-        buffer_text(&d->out->out, "#if !defined(__clang__) && defined(__OPTIMIZE__)\n"
-                                  "#pragma GCC diagnostic ignored \"-Wnested-externs\"\n"
-                                  "#pragma GCC diagnostic ignored \"-Wredundant-decls\"\n");
-    d->is_open = true;
-    writer_line(d->out, "extern __inline__ __typeof__(%s) %s __attribute__((__always_inline__));",
-                name, name);
+    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+        is_called_once(d->loop->unit, node->children[0]->function) &&
+        !is_name_shared(d->loop->unit, node->children[0]->function->name))
+        writer_line(d->out, "REDCC_KEEP_INLINED(%s)",
+                    origin_function_declarator(d->loop->arena, node->children[0]->function));
     return true;
 }
 
 void declare_inlined(loop_text *loop, writer *out) {
     declaring d = {.loop = loop, .out = out};
-    if (has_compiler_pragmas(loop->unit))
-        return;
-    ir_walk(loop->facts->loop, declare_callee, &d);
-    if (d.is_open)
-        buffer_text(&out->out, "#endif\n");
+    if (!has_compiler_pragmas(loop->unit))
+        ir_walk(loop->facts->loop, declare_callee, &d);
 }

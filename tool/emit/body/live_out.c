@@ -2,7 +2,8 @@
 /**
  * Private variables that some iterations assign, and whose value is wanted after the loop: that of
  * the last iteration that assigned them. Each thread notes the value with the iteration's number,
- * in redcc__own_N and redcc__when_N; of all threads' the one with the highest number counts.
+ * where redcc__noted_N and redcc__when_N point to; of all threads' the one with the highest number
+ * counts.
  * Several threads that execute an iteration note the same.
  */
 #include "emit/body/live_out.h"
@@ -10,39 +11,40 @@
 #include "emit/text/origin.h"
 #include "plan/lookup.h"
 
-void declare_conditional_live_outs(loop_text *loop, writer *out, bool in_region) {
+void declare_conditional_live_outs(loop_text *loop, writer *out) {
+    if (has_conditional_live_outs(loop->facts))
+        writer_line(out, "int redcc__lock = 0;");
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
         const char *name =
             origin_variable(loop->arena, loop->facts->variables.privates[i].variable);
-        writer_line(out, "redcc_int redcc__%s_%u = -1;", in_region ? "when" : "latest", i);
-        writer_line(out, "__typeof__(%s) redcc__%s_%u = 0;", name, in_region ? "own" : "found", i);
+        writer_line(out, "redcc_int redcc__latest_%u = -1;", i);
+        writer_line(out, "__typeof__(%s) redcc__found_%u = 0;", name, i);
     }
 }
 
 void write_note(loop_text *loop, writer *out, unsigned number) {
-    writer_line(out, "if (redcc__k >= redcc__when_%u) {", number);
-    writer_line(out, "    redcc__when_%u = redcc__k;", number);
-    writer_line(out, "    redcc__own_%u = %s;", number,
+    writer_line(out, "if (redcc__k >= *redcc__when_%u) {", number);
+    writer_line(out, "    *redcc__when_%u = redcc__k;", number);
+    writer_line(out, "    *redcc__noted_%u = %s;", number,
                 origin_variable(loop->arena, loop->facts->variables.privates[number].variable));
     writer_line(out, "}");
 }
 
-void gather_conditional_live_outs(loop_text *loop, writer *out) {
+void write_last_notes(loop_text *loop, writer *out) {
     if (!has_conditional_live_outs(loop->facts))
         return;
-    buffer_text(&out->out, "#pragma omp critical (redcc__found)\n");
-    writer_line(out, "{");
+    writer_line(out, "redcc_lock(redcc__lock);");
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
-        writer_line(out, "    if (redcc__when_%u > redcc__latest_%u) {", i, i);
-        writer_line(out, "        redcc__latest_%u = redcc__when_%u;", i, i);
-        writer_line(out, "        redcc__found_%u = redcc__own_%u;", i, i);
-        writer_line(out, "    }");
+        writer_line(out, "if (*redcc__when_%u > *redcc__latest_%u) {", i, i);
+        writer_line(out, "    *redcc__latest_%u = *redcc__when_%u;", i, i);
+        writer_line(out, "    *redcc__found_%u = *redcc__noted_%u;", i, i);
+        writer_line(out, "}");
     }
-    writer_line(out, "}");
+    writer_line(out, "redcc_unlock(redcc__lock);");
 }
 
 void take_conditional_live_outs(loop_text *loop, writer *out) {
@@ -82,26 +84,25 @@ static void copy_value(writer *out, const ir_type *type, const char *to, const c
         writer_line(out, "%s = %s;", to, from);
 }
 
-void write_live_outs(loop_text *loop, writer *out, bool into_variables) {
+void note_live_outs(loop_text *loop, writer *out) {
+    if (!has_live_outs(loop->facts))
+        return;
+    writer_line(out, "if (redcc__k + 1 == redcc__trip && REDCC_CLAIMS_LAST) {");
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
-        if (!item->is_live_after)
-            continue;
-        const char *name = origin_variable(loop->arena, item->variable);
-        const char *last = arena_format(loop->arena, "redcc__last_%s", item->variable->name);
-        copy_value(out, item->variable->type, into_variables ? name : last,
-                   into_variables ? last : name);
+        if (item->is_live_after)
+            copy_value(out, item->variable->type,
+                       arena_format(loop->arena, "*redcc__last_%s", item->variable->name),
+                       origin_variable(loop->arena, item->variable));
     }
+    writer_line(out, "}");
 }
 
-/** Private variables whose last value is wanted outlive the iterations of a chunk. */
-void declare_live_privates(loop_text *loop, writer *out) {
+void take_live_outs(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
-        if (!item->is_live_after)
-            continue;
-        writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
-                    origin_declarator(loop->arena, item->variable),
-                    start_value(item->variable->type));
+        if (item->is_live_after)
+            copy_value(out, item->variable->type, origin_variable(loop->arena, item->variable),
+                       arena_format(loop->arena, "redcc__last_%s", item->variable->name));
     }
 }

@@ -5,20 +5,19 @@
 
 #include "emit/base/loop.h"
 
-/** Of those that each iteration assigns. */
-/** The variables themselves, in a thread; where the last values go; */
-void declare_live_privates(loop_text *loop, writer *out);
+/** Of those that each iteration assigns: where the last values go; */
 void declare_live_outs(loop_text *loop, writer *out);
-/** Stores the last values, of the thread that has them; or from there into the user's variables. */
-void write_live_outs(loop_text *loop, writer *out, bool into_variables);
+/** the last iteration leaves them there; and from there to the variables. */
+void note_live_outs(loop_text *loop, writer *out);
+void take_live_outs(loop_text *loop, writer *out);
 
-/** Of those that only some iterations assign: what
- *  notes the value and when it was assigned, of all threads or of one in the region; */
-void declare_conditional_live_outs(loop_text *loop, writer *out, bool in_region);
+/** Of those that only some iterations assign: what notes the latest of all threads' values, and
+ *  when it was assigned; */
+void declare_conditional_live_outs(loop_text *loop, writer *out);
 /** the note after an assignment of private variable `number`; */
 void write_note(loop_text *loop, writer *out, unsigned number);
-/** the latest of all threads', at the end of the region; and from there to the variables. */
-void gather_conditional_live_outs(loop_text *loop, writer *out);
+/** what a thread does at its end; and from there to the variables. */
+void write_last_notes(loop_text *loop, writer *out);
 void take_conditional_live_outs(loop_text *loop, writer *out);
 
 #endif

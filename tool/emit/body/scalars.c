@@ -8,6 +8,7 @@
  */
 #include "emit/body/scalars.h"
 
+#include "emit/base/names.h"
 #include "emit/body/series.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
@@ -46,34 +47,48 @@ static char sign_of(ir_operator op) {
     }
 }
 
-static void declare_room(writer *out, const char *type, const char *name, unsigned number) {
-    writer_line(out, "%s *const redcc__%s_%u =", type, name, number);
-    writer_line(out, "    (%s *)redcc_operands_take(&redcc__loop, redcc__trip, sizeof(%s));", type,
-                type);
+const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    if (update->is_series)
+        return NULL;
+    if (!is_made)
+        return type_of(update);
+    return update->is_conditional ? "unsigned char" : NULL;
+}
+
+const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made) {
+    return arena_format(loop->arena, "redcc__%s_%u", is_made ? "made" : "operands", number);
+}
+
+unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made) {
+    unsigned count = is_made ? 1 : 0;
+    for (unsigned i = 0; i < number; i++)
+        if (!loop->facts->scalars[i].is_series)
+            count += loop->facts->scalars[i].is_conditional ? 2 : 1;
+    return count;
+}
+
+static bool has_operands(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (!facts->scalars[i].is_series)
+            return true;
+    return false;
 }
 
 void declare_operands(loop_text *loop, writer *out) {
     declare_series(loop, out);
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        if (loop->facts->scalars[i].is_series)
-            continue;
-        declare_room(out, type_of(&loop->facts->scalars[i]), "operands", i);
-        if (loop->facts->scalars[i].is_conditional)
-            declare_room(out, "unsigned char", "made", i);
-    }
-}
-
-const char *operands_are_there(loop_text *loop) {
-    const char *text = series_are_there(loop, NULL);
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        if (loop->facts->scalars[i].is_series)
-            continue;
-        text = text ? arena_format(loop->arena, "%s && redcc__operands_%u", text, i)
-                    : arena_format(loop->arena, "redcc__operands_%u", i);
-        if (loop->facts->scalars[i].is_conditional)
-            text = arena_format(loop->arena, "%s && redcc__made_%u", text, i);
-    }
-    return text;
+    if (!has_operands(loop->facts))
+        return;
+    unsigned count = 0;
+    writer_line(out, "static const redcc_size redcc__operand_bytes[] = {");
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        for (unsigned k = 0; k < 2; k++)
+            if (kept_operand_type(loop, i, k == 1)) {
+                writer_line(out, "    sizeof(%s),", kept_operand_type(loop, i, k == 1));
+                count++;
+            }
+    writer_line(out, "};");
+    writer_line(out, "REDCC_OPERANDS(%u);", count);
 }
 
 /** "" where each iteration comes to the update. */
@@ -164,29 +179,28 @@ static void apply_iteration(loop_text *loop, writer *out) {
     }
 }
 
-static bool has_operands(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->scalar_count; i++)
-        if (!facts->scalars[i].is_series)
-            return true;
-    return false;
+static void name_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        for (unsigned k = 0; k < 2; k++)
+            if (kept_operand_type(loop, i, k == 1))
+                writer_line(out, "    const %s *const %s = (%s *)redcc__operands[%u];",
+                            kept_operand_type(loop, i, k == 1), kept_operand_name(loop, i, k == 1),
+                            kept_operand_type(loop, i, k == 1),
+                            kept_operand_number(loop, i, k == 1));
 }
 
 void apply_operands(loop_text *loop, writer *out) {
+    if (loop->facts->scalar_count == 0)
+        return;
+    writer_line(out, "if (redcc__done) {");
     if (has_operands(loop->facts)) {
-        writer_line(out, "if (redcc__done) {");
         writer_line(out, "    redcc_int redcc__i;");
+        name_operands(loop, out);
         writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
         apply_iteration(loop, out);
         writer_line(out, "    }");
-        writer_line(out, "}");
     }
     take_series(loop, out);
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        if (loop->facts->scalars[i].is_series)
-            continue;
-        writer_line(out, "redcc_operands_give(redcc__operands_%u);", i);
-        if (loop->facts->scalars[i].is_conditional)
-            writer_line(out, "redcc_operands_give(redcc__made_%u);", i);
-    }
-    give_series(loop, out);
+    writer_line(out, "    REDCC_OPERANDS_END(%s);", outlined_name(loop, "site"));
+    writer_line(out, "}");
 }

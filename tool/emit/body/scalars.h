@@ -5,10 +5,13 @@
 
 #include "emit/base/loop.h"
 
-/** Room for the operands that each iteration keeps of scalar updates; whether there was
- *  memory for it, as a condition (NULL: there are no such updates); */
+/** Operands, or whether there is one, of each iteration: the type of update `number`'s (NULL: it
+ * has none), the name, and the number by which the runtime keeps them. */
+const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made);
+const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made);
+unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made);
+/** At the call, what the runtime is to keep; */
 void declare_operands(loop_text *loop, writer *out);
-const char *operands_are_there(loop_text *loop);
 /** in an iteration, variables for what is put together, that no update was executed yet of those
  *  that may not be, and what number `number` does; */
 void declare_repeated_operands(loop_text *loop, writer *out);

@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Of a floating scalar that a loop inside accumulates into each iteration has as many operands as
- * it likes: a series, redcc__series_N of the scalar that update number N is the first of. The
- * thread that enters the loop adds them up in the region, so that its time is the loop's, and the
- * scalar gets the sum after it. (In the region its name is a copy, or what all threads share: a
- * variable that is written there would lie in memory for the sequential form, too.)
+ * it likes: a series, by the number of the update that is the scalar's first. The thread that
+ * enters the loop adds them up as part of it, so that its time is the loop's, and the scalar gets
+ * the sum after it. (A local variable is handed over by value: one whose address is known elsewhere
+ * would lie in memory for the sequential form, too.)
  */
 #include "emit/body/series.h"
 
+#include "emit/base/names.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 #include "plan/lookup.h"
+
+static const char *pointed(const ir_node *node, void *context) {
+    return pointed_name(context, node);
+}
 
 static bool is_first(const loop_facts *facts, unsigned number) {
     return facts->scalars[number].is_series && series_of(facts, number) == number;
@@ -41,69 +46,85 @@ static const char *operand_type_of(const scalar_update *update) {
 
 void declare_series(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
+    if (!has_series(facts))
+        return;
     for (unsigned i = 0; i < facts->scalar_count; i++) {
         if (!is_first(facts, i))
             continue;
-        writer_line(out,
-                    "redcc_series *const redcc__series_%u = "
-                    "redcc_series_take(&redcc__loop, redcc__trip);",
-                    i);
         writer_line(out, "%s redcc__sum_%u = 0;", type_of(&facts->scalars[i]), i);
         writer_line(out, "int redcc__summed_%u = 0;", i);
     }
+    writer_line(out, "REDCC_HAS_SERIES(%u);", count_series(facts));
 }
 
-const char *series_are_there(loop_text *loop, const char *text) {
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (is_first(loop->facts, i))
-            text = arena_format(loop->arena, "%s%sredcc__series_%u", text ? text : "",
-                                text ? " && " : "", i);
-    return text;
+bool is_kept_scalar(const loop_text *loop, unsigned number) {
+    const ir_node *target = loop->facts->scalars[number].target;
+    return target->kind == IR_VARIABLE && target->variable->storage != IR_GLOBAL &&
+           target->variable->storage != IR_STATIC;
 }
 
-void add_series_variables(loop_text *loop, buffer *clause) {
-    const loop_facts *facts = loop->facts;
-    for (unsigned i = 0; i < facts->scalar_count; i++) {
-        const ir_variable *variable = facts->scalars[i].variable;
-        if (is_first(facts, i) && variable && !is_captured(facts, variable))
-            buffer_format(clause, "%s%s", clause->length > 0 ? ", " : "firstprivate(",
-                          origin_declarator(loop->arena, variable));
+void for_each_series_value(loop_text *loop, void (*take)(void *to, extra_value value), void *to) {
+    arena *a = loop->arena;
+    take(to, (extra_value){"redcc__writers", "redcc_series_writer *const redcc__writers", NULL,
+                           "redcc__of_thread_writers"});
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        if (!is_first(loop->facts, i))
+            continue;
+        const char *type = type_of(&loop->facts->scalars[i]);
+        const char *const names[] = {
+            arena_format(a, "redcc__scalar_%u", i), arena_format(a, "redcc__own_sum_%u", i),
+            arena_format(a, "redcc__sum_%u", i), arena_format(a, "redcc__summed_%u", i)};
+        take(to, (extra_value){names[0], arena_format(a, "const %s %s", type, names[0]),
+                               loop_operand(loop, loop->facts->scalars[i].target), NULL});
+        take(to, (extra_value){names[1], arena_format(a, "%s *const %s", type, names[1]), NULL,
+                               arena_format(a, "&redcc__of_thread_sum_%u", i)});
+        take(to, (extra_value){names[2], arena_format(a, "%s *%s", type, names[2]),
+                               arena_format(a, "&%s", names[2]), NULL});
+        take(to, (extra_value){names[3], arena_format(a, "int *%s", names[3]),
+                               arena_format(a, "&%s", names[3]), NULL});
     }
 }
 
-void join_series(loop_text *loop, writer *out) {
-    const loop_facts *facts = loop->facts;
-    if (!has_series(facts))
+void declare_thread_series(loop_text *loop, writer *out) {
+    if (!has_series(loop->facts))
         return;
-    for (unsigned i = 0; i < facts->scalar_count; i++)
-        if (is_first(facts, i))
-            writer_line(out, "%s redcc__own_sum_%u = 0;", type_of(&facts->scalars[i]), i);
-    writer_line(out, "redcc_series_writer redcc__writers[%u];", count_series(facts));
-    for (unsigned i = 0; i < facts->scalar_count; i++)
-        if (is_first(facts, i))
-            writer_line(out, "redcc_series_join(&redcc__writers[%u], redcc__series_%u);",
-                        place_of(facts, i), i);
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (is_first(loop->facts, i))
+            writer_line(out, "%s redcc__of_thread_sum_%u = 0;", type_of(&loop->facts->scalars[i]),
+                        i);
+    writer_line(out, "redcc_series_writer redcc__of_thread_writers[%u];",
+                count_series(loop->facts));
 }
 
-/** The scalar, as an argument of a macro. */
+void join_series(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (is_first(loop->facts, i))
+            writer_line(out,
+                        "redcc_series_begin(redcc__worker, redcc__attempt, redcc__writers, %u);",
+                        place_of(loop->facts, i));
+}
+
+/** The scalar as a thread reads it, as an argument of a macro. */
 static const char *scalar_text(loop_text *loop, unsigned number) {
-    return macro_argument(loop->arena, loop_operand(loop, loop->facts->scalars[number].target));
+    if (is_kept_scalar(loop, number))
+        return arena_format(loop->arena, "redcc__scalar_%u", number);
+    const char *text =
+        text_operand(loop->arena, loop->facts->scalars[number].target, pointed, loop);
+    if (!text)
+        loop_obstacle(loop, loop->facts->scalars[number].target->range,
+                      "an expression of the loop cannot be spelled");
+    return macro_argument(loop->arena, text ? text : "0");
 }
 
 const char *series_go_on(loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    if (!has_series(facts))
-        return "redcc_next(&redcc__worker)";
     buffer out = {0};
-    buffer_format(&out,
-                  "redcc_next(&redcc__worker) || "
-                  "(redcc_series_again(&redcc__worker, redcc__writers, %u) && (",
-                  count_series(facts));
+    buffer_format(&out, "REDCC_SERIES_AGAIN(%u) && (", count_series(facts));
     for (unsigned i = 0; i < facts->scalar_count; i++)
         if (is_first(facts, i))
-            buffer_format(&out, "REDCC_SERIES_BEGIN(redcc__writers[%u], redcc__own_sum_%u, %s), ",
+            buffer_format(&out, "REDCC_SERIES_BEGIN(redcc__writers[%u], *redcc__own_sum_%u, %s), ",
                           place_of(facts, i), i, scalar_text(loop, i));
-    buffer_text(&out, "1))");
+    buffer_text(&out, "1)");
     return buffer_take(loop->arena, &out);
 }
 
@@ -111,14 +132,14 @@ void finish_series(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     if (!has_series(facts))
         return;
-    writer_line(out, "if (redcc_series_is_over(&redcc__worker)) {");
+    writer_line(out, "if (redcc__worker->call->calls->series->is_over(redcc__worker)) {");
     out->depth++;
     for (unsigned i = 0; i < facts->scalar_count; i++) {
         const scalar_update *update = &facts->scalars[i];
         if (is_first(facts, i))
             writer_line(out,
                         "REDCC_SERIES_APPLY(redcc__writers[%u], %s, %s, %s, %s, "
-                        "redcc__own_sum_%u, redcc__sum_%u, redcc__summed_%u)",
+                        "*redcc__own_sum_%u, *redcc__sum_%u, *redcc__summed_%u)",
                         place_of(facts, i), type_of(update), operand_type_of(update),
                         ir_operator_spelling(update->op), scalar_text(loop, i), i, i, i);
     }
@@ -139,7 +160,7 @@ void write_series_operand(loop_text *loop, writer *out, unsigned number, const c
     writer_line(out,
                 "{ const %s redcc__operand = (%s)(%s); "
                 "if (!redcc_series_put(&redcc__writers[%u], redcc__k, (double)redcc__operand)) "
-                "redcc__own_sum_%u = (%s)(redcc__own_sum_%u %s redcc__operand); }",
+                "*redcc__own_sum_%u = (%s)(*redcc__own_sum_%u %s redcc__operand); }",
                 type, type, value, place_of(loop->facts, number), first, type_of(update), first,
                 ir_operator_spelling(update->op));
 }
@@ -147,12 +168,6 @@ void write_series_operand(loop_text *loop, writer *out, unsigned number, const c
 void take_series(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (is_first(loop->facts, i))
-            writer_line(out, "if (redcc__done && redcc__summed_%u) { %s = redcc__sum_%u; }", i,
+            writer_line(out, "    if (redcc__summed_%u) { %s = redcc__sum_%u; }", i,
                         loop_operand(loop, loop->facts->scalars[i].target), i);
-}
-
-void give_series(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (is_first(loop->facts, i))
-            writer_line(out, "redcc_series_give(redcc__series_%u);", i);
 }

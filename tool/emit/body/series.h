@@ -3,23 +3,24 @@
 #ifndef EMIT_BODY_SERIES_H
 #define EMIT_BODY_SERIES_H
 
-#include "emit/base/loop.h"
+#include "emit/context.h"
 
-/** Room for the series before the loop; that it is there, as conditions behind `text` (or NULL). */
+/** At the call: what the runtime is to keep, and where the sums go. */
 void declare_series(loop_text *loop, writer *out);
-const char *series_are_there(loop_text *loop, const char *text);
-/** Adds the variables of which each thread needs the value that they have before the loop. */
-void add_series_variables(loop_text *loop, buffer *clause);
-/** In the region: each thread's part; the condition under which it goes on executing; what it does
- *  in the end. */
+/** What slice, body and each thread get for the series. */
+void for_each_series_value(loop_text *loop, void (*take)(void *to, extra_value value), void *to);
+/** Is the scalar a local variable, whose value is handed over? */
+bool is_kept_scalar(const loop_text *loop, unsigned number);
+/** A thread's variables; its part; the condition under which it goes on executing; what it does in
+ *  the end. */
+void declare_thread_series(loop_text *loop, writer *out);
 void join_series(loop_text *loop, writer *out);
 const char *series_go_on(loop_text *loop);
 void finish_series(loop_text *loop, writer *out);
 /** An iteration begins; what update number `number` does in it. */
 void begin_series(loop_text *loop, writer *out);
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value);
-/** After the loop: the scalars get their values, and the memory is given back. */
+/** After the loop: the scalars get their values. */
 void take_series(loop_text *loop, writer *out);
-void give_series(loop_text *loop, writer *out);
 
 #endif

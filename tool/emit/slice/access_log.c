@@ -6,10 +6,10 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 #include "emit/base/forward.h"
+#include "emit/base/names.h"
 #include "emit/base/wrapping.h"
 #include "emit/slice/slice.h"
 #include "emit/text/origin.h"
-#include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
 #include "plan/unconditional.h"
 
@@ -22,6 +22,8 @@ const char *inspector_note_variable(const ir_node *node, void *context) {
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
     const char *name = forward_read_name(self->loop, node);
+    if (!name)
+        name = pointed_name(self->loop, node);
     if (name || !self->is_unconditional)
         return name;
     return wrapping_operation(self->loop->arena, node, inspector_note_variable, self);
@@ -94,9 +96,8 @@ static void log_array(inspector *self, const ir_node *row, const char *what, uns
                 (long long)(type->size / element->size), text);
 }
 
-/** The same by a macro of loop.h. */
-static void log_either(inspector *self, const ir_node *row, bool is_update, unsigned number,
-                       const ir_node *base) {
+static void log_address(inspector *self, const ir_node *row, bool is_update, unsigned number,
+                        const ir_node *base) {
     arena *a = self->loop->arena;
     const char *what = is_update ? "TOUCH" : "READ";
     const char *text = log_row_text(self, row);
@@ -128,11 +129,6 @@ static bool is_guarded(const loop_text *loop, unsigned number) {
     return false;
 }
 
-const char *precheck_end(loop_text *loop) {
-    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
-    return arena_format(loop->arena, "redcc__over_%u_%u", place.line, place.column);
-}
-
 /** A dependence pre-check may end after this was logged. */
 static void may_end_here(inspector *self, bool is_update, unsigned number) {
     loop_text *loop = self->loop;
@@ -140,40 +136,15 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
     if (is_update ? loop->plan->precheck == PRECHECK_NONE
                   : loop->plan->precheck != PRECHECK_OF_ALL || !is_guarded(loop, number))
         return;
-    if (self->is_either && is_update)
+    if (is_update)
         writer_line(out, "REDCC_RETURN_IF_OVER");
-    else if (self->is_either)
+    else
         writer_line(out, "REDCC_RETURN_IF_STALE(%u)", number);
-    else if (!self->probes && is_update) /* a pre-check probes nothing */
-        writer_line(out, "if (!redcc__worker.last) goto %s;", precheck_end(loop));
-    else if (!self->probes)
-        writer_line(out, "if (redcc_is_over(&redcc__worker, %u)) goto %s;", number,
-                    precheck_end(loop));
 }
 
-/** Logs a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
- *  is_numbered, or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base) {
-    const char *what = is_update ? "touch" : "read";
-    const char *text = log_row_text(self, row);
-    const char *address = log_address_text(self, row, NULL);
-    const char *plain = row->type->is_restrict ? "(const void *)" : "";
-    writer *out = self->printer.out;
-    if (self->is_either)
-        log_either(self, row, is_update, number, base);
-    else if (!self->probes)
-        writer_line(out, "redcc_%s(&redcc__worker, %u, %s, sizeof(%s));", what, number, address,
-                    text);
-    else if (base && is_numbered(row, base))
-        writer_line(out,
-                    "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s%s, (redcc_int)%s, "
-                    "sizeof(%s));",
-                    what, number, plain, log_row_text(self, row->children[0]),
-                    log_row_text(self, row->children[1]), text);
-    else
-        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s, sizeof(%s));", what,
-                    number, address, text);
+    log_address(self, row, is_update, number, base);
     may_end_here(self, is_update, number);
 }
 
@@ -198,21 +169,12 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
             : arena_format(a, "(const char *)(&%s + 1)", log_row_text(self, item->row));
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
-    if (self->is_either && logged_is_update(item))
+    if (logged_is_update(item))
         writer_line(out, "REDCC_TOUCH_SPAN(%u, redcc__begin_%u, %s);", number, row,
                     macro_argument(a, end));
-    else if (self->is_either)
+    else
         writer_line(out, "REDCC_READ(%u, redcc__begin_%u, %s);", number, row,
                     macro_argument(a, bytes));
-    else if (self->probes)
-        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, redcc__begin_%u, %s);",
-                    logged_is_update(item) ? "touch" : "read", number, row, bytes);
-    else if (logged_is_update(item))
-        writer_line(out, "redcc_touch_span(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
-                    end);
-    else
-        writer_line(out, "redcc_read(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
-                    bytes);
     may_end_here(self, logged_is_update(item), number);
 }
 

@@ -20,8 +20,6 @@ typedef VECTOR(logged_row) row_list;
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool probes;           /* addresses are compared, not logged; */
-    bool is_either;        /* or the text does for both */
     bool *update_logged;   /* by update */
     bool *source_logged;   /* by the facts' source */
     bool *is_mentioned;    /* by variable: in what was printed */
@@ -56,9 +54,5 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
 void log_update(inspector *self, const reduction_update *update);
 /** and what is read, in the loops of a function that is called where it is there. */
 void log_read(inspector *self, const loop_source *read, int number);
-
-/** In the text of a loop that is written in place: the label at an iteration's end, where a
- *  dependence pre-check that has stopped goes on. */
-const char *precheck_end(loop_text *loop);
 
 #endif

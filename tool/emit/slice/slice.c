@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The inspector: the slice of the body that computes the subscripts, and where the body would
- * update or read, a call that logs the address; or, to probe the iteration, one that
- * only compares it with what the iterations before have touched.
+ * update or read, a macro that logs the address or compares it with what the iterations before
+ * have touched.
  */
 #include "emit/slice/slice.h"
 
@@ -165,11 +165,6 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
 static void declare_variables(const inspector *self, writer *out) {
     loop_text *loop = self->loop;
     const loop_facts *facts = loop->facts;
-    const ir_variable *counter = facts->counted.counter;
-    const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
-    if (!loop->outline.done)
-        writer_line(out, "%s %s%s = %s;", loop->counter_type,
-                    origin_declarator(loop->arena, counter), unused, loop_counter_value(loop));
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
         const private_variable *item = &facts->variables.privates[i];
         if (!item->is_declared_inside && is_needed(self, item->variable))
@@ -181,7 +176,6 @@ static void declare_variables(const inspector *self, writer *out) {
 /** Rows that an iteration reads without logging them, at the end of the slice. */
 static void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
     const prefetch_plan *prefetch = &loop->plan->prefetch;
-    writer_fill(out, true);
     for (unsigned i = 0; i < prefetch->gather_count; i++) {
         const gather *one = &prefetch->gathers[i];
         if (!is_mentioned[one->subscript->id])
@@ -190,31 +184,14 @@ static void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
         writer_line(out, "REDCC_AHEAD(%s, %s);", origin_variable(loop->arena, one->base),
                     origin_variable(loop->arena, one->subscript));
     }
-    writer_fill(out, false);
 }
 
 static void write_gathers_at_end(printer *p) {
     inspector *self = (inspector *)p;
-    if (self->is_either)
-        write_gathers(self->loop, p->out, self->is_mentioned);
+    write_gathers(self->loop, p->out, self->is_mentioned);
 }
 
-/** The statements follow the declarations, from `before` on, on their line: how much of the first
- *  one's indentation is to be left out. */
-static size_t goes_on(const inspector *self, writer *out, size_t before, const writer *slice) {
-    if (!self->is_either || self->printer.continues || out->out.length == before ||
-        slice->out.length == 0)
-        return 0;
-    size_t indentation = 0;
-    while (slice->out.data[indentation] == ' ')
-        indentation++;
-    out->out.data[out->out.length - 1] = ' ';
-    return indentation;
-}
-
-/** The slice; for the text that does either, with the variables that it names. */
-static void write_statements(loop_text *loop, writer *out, bool probes, bool is_either,
-                             bool *is_mentioned) {
+void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
     const loop_facts *facts = loop->facts;
     inspector self = {.printer = {.arena = loop->arena,
                                   .keep = facts->slice.holds,
@@ -223,52 +200,23 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                                   .print_at_once = log_at_once,
                                   .at_end = write_gathers_at_end},
                       .loop = loop,
-                      .probes = probes,
-                      .is_either = is_either,
                       .update_logged = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
                       .source_logged = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
                       .is_mentioned = is_mentioned};
     self.printer.rename = inspector_note_variable;
     self.printer.context = &self;
-    writer slice = {.depth = out->depth, .fills = is_either};
+    writer slice = {.depth = out->depth};
     self.printer.out = &slice;
     print_body(&self.printer, facts->counted.body);
     check_all_logged(&self);
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
-
-    if (is_either)
-        writer_fill(out, true);
-    const size_t before = out->out.length;
     declare_variables(&self, out);
-    if (is_either)
-        writer_fill(out, false);
-    const size_t indentation = goes_on(&self, out, before, &slice);
-    if (probes)
-        writer_line(out, "redcc_probe redcc__probe = {0, 0, 0};");
-    /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
+    /* `continue` of the user's loop goes to the end of the slice */
     if (self.printer.continues)
         writer_line(out, "do {");
-    buffer_append(&out->out, slice.out.data ? slice.out.data + indentation : "",
-                  slice.out.length - indentation);
+    buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);
     if (self.printer.continues)
         writer_line(out, "} while (0);");
     buffer_free(&slice.out);
-}
-
-void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
-    write_statements(loop, out, false, true, is_mentioned);
-}
-
-void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
-    write_statements(loop, out, probes, false,
-                     ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1));
-    if (probes) {
-        writer_line(out, "if (!redcc_is_alike(&redcc__probe))");
-        writer_line(out, "    break;");
-    } else {
-        writer_line(out, "redcc_iteration_done(&redcc__worker);");
-        if (loop->plan->precheck != PRECHECK_NONE)
-            writer_line(out, "%s:;", precheck_end(loop));
-    }
 }

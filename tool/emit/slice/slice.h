@@ -5,12 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** The statements of one iteration, counter and private variables declared: they log
- *  its addresses, or probe them and leave the loop around them where they must be logged. */
-void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
-
-/** The same by the macros of loop.h, which do either; sets is_mentioned for each variable, by its
- *  number, that is named. */
+/** The statements of one iteration, by the macros of loop.h; sets is_mentioned for each variable,
+ * by its number, that is named. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
 /** In the inspector, the name of the counter number `depth` of a source's loops, */

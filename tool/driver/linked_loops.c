@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/linked_loops.h"
+
+#include <string.h>
+
+#include "driver/files.h"
+#include "support/source.h"
+
+bool has_loops(session *s, const char *path) {
+    size_t length = 0;
+    const char *bytes = file_read(s->memory, path, &length);
+    return bytes && memmem(bytes, length, "redcc_run", sizeof "redcc_run") != NULL;
+}
+
+/* -lNAME in a folder of -LFOLDER. */
+static bool is_in_folder(session *s, const char *folder, const char *name) {
+    return has_loops(s, arena_format(s->memory, "%s/lib%s.a", folder, name)) ||
+           has_loops(s, arena_format(s->memory, "%s/lib%s.so", folder, name));
+}
+
+static bool library_has_loops(session *s, const char *name) {
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        if (source_starts_with(one->text, "-L") && is_in_folder(s, item_argument(one), name))
+            return true;
+    }
+    return false;
+}
+
+bool loops_are_linked(session *s) {
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        const bool is_library = source_starts_with(one->text, "-l");
+        if (is_library ? library_has_loops(s, item_argument(one))
+                       : one->kind == INPUT_LINK && has_loops(s, one->text))
+            return true;
+    }
+    return false;
+}

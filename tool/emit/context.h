@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The context: a struct by which what stands in front of a function gets values of it. Each thread
+ * copies them into variables of the same names.
+ */
+#ifndef EMIT_CONTEXT_H
+#define EMIT_CONTEXT_H
+
+#include "emit/base/loop.h"
+
+/** A value that slice or body need and that is no variable of the user's. */
+typedef struct extra_value {
+    const char *name;
+    const char *declaration; /* of a parameter, with the name */
+    const char *given;       /* what it is at the call, for the context; NULL: it is not in it, */
+    const char *made;        /* but each thread has this for it; NULL: it has it by its macros */
+} extra_value;
+
+/** Those that the text names, among which `text` holds no words of the user's of such names; calls
+ *  `take` for each. */
+void for_each_extra(loop_text *loop, const char *text,
+                    void (*take)(const extra_value *value, void *context), void *context);
+
+/** The name of a pointer to it. */
+const char *pointer_name(loop_text *loop, const ir_variable *variable);
+/** The parameter that gets a variable: of an array a pointer to its first element; and what it is
+ *  given. */
+const char *handed_argument(loop_text *loop, const ir_variable *variable);
+const char *handed_declaration(loop_text *loop, const ir_variable *variable);
+
+/** The struct, in front of the function; what fills it, at the call; and each thread's variables.
+ */
+void write_context(loop_text *loop, writer *out);
+void fill_context(loop_text *loop, writer *out);
+void take_context(loop_text *loop, writer *out);
+
+#endif
