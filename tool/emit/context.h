@@ -6,15 +6,8 @@
 #ifndef EMIT_CONTEXT_H
 #define EMIT_CONTEXT_H
 
+#include "emit/base/extra.h"
 #include "emit/base/loop.h"
-
-/** A value that slice or body need and that is no variable of the user's. */
-typedef struct extra_value {
-    const char *name;
-    const char *declaration; /* of a parameter, with the name */
-    const char *given;       /* what it is at the call, for the context; NULL: it is not in it, */
-    const char *made;        /* but each thread has this for it; NULL: it has it by its macros */
-} extra_value;
 
 /** Those that the text names, among which `text` holds no words of the user's of such names; calls
  *  `take` for each. */

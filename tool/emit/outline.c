@@ -53,13 +53,6 @@ static void mark_variables(const ir_node *node, bool *is_mentioned) {
         mark_variables(node->children[i], is_mentioned);
 }
 
-/** What a scalar of a series is reached by, where a thread reads it in the end. */
-static void mark_series(const loop_text *loop, bool *is_mentioned) {
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (loop->facts->scalars[i].is_series && !is_kept_scalar(loop, i))
-            mark_variables(loop->facts->scalars[i].target, is_mentioned);
-}
-
 static const char *counter_parameter(loop_text *loop, bool is_used) {
     return arena_format(loop->arena, "%s%s", handed_declaration(loop, loop->facts->counted.counter),
                         is_used ? "" : " __attribute__((__unused__))");
@@ -171,13 +164,24 @@ static void declare_stand_ins(loop_text *loop, writer *out) {
     }
 }
 
+/** What a scalar of a series is reached by, where a thread reads it in the end: in the context. */
+static void hand_series(loop_text *loop) {
+    bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    head unused = {0};
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_series && !is_kept_scalar(loop, i))
+            mark_variables(loop->facts->scalars[i].target, is_mentioned);
+    add_variables(loop, is_mentioned, false, &unused);
+    buffer_free(&unused.parameters);
+    buffer_free(&unused.arguments);
+}
+
 static void write_body(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     head h = {0};
     mark_mentioned(loop, facts->counted.body, is_mentioned);
     loop->outline.possible &= !is_mentioned[loop->unit->variable_count];
-    mark_series(loop, is_mentioned);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (loop->arrays[i].local && facts->arrays[i].base->type->target &&
             !facts->arrays[i].base->type->target->spelling)
@@ -223,6 +227,7 @@ static void write_parts(loop_text *loop, writer *out) {
     writer parts = {0}, last = {0};
     write_slice(loop, &parts);
     write_body(loop, &parts);
+    hand_series(loop);
     remember_text(loop, loop_counter_value(loop));
     write_thread_end(loop, &last);
     remember_text(loop, writer_text(loop->arena, &last));

@@ -3,7 +3,8 @@
 #ifndef EMIT_BODY_SERIES_H
 #define EMIT_BODY_SERIES_H
 
-#include "emit/context.h"
+#include "emit/base/extra.h"
+#include "emit/base/loop.h"
 
 /** At the call: what the runtime is to keep, and where the sums go. */
 void declare_series(loop_text *loop, writer *out);
