@@ -58,7 +58,7 @@ translate() { # FILE FLAGS
 }
 object() { # NAME OUTPUT FLAGS: a translated file's object
     translate "$1" "${@:3}"
-    gcc $flags -fopenmp -iquote . -idirafter "$ATTACK_INCLUDE" -c "${@:3}" "parallel/$1.c" -o "$2"
+    gcc $flags -iquote . -idirafter "$ATTACK_INCLUDE" -c "${@:3}" "parallel/$1.c" -o "$2"
 }
 check() { # WHAT yes|no: ./found against ./wanted; was the loop done in parallel?
     ${wanted_by:-} ./wanted >expected
@@ -75,7 +75,7 @@ check() { # WHAT yes|no: ./found against ./wanted; was the loop done in parallel
         fi
     done
 }
-link() { gcc $flags -fopenmp "$@" "$ATTACK_LIBRARY" -o found -lm 2>link.messages || { cat link.messages; fail "does not link: $*"; }; }
+link() { gcc $flags -Wl,-u,redcc_run "$@" "$ATTACK_LIBRARY" -o found -lm 2>link.messages || { cat link.messages; fail "does not link: $*"; }; }
 
 for name in user value inner; do object $name $name.o; done
 gcc -I. $flags -c other/value.c -o other_value_plain.o
@@ -91,7 +91,8 @@ link -no-pie main.c user.o lib.a
 check "at fixed addresses" yes
 link -Wl,--gc-sections main.c user.o lib.a
 check "without what is not used" yes
-link -static main.c user.o lib.a
+# What the archive refers to weakly must be asked for (redcc-runtime.pc, Libs.private).
+link -static -Wl,-u,pthread_create,-u,pthread_detach,-u,pthread_attr_init,-u,pthread_attr_destroy,-u,pthread_attr_setstacksize,-u,__cxa_thread_atexit_impl main.c user.o lib.a
 check "in a static program" yes
 
 # compiled by another compiler than redcc-cc: nothing is said of it
@@ -130,7 +131,7 @@ gcc -shared pic_value.o pic_inner.o -o libvalue.so
 gcc $flags main.c user.c value.c inner.c -o wanted
 link main.c user.o libvalue.so -Wl,-rpath,.
 check "from a shared object" yes
-gcc -shared -fopenmp pic_user.o pic_value.o pic_inner.o "$ATTACK_LIBRARY" -o liball.so
+gcc -shared -Wl,-u,redcc_run pic_user.o pic_value.o pic_inner.o "$ATTACK_LIBRARY" -o liball.so
 link main.c liball.so -Wl,-rpath,.
 check "inside of a shared object" yes
 gcc $flags main.c user.c other/value.c inner.c -o wanted

@@ -46,7 +46,7 @@ cd "$work"
 "$ATTACK_REDCC" loop.c -o parallel.c --report=json --report-file=report.json -- -O2 >/dev/null 2>&1
 jq -e '[.loops[] | select(.verdict == "transformed" and .line == 15)] | length == 1' report.json >/dev/null
 gcc -O2 -ffp-contract=off loop.c -o sequential
-gcc -O2 -ffp-contract=off -fopenmp -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
+gcc -O2 -ffp-contract=off -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
 ./sequential >expected
 for method in localwrite localwrite-steal wavefront graph-localwrite auto; do
     for limit in 4M 9M 20M 4G; do

@@ -55,6 +55,13 @@ bool build_can_add_runtime(const session *s) {
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 
+static bool is_static(const command *c) {
+    for (unsigned i = 0; i < c->count; i++)
+        if (strcmp(c->items[i].text, "-static") == 0)
+            return true;
+    return false;
+}
+
 /* The runtime, where something that is linked has loops for it: these refer to it weakly, by which
  * a linker takes nothing. */
 static void add_runtime(session *s, word_list *list, bool has_loops) {
@@ -71,6 +78,11 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
         words_add(a, list, arena_format(a, "-Wl,-rpath,%s", path_folder(a, library)));
         return;
     }
+    if (is_static(&s->command)) /* what the runtime refers to weakly */
+        words_add(
+            a, list,
+            "-Wl,-u,pthread_create,-u,pthread_detach,-u,pthread_attr_init,"
+            "-u,pthread_attr_destroy,-u,pthread_attr_setstacksize,-u,__cxa_thread_atexit_impl");
     words_add(a, list, "-Wl,-u,redcc_run,--push-state,--as-needed");
     words_add(a, list, library);
     words_add(a, list, "-lpthread");
