@@ -338,12 +338,18 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 /** redcc__guarded is a constant in each use of the function. */
 #define REDCC_BODY REDCC_INLINE void
 
+/** Cold, or gcc keeps the body's constants in memory: no floating-point register lives across a
+ *  call. */
+static __attribute__((__noinline__, __cold__, __unused__)) int
+redcc_ask_hook(const redcc_worker *worker, struct redcc_hook *hook, const void *address) {
+    return worker->call->calls->hooked(hook, address);
+}
 REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner,
                             const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))
         return 1;
-    return owner->hook && worker->call->calls->hooked(owner->hook, address);
+    return owner->hook && redcc_ask_hook(worker, owner->hook, address);
 }
 
 /** Goes before an update of array number redcc_i: it is this thread's part only where it owns the
