@@ -97,7 +97,7 @@ printf '%s' "$source_text" >x.c
 cp "$work/root/lib/libredcc_rt.a" "$work/saved"
 echo garbage >"$work/root/lib/libredcc_rt.a"
 expect_untranslated
-echo 'int redcc_run(void) __attribute__((weak)); int main(void) { return redcc_run && 0; }' >m.c
+echo 'int redcc_run(void) __attribute__((weak)); int main(void) { return redcc_run ? redcc_run() : 0; }' >m.c
 cc -c m.c && "$redcc_cc" m.o -o p2 2>messages || fail "$case_name: $(cat messages)"
 expect_match messages '^redcc-cc: warning: linked without the runtime'
 expect_equal "$case_name: one line" 1 "$(wc -l <messages)"
