@@ -4,7 +4,7 @@
 #define REDCC_REPORT_H
 
 #include "base/reason.h"
-#include "choose/rule.h"
+#include "learn/rule.h"
 #include "execute/lanes.h"
 #include "execute/validate.h"
 #include "plan/method.h"

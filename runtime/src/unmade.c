@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "unmade.h"
 
+#include "learn/back_off.h"
+
 #include <stdint.h>
 
-/* Of an execution that is worth a state: 16 times as long as waking threads takes on a machine that
- * is not busy (decide.c asks again, with what it takes on this one). */
-static const double least_seconds = 0.16e-3;
+/* Of an execution that is worth a state: what is worth waking threads for on a machine that is not
+ * busy (the learner asks again, with what that takes on this one). */
+static const double least_seconds = LEARN_WAKES * LEARN_LOOK / 40;
 
 /* The state, and what is made once in a process, take 0.04 to 0.3 ms: they are made when that is
- * little beside what the loop has taken. No look could be paid for before (decide.c). */
-static const double enough = 5e-3;
+ * little beside what the loop has taken. No look could be paid for before. */
+static const double enough = 12.5 * LEARN_LOOK;
 
 enum {
-    FIRST = 16,       /* calls until a short loop is timed again; then twice as many, */
-    MOST = 1024,      /* up to these */
     SIZE_BITS = 7,    /* of the word, above the lowest bit, which is 1: a loop's size, */
     NUMBER_BITS = 12, /* calls that are left until it is timed again, all of these, and */
     EARNED_BITS = 13  /* microseconds that its executions have taken, where they are long enough */
@@ -74,11 +74,6 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* Calls until a loop that is not worth a state is timed again. */
-static unsigned rest_after(unsigned length) {
-    return length < FIRST / 2 ? FIRST : length < MOST / 2 ? 2 * length : MOST;
-}
-
 /* Those between took no longer than this one, or than by the timings before. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
@@ -98,8 +93,8 @@ int redcc_unmade_timed(void **state, redcc_int trip, double seconds) {
     const bool earns = seconds >= least_seconds && !is_smaller;
     word.earned = earns ? (unsigned)(1e6 * earned) + 1 : 0;
     word.length = earns                   ? (unsigned)((enough - earned) / seconds)
-                  : is_same || is_smaller ? rest_after(word.length)
-                                          : FIRST;
+                  : is_same || is_smaller ? (unsigned)redcc_longer(word.length)
+                                          : LEARN_REST;
     word.left = word.length;
     word.size = is_smaller ? word.size : size;
     replace(state, before, word);

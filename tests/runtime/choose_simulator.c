@@ -86,6 +86,7 @@ static struct situation situation_of(struct simulation *it, const struct simulat
         now.kept[way] = fits ? KEPT_FITS : plan ? KEPT_CHANGED : KEPT_NONE;
     }
     now.kept[WAY_BINS] = it->trace->possible[WAY_BINS] ? KEPT_FITS : KEPT_NONE;
+    now.kept[WAY_DIRECT] = it->trace->possible[WAY_DIRECT] ? KEPT_FITS : KEPT_NONE;
     return now;
 }
 
@@ -120,7 +121,7 @@ static void try_bins(struct simulation *it, const struct simulated_call *call, d
 }
 
 static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
-    struct kept_plan *plan = way == WAY_BINS ? NULL : find_plan(it, way, call->trip);
+    struct kept_plan *plan = !redcc_is_planned(way) ? NULL : find_plan(it, way, call->trip);
     if (!plan || plan->subscripts == call->subscripts) {
         if (plan)
             plan->used = ++it->clock;
@@ -172,7 +173,7 @@ static void end_look(struct simulation *it, const struct simulated_call *call, d
 static void inspect(struct simulation *it, const struct simulated_call *call,
                     const struct situation *now, struct decision entry) {
     const struct trace *trace = it->trace;
-    struct prospect prospect[WAY_COUNT] = {{0}};
+    struct arm arm[WAY_COUNT] = {{0}};
     const double team = entry.alone || it->started ? 0 : trace->start + trace->late;
     const double dry_run = trace->dry_run * (double)call->trip;
     const double spent = dry_run + trace->look + team;
@@ -194,17 +195,17 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
     }
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const double trip = (double)call->trip;
-        prospect[way].possible = trace->possible[way];
-        prospect[way].set_up = spent + trace->set_up[way] * trip * trace->set_up_error;
-        prospect[way].execution = call->execution[way] / trip * trace->execution_error;
+        arm[way].possible = trace->possible[way];
+        arm[way].set_up = spent + trace->set_up[way] * trip * trace->set_up_error;
+        arm[way].execution = call->execution[way] / trip * trace->execution_error;
     }
     if (entry.alone) {
         it->so_far.looks++;
-        redcc_note_prospects(it->state, call->trip, prospect, spent);
+        redcc_note_arms(it->state, call->trip, arm, spent);
         end_look(it, call, spent);
         return;
     }
-    const struct decision decision = redcc_pick_way(it->state, &there, prospect, spent);
+    const struct decision decision = redcc_pick_way(it->state, &there, arm, spent);
     note_loan(it, call);
     if (decision.action == ACTION_INSPECT)
         make_plan(it, call, decision.way, spent, decision.deadline);

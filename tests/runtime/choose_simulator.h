@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The decision code of `auto` (runtime/src/choose/decide.h) against a virtual clock: what each call
+ * The decision code of `auto` (runtime/src/learn/learner.h) against a virtual clock: what each call
  * of a loop would take by each way is given, and the decisions are carried out as the runtime
  * would, without threads. Apart from the decision code this knows nothing of it.
  */
 #ifndef CHOOSE_SIMULATOR_H
 #define CHOOSE_SIMULATOR_H
 
-#include "choose/decide.h"
+#include "learn/learner.h"
 
 enum { SIMULATED_CALLS = 2000 };
 

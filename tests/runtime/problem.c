@@ -150,7 +150,7 @@ void problem_tell_slow(redcc_loop *loop, long trip, double seconds) {
                    &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = trip, .seconds = all},
                    REASON_NONE);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        size->prospect[way].learned = 40 * all;
-    size->rest.calls += 4000;
+        size->arm[way].learned = 40 * all;
+    size->calls += 4000;
     state->chooser.steady += 4000;
 }

@@ -4,8 +4,7 @@
 #include "loop.h"
 
 #include "base/memory.h"
-#include "choose/prospects.h"
-#include "choose/size.h"
+#include "choose/cost_model.h"
 #include "choose/waking.h"
 #include "problem.h"
 #include "unmade.h"
@@ -191,7 +190,7 @@ static void a_sample_that_took_long_is_not_lost(void **state) {
     ((struct loop_state *)called->described.loop.state)->chooser.verified = true;
     size_of(called)->look = 1e-12;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        size_of(called)->prospect[way].learned = 0;
+        size_of(called)->arm[way].learned = 0;
     leave_credit(called, 1e-9);
     assert_true(call_right(called));
     assert_int_equal(statistics_of(called)->plans_built, 1);
@@ -203,14 +202,14 @@ static void an_inspection_ends_at_its_deadline(void **state) {
     problem_tell_slow(&called->described.loop, TRIP, 1e-6);
     struct size_state *size = size_of(called);
     size->looked = true;
-    size->prospect[WAY_INDEX] =
-        (struct prospect){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
+    size->arm[WAY_INDEX] =
+        (struct arm){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
     size->set_ups.invested = 1e-9; /* in vain: nothing is lent, so that the credit pays */
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_STOPPED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_DEADLINE]), 1);
     assert_int_equal(statistics_of(called)->plans_built, 0);
-    assert_true(size->prospect[WAY_INDEX].learned > 1e-6 || size->look > 1e-6);
+    assert_true(size->arm[WAY_INDEX].learned > 1e-6 || size->look > 1e-6);
     for (int call = 0; call < 10 && statistics_of(called)->plans_built == 0; call++)
         call_right(called); /* each stop doubles what is known of the cost */
 }
@@ -234,13 +233,16 @@ static void resting_loops_are_left_alone(void **state) {
     struct called *called = *state;
     struct size_state *size = size_of(called);
     uint64_t *sampled = ((struct loop_state *)called->described.loop.state)->chooser.sampled;
-    redcc_rest(size, STAND_RESTING, RULE_SLOWER, REST, REST);
+    size->calls = REST;
+    redcc_back_off(&size->rest, size->calls);
+    size->stand = STAND_RESTING;
+    size->rule = RULE_SLOWER;
     sampled[0] = 1;
-    const long calls = size->rest.calls, timed = size->sequential.count;
+    const long calls = size->calls, timed = size->sequential.count;
     for (int call = 1; call < REST; call++) {
         assert_false(call_right(called));
         assert_int_equal(statistics_of(called)->rule, RULE_SLOWER);
-        assert_int_equal(size->rest.calls, calls + call);
+        assert_int_equal(size->calls, calls + call);
         assert_int_equal(size->sequential.count, timed + call);
         assert_int_equal(sampled[0] != 1, call == REST - 1);
     }
@@ -257,7 +259,7 @@ static void short_loops_have_no_state(void **unused) {
     assert_true(redcc_is_unmade(word));
     assert_true(redcc_unmade_call(&word, 1000));
     assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
-    for (int calls = 16; calls < 4096; calls = calls < 1024 ? 2 * calls : 4096) {
+    for (int calls = 16; calls < 4096; calls *= 2) {
         int between = 0; /* the last 16 calls are counted, of those before one in 16 */
         for (; !redcc_unmade_call(&word, 1000); between++)
             assert_true(redcc_is_unmade(word) && between < calls + 32);
@@ -405,7 +407,7 @@ static void an_execution_counts_though_nothing_was_decided(void **unused) {
     redcc_observe(&state,
                   &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = TRIP, .seconds = 1});
     redcc_decide(&state, &now);
-    assert_int_equal(redcc_size_of(&state, TRIP)->rest.calls, 2);
+    assert_int_equal(redcc_size_of(&state, TRIP)->calls, 2);
 }
 
 /* Those before the loop had a state are taken to have lasted as long as the one that was timed. */
@@ -418,8 +420,8 @@ static void executions_that_were_not_timed_count(void **unused) {
     const struct size_state *size = redcc_size_of(&state, TRIP);
     assert_true(fabs(redcc_credit(&state) - 17 * 0.3e-3 / 32) < 1e-9);
     assert_true(fabs(size->set_ups.since - 17 * 0.3e-3) < 1e-9);
-    assert_int_equal(size->rest.calls, 16);
-    assert_int_equal(redcc_timings_of(&state, TRIP), 1);
+    assert_int_equal(size->calls, 16);
+    assert_int_equal(size->sequential.count, 1);
 }
 
 /* 50,000 iterations of 2 touches, 20 ns each, on 2 threads. */
@@ -435,64 +437,64 @@ static const struct findings shuffled = {.trip = 50000,
 /* By lanes it may be worth a set-up, but no loan. */
 static void one_thread_has_prospects_by_lanes(void **unused) {
     (void)unused;
-    struct prospect it[WAY_COUNT];
+    struct arm it[WAY_COUNT];
     struct findings findings = shuffled;
     findings.threads = 1;
     findings.share = 1;
     findings.runs = 0;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_INDEX].execution >= findings.sequential);
     findings.lanes = true;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_INDEX].execution < 0.9 * findings.sequential);
     assert_true(it[WAY_INDEX].execution > 0.8 * findings.sequential);
     assert_false(it[WAY_GRAPH].possible);
-    struct prospect two[WAY_COUNT]; /* threads are worth a plan without */
+    struct arm two[WAY_COUNT]; /* threads are worth a plan without */
     findings.threads = 2;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     findings.lanes = false;
-    redcc_estimate_prospects(&findings, two);
+    redcc_estimate_arms(&findings, two);
     assert_true(it[WAY_INDEX].execution == two[WAY_INDEX].execution);
 }
 
 static void prospects_follow_from_what_was_found(void **unused) {
     (void)unused;
-    struct prospect it[WAY_COUNT];
+    struct arm it[WAY_COUNT];
     struct findings findings = shuffled;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_COPIES].possible);
     assert_true(it[WAY_INDEX].possible && it[WAY_GRAPH].possible);
     assert_true(it[WAY_GRAPH].execution < it[WAY_INDEX].execution);
     assert_true(it[WAY_GRAPH].set_up > it[WAY_INDEX].set_up);
     findings.copies = true;
     findings.copied = 1e5; /* 15 microseconds of 500 */
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_COPIES].execution < it[WAY_GRAPH].execution);
     findings.copied = 1e7;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_COPIES].execution > findings.sequential);
     findings.reusable = false; /* each execution inspects */
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution > findings.sequential);
     findings = shuffled;
     findings.fetched = true; /* a plan waits for memory less than the loop */
-    struct prospect fetched[WAY_COUNT];
-    redcc_estimate_prospects(&findings, fetched);
+    struct arm fetched[WAY_COUNT];
+    redcc_estimate_arms(&findings, fetched);
     findings.fetched = false;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_true(fetched[WAY_INDEX].execution < 0.8 * it[WAY_INDEX].execution);
     assert_true(fetched[WAY_GRAPH].execution < 0.8 * it[WAY_GRAPH].execution);
     assert_true(fetched[WAY_GRAPH].set_up == it[WAY_GRAPH].set_up);
     findings = shuffled;
     findings.runs = 0; /* sorted */
     findings.share = 0.51;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution < 0.6 * findings.sequential);
     findings.sequential = 1e-9; /* a light loop whose iterations all have other owners */
     findings.runs = 1;
-    redcc_estimate_prospects(&findings, it);
+    redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_INDEX].execution > findings.sequential);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What a sample says of an iteration, and what owners cut from the access graph are expected to
  * cost by it. */
-#include "choose/prospects.h"
+#include "choose/cost_model.h"
 #include "ownership/cuts.h"
 #include "ownership/estimate.h"
 
@@ -79,17 +79,17 @@ static void cutting_is_expected_to_take_as_long_as_it_took(void **unused) {
     (void)unused;
     for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
         const struct cutting *it = &measured[i];
-        struct prospect found[WAY_COUNT];
-        redcc_estimate_prospects(&(struct findings){.trip = it->trip,
-                                                    .threads = 2,
-                                                    .sequential = 1e-7,
-                                                    .share = 0.75,
-                                                    .touches = it->leading_rows + it->further_rows,
-                                                    .leading_rows = it->leading_rows,
-                                                    .further_rows = it->further_rows,
-                                                    .runs = 0.5,
-                                                    .reusable = true},
-                                 found);
+        struct arm found[WAY_COUNT];
+        redcc_estimate_arms(&(struct findings){.trip = it->trip,
+                                               .threads = 2,
+                                               .sequential = 1e-7,
+                                               .share = 0.75,
+                                               .touches = it->leading_rows + it->further_rows,
+                                               .leading_rows = it->leading_rows,
+                                               .further_rows = it->further_rows,
+                                               .runs = 0.5,
+                                               .reusable = true},
+                            found);
         assert_true(found[WAY_GRAPH].possible);
         assert_true(found[WAY_GRAPH].set_up > 1.2 * it->seconds);
         assert_true(found[WAY_GRAPH].set_up < 2 * it->seconds);

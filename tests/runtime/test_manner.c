@@ -51,28 +51,28 @@ static void the_faster_of_two_is_kept(void **unused) {
     struct manners it = {0}, other = {0};
     int made[MANNERS];
     assert_int_equal(redcc_manner_of(&it, WITH_PREFETCH, 0), WITH_PREFETCH);
-    execute(&it, WITH_PREFETCH, 8, SHORT, gains, made);
-    assert_int_equal(made[WITH_PREFETCH], 4);
+    execute(&it, WITH_PREFETCH, 6, SHORT, gains, made);
+    assert_int_equal(made[WITH_PREFETCH], 3);
     execute(&it, WITH_PREFETCH, 64, SHORT, gains, made);
     assert_int_equal(made[WITH_PREFETCH], 64);
-    execute(&it, WITH_PREFETCH, 8, SHORT, loses, made); /* the data changed */
-    assert_int_equal(made[WITH_PREFETCH], 4);
+    execute(&it, WITH_PREFETCH, 6, SHORT, loses, made); /* the data changed */
+    assert_int_equal(made[WITH_PREFETCH], 3);
     execute(&it, WITH_PREFETCH, 128, SHORT, loses, made);
     assert_int_equal(made[WITH_PREFETCH], 0);
-    execute(&other, WITH_PREFETCH, 8 + 64 + 8 + 128 + 8, SHORT, loses, made);
-    assert_int_equal(made[WITH_PREFETCH], 12);
+    execute(&other, WITH_PREFETCH, 6 + 64 + 6 + 128 + 6, SHORT, loses, made);
+    assert_int_equal(made[WITH_PREFETCH], 9);
 }
 
 static void the_fastest_of_four_is_kept(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < MANNERS_TRIED; best++) {
+    for (unsigned best = 0; best < TURN_ARMS; best++) {
         double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
         struct manners it = {0};
         seconds[best] = 0.9;
         assert_int_equal(redcc_manner_of(&it, ALL, 0), ALL);
         execute(&it, ALL, 16, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
+        for (unsigned manner = 0; manner < TURN_ARMS; manner++)
             assert_int_equal(made[manner], 4);
         execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
@@ -84,14 +84,14 @@ static void one_long_execution_does_for_a_trial(void **unused) {
     const unsigned open[] = {WITH_PREFETCH, WITH_LANES, ALL};
     int made[MANNERS];
     for (int o = 0; o < 3; o++)
-        for (unsigned best = 0; best < MANNERS_TRIED; best++) {
+        for (unsigned best = 0; best < TURN_ARMS; best++) {
             double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
             struct manners it = {0};
             if ((best & open[o]) != best)
                 continue;
             seconds[best] = 0.9;
             execute(&it, open[o], 1, LONG, seconds, made);
-            for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
+            for (unsigned manner = 0; manner < TURN_ARMS; manner++)
                 assert_int_equal(made[manner], (manner & open[o]) == manner ? MANNER_ROUNDS : 0);
             execute(&it, open[o], 64, LONG, seconds, made);
             assert_int_equal(made[best], 64);
@@ -129,7 +129,7 @@ static unsigned best_where(unsigned best, double drift, unsigned interrupted) {
 
 static void neither_order_nor_one_part_decides(void **unused) {
     (void)unused;
-    for (unsigned best = 0; best < MANNERS_TRIED; best++) {
+    for (unsigned best = 0; best < TURN_ARMS; best++) {
         assert_int_equal(best_where(best, 0.1, MANNER_PARTS), best);
         for (unsigned interrupted = 0; interrupted < MANNER_PARTS; interrupted++)
             assert_int_equal(best_where(best, 0, interrupted), best);
@@ -139,12 +139,12 @@ static void neither_order_nor_one_part_decides(void **unused) {
 static void two_rounds_do_where_the_best_is_evident(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < MANNERS_TRIED; best++) {
+    for (unsigned best = 0; best < TURN_ARMS; best++) {
         double seconds[MANNERS] = {1.0, 1.0, 1.0, 1.0};
         struct manners it = {0}, close = {0};
         seconds[best] = 0.3;
         execute(&it, ALL, 8, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
+        for (unsigned manner = 0; manner < TURN_ARMS; manner++)
             assert_int_equal(made[manner], 2);
         execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
@@ -177,7 +177,7 @@ static void half_the_lanes_are_tried_where_lanes_are_best(void **unused) {
     (void)unused;
     const unsigned open = ALL | WITH_HALF;
     int made[MANNERS];
-    for (unsigned best = 0; best < MANNERS_TRIED; best++)
+    for (unsigned best = 0; best < TURN_ARMS; best++)
         for (int is_half_faster = 0; is_half_faster < 2; is_half_faster++) {
             double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3, 0, 0, 1.4, 1.4};
             struct manners it = {0};

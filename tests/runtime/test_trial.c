@@ -114,8 +114,8 @@ static void one_execution_is_a_trial(void **unused) {
             draw(order);
             redcc_loop_forget(&loop);
             execute(counts[c]);
-            for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
-                assert_true(iterations[manner] >= TRIP / MANNERS_TRIED / 2 / MOST_THREADS);
+            for (unsigned manner = 0; manner < TURN_ARMS; manner++)
+                assert_true(iterations[manner] >= TRIP / TURN_ARMS / 2 / MOST_THREADS);
             /* parts of two rounds meet where the manner is the same; with stealing one thread may
              * have executed nearly all */
             const long most = counts[c] * (MANNER_PARTS - MANNER_ROUNDS);
@@ -140,9 +140,9 @@ static void the_next_one_tries_half_the_lanes(void **unused) {
         redcc_loop_forget(&loop);
         execute(2);
         for (unsigned manner = 0; manner < MANNERS; manner++)
-            assert_true((iterations[manner] > 0) == (manner < MANNERS_TRIED));
+            assert_true((iterations[manner] > 0) == (manner < TURN_ARMS));
         execute(2);
-        for (unsigned manner = WITH_LANES; manner < MANNERS_TRIED; manner++)
+        for (unsigned manner = WITH_LANES; manner < TURN_ARMS; manner++)
             assert_true((iterations[manner] > 0) == (iterations[manner | WITH_HALF] > 0));
         int taken = 0;
         execute(2);

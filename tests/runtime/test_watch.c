@@ -73,7 +73,7 @@ static void patience_grows(void **unused) {
             run_right(&fixture);
     }
     const struct loop_state *state = fixture.described.loop.state;
-    assert_in_range(state->cache.backoff, 2, 3);
+    assert_in_range(state->cache.rest.length, 2 * LEARN_REST, 4 * LEARN_REST);
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     fixture_end(&fixture);
 }
@@ -140,7 +140,7 @@ static void what_others_may_write_is_not_watched(void **unused) {
         assert_true(sources_watched(&fixture) < 2);
     }
     const struct loop_state *state = fixture.described.loop.state;
-    assert_int_equal(state->cache.backoff, 1); /* not tried again at each call */
+    assert_int_equal(state->cache.rest.length, LEARN_REST); /* not tried again at each call */
     const pid_t child = fork();
     if (child == 0) {
         by_a_store(&fixture);

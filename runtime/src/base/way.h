@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The ways of executing a loop that auto chooses from. */
+/** The ways of executing a loop that auto chooses from: the arms of its bandit. */
 #ifndef REDCC_WAY_H
 #define REDCC_WAY_H
 
+#include <stdbool.h>
+
 enum way {
     WAY_SEQUENTIAL,
+    /* By a plan, which an inspection makes: */
     WAY_COPIES, /**< private copies */
     WAY_INDEX,  /**< LOCALWRITE, owners by address */
     WAY_GRAPH,  /**< LOCALWRITE, owners cut from the access graph; wavefronts where these are uneven
                  */
-    WAY_BINS, /**< in-order binning: without an inspection or a plan, so that subscripts may change
-               */
+    /* Without inspection and plan, so that subscripts may change: */
+    WAY_DIRECT, /**< LOCALWRITE, owners by address, with no set-up */
+    WAY_BINS,   /**< in-order binning, whose trials may stop in the middle */
     WAY_COUNT,
     WAY_LAST_PLANNED = WAY_GRAPH
 };
+
+static inline bool redcc_is_planned(enum way way) {
+    return way != WAY_SEQUENTIAL && way <= WAY_LAST_PLANNED;
+}
 
 #endif

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/system.h"
 #include "base/trace.h"
-#include "choose/prospects.h"
+#include "choose/cost_model.h"
 #include "choose/waking.h"
 #include "plan/copies.h"
 
@@ -13,25 +13,8 @@
 #include <math.h>
 #include <string.h>
 
-static const double better = 0.95;    /* of the sequential loop, or a plan is not worth making */
-static const double uneven = 1.25;    /* of an equal share of the iterations */
-static const double shorter = 0.9;    /* than by the owners that were cut */
-static const double even_share = 1.1; /* of an equal share of the iterations */
-static const double most_overhead = 0.015; /* of the iterations; stealable blocks save 2 to 20 % */
-static const double frequent = 0.25;       /* runs, of the iterations */
-/* Seconds: where the iterations of a stealable block do not lie together, the subscripts of its
- * neighbours are read with its own, which takes some 10 ns. */
-static const double long_iteration = 100e-9;
-/* Seconds that a core of today takes to read a byte of subscripts after a loop that filled the
- * caches (5 MB took 0.36 ms on an Intel Xeon); what comparing all of them may take of an execution.
- */
-static const double byte_compared = 0.07e-9, compared_most = 0.02;
-/* Bytes of arrays that no core's own caches hold: random updates of smaller ones are no faster in
- * bins (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
-static const double beyond_caches = 12e6, copied_most = 4e6;
-static const double least_row = 4; /* bytes: more updates than rows, or copies are not worth it */
-static const double least_alone = 100e-6; /* of one thread: half of it is saved by a second */
-
+/* Of a loop that no sequential one can be timed against, iterations that are worth two threads
+ * however long they take. */
 enum {
     SMALL_TRIP = 4096,
     /* Units of the leading array for each thread. If they are rows of a mesh, stealable blocks cost
@@ -40,6 +23,10 @@ enum {
 };
 
 /* ---- at entry -------------------------------------------------------------------------------- */
+
+static const struct size_state *size_of(const struct chooser *chooser, redcc_int trip) {
+    return redcc_size_of(&chooser->state, trip);
+}
 
 static enum reason reason_for(const struct chooser *chooser, enum rule rule) {
     switch (rule) {
@@ -120,11 +107,11 @@ static void note_subscripts(struct chooser *chooser, const redcc_loop *loop,
 
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds) {
-    const double most = compared_most * seconds;
+    const double most = LEARN_SHARE * seconds;
     if (!chooser->sampled[0]) /* the loop had no state when this execution began */
         note_sampled(chooser, redcc_reuse_sample(loop, known));
-    chooser->remembered = redcc_timings_of(&chooser->state, trip) == 1 &&
-                          bytes_to_check(loop, known) * byte_compared < most &&
+    chooser->remembered = size_of(chooser, trip)->sequential.count == 1 &&
+                          bytes_to_check(loop, known) * LEARN_BYTE / 2 < most &&
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
@@ -212,7 +199,7 @@ bool redcc_copies_allowed(const struct inspection *inspection) {
 }
 
 static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
-    return redcc_usual_sequential(&chooser->state, trip) / (double)trip;
+    return redcc_usual(size_of(chooser, trip));
 }
 
 /* What is known by the sample and by all iterations alike. */
@@ -240,10 +227,12 @@ static struct findings begin_findings(const struct chooser *chooser,
  * and changes? */
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
-    if (found->overhead > most_overhead || found->share * call->planned > even_share)
-        return false;
-    return found->changes < frequent ||
-           usual_iteration(chooser, call->request.trip) >= long_iteration;
+    if (found->overhead > LEARN_SHARE / 2 || found->share * call->planned > LEARN_CONTENDED)
+        return false; /* they save 2 to 20 % of the iterations */
+    /* Where the iterations of a block do not lie together, the subscripts of its neighbours are
+     * read with its own. */
+    return found->changes < LEARN_FREQUENT ||
+           usual_iteration(chooser, call->request.trip) >= 2 * LEARN_SWITCH;
 }
 
 /* ---- after the sample -------------------------------------------------------------------------
@@ -262,7 +251,7 @@ static double bytes_touched(const struct inspection *inspection) {
 
 /* Are arrays beyond the caches updated in no order? */
 static bool is_random(const struct inspection *inspection, double changes) {
-    return changes >= frequent && bytes_touched(inspection) >= beyond_caches;
+    return changes >= LEARN_FREQUENT && bytes_touched(inspection) >= 3 * LEARN_CACHE;
 }
 
 /* Will plans prefetch what the original loop waits for? */
@@ -278,43 +267,44 @@ static void find_bins(const struct inspection *inspection, const struct estimate
                       struct findings *findings) {
     const redcc_loop *loop = inspection->call->request.loop;
     const double bytes = bytes_touched(inspection);
+    const double least_row = 4; /* bytes: more updates than rows */
     const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
-                           bytes <= copied_most &&
+                           bytes <= LEARN_CACHE &&
                            findings->touches * (double)findings->trip * least_row > bytes;
     findings->binned =
         (loop->flags & REDCC_BINNED) && (is_random(inspection, estimate->changes) || is_copied);
     findings->bin_bytes = is_copied ? bytes : 0;
 }
 
-static void trace_prospects(const struct findings *findings, const struct prospect *prospect,
-                            const redcc_loop *loop) {
+static void trace_arms(const struct findings *findings, const struct arm *arm,
+                       const redcc_loop *loop) {
     static const char *const names[WAY_COUNT] = {[WAY_COPIES] = "copies",
                                                  [WAY_INDEX] = "owners by index",
                                                  [WAY_GRAPH] = "owners by graph",
+                                                 [WAY_DIRECT] = "owners directly",
                                                  [WAY_BINS] = "bins"};
     const double trip = (double)findings->trip;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        if (prospect[way].possible)
+        if (arm[way].possible)
             redcc_trace(TRACE_CHOICE, loop,
                         "expected by %s: %.3g s, set-up %.3g s; sequential %.3g s", names[way],
-                        prospect[way].execution * trip, prospect[way].set_up,
-                        findings->sequential * trip);
+                        arm[way].execution * trip, arm[way].set_up, findings->sequential * trip);
 }
 
 static struct decision pick_way(struct chooser *chooser, const struct inspection *inspection,
                                 const struct estimate *estimate, const struct advice *entry) {
     const struct call *call = inspection->call;
-    struct prospect prospect[WAY_COUNT];
+    struct arm arm[WAY_COUNT];
     struct findings findings = begin_findings(chooser, inspection);
     findings.share = estimate->share;
     findings.runs = estimate->changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
     findings.fetched = is_fetched(inspection, findings.runs);
     find_bins(inspection, estimate, &findings);
-    redcc_estimate_prospects(&findings, prospect);
-    trace_prospects(&findings, prospect, call->request.loop);
+    redcc_estimate_arms(&findings, arm);
+    trace_arms(&findings, arm, call->request.loop);
     if (entry->alone) { /* whatever is worth a set-up is set up at another call */
-        redcc_note_prospects(&chooser->state, findings.trip, prospect, findings.spent);
+        redcc_note_arms(&chooser->state, findings.trip, arm, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
     const bool is_dry = call->request.loop->flags & REDCC_DRY_RUN;
@@ -325,7 +315,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .awaited = entry->awaited,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified};
-    return redcc_pick_way(&chooser->state, &now, prospect, findings.spent);
+    return redcc_pick_way(&chooser->state, &now, arm, findings.spent);
 }
 
 enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
@@ -357,15 +347,16 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
 /* By index, now that all iterations are told: is it still expected to be faster? */
 static bool index_pays(const struct chooser *chooser, const struct inspection *inspection,
                        bool reusable) {
-    struct prospect prospect[WAY_COUNT];
+    struct arm arm[WAY_COUNT];
     struct findings findings = begin_findings(chooser, inspection);
     findings.share = redcc_largest_share(inspection);
     findings.runs = redcc_count_runs(inspection) / (double)findings.trip;
     findings.fetched = is_fetched(inspection, findings.runs);
     findings.reusable = reusable;
-    redcc_estimate_prospects(&findings, prospect);
-    trace_prospects(&findings, prospect, inspection->call->request.loop);
-    return prospect[WAY_INDEX].execution < better * findings.sequential;
+    redcc_estimate_arms(&findings, arm);
+    trace_arms(&findings, arm, inspection->call->request.loop);
+    return arm[WAY_INDEX].execution <
+           (1 + LEARN_BETTER) / 2 * findings.sequential; /* exact by half */
 }
 
 const struct method *redcc_advise_swept(const struct chooser *chooser,
@@ -430,11 +421,11 @@ static bool goes_without_stealing(const struct chooser *chooser,
 static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;
-    if (call->method || share * call->threads <= uneven ||
-        redcc_seconds() + inspection->each.touches * all * redcc_level_touch > inspection->deadline)
+    if (call->method || share * call->threads <= 1 + LEARN_RISK ||
+        redcc_seconds() + inspection->each.touches * all * LEARN_ROW > inspection->deadline)
         return false;
     return redcc_partition_levels(inspection) &&
-           redcc_levels_length(&inspection->levels, call->threads) < shorter * share * all;
+           redcc_levels_length(&inspection->levels, call->threads) < LEARN_BETTER * share * all;
 }
 
 enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
@@ -469,10 +460,11 @@ void redcc_tell_team(struct chooser *chooser, int asked, int came, double second
 }
 
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip) {
-    return redcc_rule_of(&chooser->state, trip);
+    return size_of(chooser, trip)->rule;
 }
 
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations) {
     const double each = iterations > 0 ? seconds / (double)iterations : 0;
-    return trip < SMALL_TRIP && each * (double)trip < least_alone ? 1 : threads;
+    return trip < SMALL_TRIP && each * (double)trip < LEARN_WAKES * redcc_wake_seconds() ? 1
+                                                                                          : threads;
 }

@@ -2,7 +2,7 @@
 /**
  * The seam between the pipeline and what chooses: every question that REDCC_METHOD=auto answers,
  * and everything that it is told, in the order in which a call comes to it. Nothing else calls the
- * decision core (decide.h); where a method is named it is not asked, and these functions answer by
+ * decision core (learner.h); where a method is named it is not asked, and these functions answer by
  * the method.
  *
  *     at entry              redcc_advise_rest, redcc_advise_saving, redcc_advise_entry
@@ -16,7 +16,7 @@
 #ifndef REDCC_ADVICE_H
 #define REDCC_ADVICE_H
 
-#include "choose/decide.h"
+#include "learn/learner.h"
 #include "inspect/inspection.h"
 #include "plan/method.h"
 #include "reuse/kept.h"

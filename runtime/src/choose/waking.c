@@ -4,24 +4,16 @@
 #include "base/clock.h"
 #include "base/cores.h"
 #include "base/team.h"
+#include "learn/constants.h"
 
 #include <stdatomic.h>
 
-/* Seconds that waking the threads takes: a smoothed measurement of all loops'. Before the first, as
- * much as on a machine that is not busy; more than `most` is a busy one, whose loops are compared
- * with a plan all the same. */
-static const double first_wake = 10e-6, most_wake = 50e-6;
-static _Atomic double wake;
-
-/* Seconds that starting a thread takes. Before it was measured, as on a machine that is not busy:
- * 0.1 to 0.4 ms, since who asks for a thread does not keep it waiting (base/cores.h), and as long
- * as making them for each further one, which come side by side. Where other programs want the cores
- * it is 2 to 6 ms: they wait for their turn. */
-static const double first_start = 0.4e-3, next_start = 0.05e-3, turn = 4e-3;
-static _Atomic double start;
-
-/* ... that a loop's first region takes where the program's own have started the threads. */
-static const double first_region = 0.1e-3;
+/* Smoothed measurements of all loops'; 0: none yet. Where other programs want the cores, threads
+ * that are started wait for their turn. Where the program's own regions have started them, a loop's
+ * first region takes a quarter of what they would. */
+static _Atomic double wake, start;
+static const double first_wake = LEARN_LOOK / 40, turn = 10 * LEARN_LOOK,
+                    first_region = LEARN_LOOK / 4;
 
 double redcc_wake_seconds(void) {
     const double measured = atomic_load_explicit(&wake, memory_order_relaxed);
@@ -37,7 +29,7 @@ double redcc_start_seconds(int missing, bool wanted) {
     if (missing == 0)
         return first_region;
     const double usual =
-        measured > 0 ? missing * measured : first_start + (missing - 1) * next_start;
+        measured > 0 ? missing * measured : LEARN_LOOK * (1 + (missing - 1) / 8.0);
     const double likely = usual < turn && wanted ? turn : usual;
     return likely > first_region ? likely : first_region;
 }
@@ -74,6 +66,8 @@ void redcc_note_waking(double seconds, int started) {
         atomic_store_explicit(&start, seconds / started, memory_order_relaxed);
         return;
     }
-    const double now = seconds < most_wake ? seconds : most_wake, before = redcc_wake_seconds();
-    atomic_store_explicit(&wake, before + (now - before) / 8, memory_order_relaxed);
+    const double most =
+        5 * first_wake; /* more is a busy machine: loops are compared all the same */
+    const double now = seconds < most ? seconds : most, before = redcc_wake_seconds();
+    atomic_store_explicit(&wake, before + (now - before) / (2 * LEARN_SURE), memory_order_relaxed);
 }

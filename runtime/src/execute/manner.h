@@ -1,31 +1,32 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * In which manner are iterations of a loop executed: with prefetches, by lanes, both or neither?
- * All give the same bits, so that a trial times parts of executions in each manner in turn, and the
- * best one is kept for a while. Long executions are cut: one of them does for a trial. Where lanes
- * are best, a second trial finds out whether half as many are better still.
+ * All give the same bits, so that parts of executions take turns, one in each manner
+ * (learn/turns.h), and the best one is kept for a while. Long executions are cut: one of them does
+ * for a trial. Where lanes are best, a second trial finds out whether half as many are better
+ * still.
  */
 #ifndef REDCC_EXECUTE_MANNER_H
 #define REDCC_EXECUTE_MANNER_H
 
+#include "learn/back_off.h"
+#include "learn/turns.h"
 #include "redcc/runtime.h"
 
 /** A manner is a set of these; WITH_HALF, half as many lanes, only together with WITH_LANES. */
 enum { WITH_PREFETCH = 1, WITH_LANES = 2, WITH_HALF = 4, MANNERS = 8 };
 
-/** In a round each manner of the trial has one part; rounds go there and back by turns. */
-enum { MANNERS_TRIED = 4 /* at most */, MANNER_ROUNDS = 6 };
-enum { MANNER_PARTS = MANNER_ROUNDS * MANNERS_TRIED };
+/** Rounds of a long execution, in which each manner of the trial has one part. */
+enum { MANNER_ROUNDS = 2 * LEARN_PAIRS, MANNER_PARTS = MANNER_ROUNDS * TURN_ARMS };
 
 /** What is known of a loop over its executions. All zero: nothing. */
 struct manners {
-    unsigned open;                /* what is being found out: each may be in a manner or not */
-    unsigned settled;             /* by the first of two trials; 0: it is under way */
-    unsigned timed;               /* parts of the trial under way */
-    double seconds[MANNER_PARTS]; /* an iteration, of each of them */
-    unsigned best;                /* by the last trials */
-    unsigned rest;                /* executions until the next trial */
-    unsigned interval;            /* between the last two trials */
+    unsigned open;      /* what is being found out: each may be in a manner or not */
+    unsigned settled;   /* by the first of two trials; 0: it is under way */
+    struct turns turns; /* of the trial under way */
+    unsigned best;      /* by the last trials */
+    long executions;
+    struct back_off rest; /* until the next trial, by their number */
 };
 
 /** Into how many parts an execution is cut, of which each thread executes so many iterations in the

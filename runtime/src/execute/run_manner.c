@@ -52,7 +52,7 @@ enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *k
     for (unsigned part = 0; part < parts; part++)
         each[part] = iterations[part] > 0 ? seconds[part] / iterations[part] : 0;
     redcc_manner_note(known, open_with(run, run->plan), parts, each);
-    const bool is_tried = it->why == LANES_TRYING && known->rest > 0;
+    const bool is_tried = it->why == LANES_TRYING && known->executions < known->rest.until;
     const bool is_faster = known->best & WITH_LANES;
     *lanes = is_tried ? lanes_of(it, known->best) : it->lanes;
     return !is_tried ? it->why : is_faster ? LANES_FASTER : LANES_SLOWER;

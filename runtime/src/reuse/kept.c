@@ -83,7 +83,7 @@ static void ask_tracking(struct reuse *reuse) {
         tracking->stands = false;
         tracking->begun = 0;
         if (loop->sources[s].is_subscript && reuse->call->tracks)
-            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->backoff, &earned);
+            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->rest, &earned);
     }
 }
 

@@ -40,7 +40,7 @@ struct kept_plan {
 struct plan_cache {
     struct kept_plan *kept[REDCC_PLANS]; /* NULL: a free place */
     uint64_t clock;
-    unsigned backoff; /* how often in a row tracking did not pay (tracking.c) */
+    struct back_off rest; /* of tracking that did not pay (tracking.c) */
 };
 
 /** One call's search for a plan; what all threads share. */

@@ -3,73 +3,62 @@
 
 #include "reuse/pages/watch.h"
 
-/* To protect a page takes 0.1 microseconds, a write to it then 1.3 once; to compare it, 0.12 (4096
- * bytes at 35 GB/s). To look whether a source may be tracked takes some 250, whatever its size. */
-static const double a_comparison = 0.12e-6; /* of a page, in seconds */
 enum {
-    A_PAGE = 12,             /* comparisons of it that cost as much as to track it for nothing */
-    A_SOURCE = 2048,         /* pages that are compared meanwhile */
-    COMPARED_AT_ONCE = 4096, /* bytes, of these measures */
-    BACKOFF_MOST = 16,
+    A_COMPARISON = 12, /* of a page takes so small a part of what tracking it for nothing does */
+    A_SOURCE = 165,    /* pages that cost as much as to look whether a source may be tracked */
     LEAST = 256 * 1024 /* bytes; to compare fewer costs little more than to ask */
 };
 
-static size_t compared_pages(struct range pages) {
-    return redcc_range_bytes(pages) / COMPARED_AT_ONCE;
+static double pages_of(struct range pages) {
+    return (double)(redcc_range_bytes(pages) / 4096);
 }
 
-/* After so many comparisons, which have cost as much as tracking the pages may cost for nothing, it
- * is begun: that loses at most as much again (the rule of ski rental). */
-static uint32_t threshold(struct range pages) {
-    return (uint32_t)(A_PAGE + A_SOURCE / compared_pages(pages));
+/* Seconds that tracking costs for nothing, each time in a row twice as much. After comparisons that
+ * have cost as much it is begun: that loses at most as much again (ski rental). */
+static double price(struct range pages, const struct back_off *rest) {
+    const double times = rest->length ? (double)rest->length / (LEARN_REST / 2.0) : 1;
+    return times * LEARN_PAGE * (pages_of(pages) + A_SOURCE);
 }
 
-/* Seconds that they take. */
-static double price(struct range pages) {
-    return a_comparison * threshold(pages) * (double)compared_pages(pages);
+static double compared(struct range pages, uint32_t times) {
+    return times * LEARN_PAGE / A_COMPARISON * pages_of(pages);
 }
 
-/* It did not pay: exponential back-off. */
-static void back_off(struct tracking *tracking, unsigned *backoff) {
+static void back_off(struct tracking *tracking, struct back_off *rest) {
     tracking->stable_count = 0;
-    if (*backoff < BACKOFF_MOST)
-        ++*backoff;
+    rest->length = redcc_longer(rest->length);
 }
 
 /* The source was written to: was it worth it? */
-static void end_tracking(struct tracking *tracking, struct range pages, unsigned *backoff) {
-    if (tracking->skipped >= threshold(pages)) {
+static void end_tracking(struct tracking *tracking, struct range pages, struct back_off *rest) {
+    if (compared(pages, tracking->skipped) < price(pages, &(struct back_off){0})) {
+        back_off(tracking, rest);
+    } else {
         tracking->stable_count = 0;
-        *backoff = 0;
-    } else
-        back_off(tracking, backoff);
+        rest->length = 0;
+    }
     tracking->version = 0;
 }
 
-/* Is it time: by comparisons, or because the plan has saved what it may cost for nothing? */
-static bool is_due(const struct tracking *tracking, struct range pages, unsigned backoff,
-                   double earned) {
-    return tracking->stable_count >= (uint64_t)threshold(pages) << backoff ||
-           earned >= price(pages) * (double)(1u << backoff);
-}
-
-/* The version from which on the pages are tracked, where they are by now; 0: not yet. Where they
- * cannot be, it has cost something to find that out. */
-static uint64_t begin_tracking(struct tracking *tracking, struct range pages, unsigned *backoff,
+/* The version from which on the pages are tracked, where they are by now; 0: not yet. It is time
+ * when comparisons, or what the plan has saved, pay for it. Where they cannot be tracked, it has
+ * cost something to find that out. */
+static uint64_t begin_tracking(struct tracking *tracking, struct range pages, struct back_off *rest,
                                double *earned) {
     if (redcc_range_bytes(pages) < LEAST)
         return 0;
     const uint64_t shared = redcc_watch_share(pages);
-    if (shared || !is_due(tracking, pages, *backoff, *earned))
+    const double due = price(pages, rest);
+    if (shared || (compared(pages, tracking->stable_count) < due && *earned < due))
         return shared;
-    *earned -= price(pages);
+    *earned -= price(pages, &(struct back_off){0});
     const uint64_t version = redcc_watch_begin(pages);
     if (!version)
-        back_off(tracking, backoff);
+        back_off(tracking, rest);
     return version;
 }
 
-void redcc_tracking_ask(struct tracking *tracking, struct reading reading, unsigned *backoff,
+void redcc_tracking_ask(struct tracking *tracking, struct reading reading, struct back_off *rest,
                         double *earned) {
     const struct range pages = redcc_whole_pages(reading.range);
     if (tracking->version && redcc_readings_equal(tracking->reading, reading)) {
@@ -78,9 +67,9 @@ void redcc_tracking_ask(struct tracking *tracking, struct reading reading, unsig
         tracking->skipped += tracking->stands;
         if (answer != WATCH_TOUCHED)
             return;
-        end_tracking(tracking, pages, backoff);
+        end_tracking(tracking, pages, rest);
     }
-    tracking->begun = begin_tracking(tracking, pages, backoff, earned);
+    tracking->begun = begin_tracking(tracking, pages, rest, earned);
 }
 
 bool redcc_tracking_unchanged(const struct tracking *tracking, struct reading reading) {

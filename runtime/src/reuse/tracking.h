@@ -6,6 +6,7 @@
 #ifndef REDCC_TRACKING_H
 #define REDCC_TRACKING_H
 
+#include "learn/back_off.h"
 #include "reuse/reading.h"
 
 /** What is known of a source; version and ends hold for one reading only. */
@@ -21,9 +22,9 @@ struct tracking {
 };
 
 /** Asks whether the whole pages of the source that lies as `reading` says are untouched, and begins
- *  to track them where it is time. *backoff counts how often in a row that did not pay; *earned:
+ *  to track them where it is time. *rest is the back-off of tracking that did not pay; *earned:
  *  seconds that the plan has saved, less what to track this source may cost for nothing. */
-void redcc_tracking_ask(struct tracking *tracking, struct reading reading, unsigned *backoff,
+void redcc_tracking_ask(struct tracking *tracking, struct reading reading, struct back_off *rest,
                         double *earned);
 
 /** Is the tracked source what it was? Reads what lies beside its whole pages. Any thread. */

@@ -14,7 +14,7 @@
       "no execution at trip counts of this size (between two powers of two) is timed",             \
       "the original loop, timed")                                                                  \
     X(RULE_SHORT, "short", "an execution takes less than 16 times as long as waking the threads",  \
-      "the original loop; timed again after 16 calls, then at doubling distances up to 1024")      \
+      "the original loop; timed again after 16 calls, then at doubling distances up to 2048")      \
     X(RULE_SAVING, "saving",                                                                       \
       "a trial is worth it, but it may cost more than a 32nd of the time that the loop has "       \
       "taken so far and would not repay a loan at once, or its like has failed lately",            \
@@ -26,7 +26,7 @@
       "a way is expected to pay for its set-up, which credit or loan allow",                       \
       "an inspection with a deadline, and a plan")                                                 \
     X(RULE_UNATTRACTIVE, "unattractive", "by a sample no way is expected to be faster",            \
-      "the original loop; another sample after 64 calls, then at doubling distances")              \
+      "the original loop; another sample after 16 calls, then at doubling distances")              \
     X(RULE_CHANGING, "changing",                                                                   \
       "two plans in a row were abandoned before they had paid, and a sample of the subscripts "    \
       "differs from the call before",                                                              \
@@ -41,7 +41,7 @@
     X(RULE_STOPPED, "stopped", "an inspection came to its deadline",                               \
       "the original loop; another set-up when the credit allows what is now known of its cost")    \
     X(RULE_REFUSED, "refused", "a guard or memory forbade it",                                     \
-      "the original loop; tried again after 2 calls, then at doubling distances")
+      "the original loop; tried again after 16 calls, then at doubling distances")
 
 enum rule {
     RULE_NONE, /* REDCC_METHOD names a method */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The choice of a method as an online decision with a bound (docs/choosing.md derives it).
+ * The choice of a way to execute a loop, as an online decision with a bound (docs/choosing.md
+ * derives it): a bandit whose arms are the ways of base/way.h.
  *
- *     redcc_decide     what to do in this call: the sequential loop, an inspection, a kept plan
+ *     redcc_decide     what to do in this call: the sequential loop, an inspection, a way
  *     redcc_pick_way   within an inspection, when estimates are there: which way, if any
  *     redcc_observe    what came of it, and what it took
  *
@@ -11,17 +12,19 @@
  * loop has taken, what was gained, and, for a plan that is expected to repay it soon, one loan.
  * Used by one thread at a time.
  */
-#ifndef REDCC_CHOOSE_DECIDE_H
-#define REDCC_CHOOSE_DECIDE_H
+#ifndef REDCC_LEARN_LEARNER_H
+#define REDCC_LEARN_LEARNER_H
 
 #include "base/trial.h"
 #include "base/way.h"
-#include "choose/rule.h"
+#include "learn/back_off.h"
+#include "learn/rule.h"
+#include "learn/turns.h"
 
 #include <stdbool.h>
 
-/** What a way would cost. */
-struct prospect {
+/** What is known of a way. */
+struct arm {
     bool possible;
     bool ruled_out;   /**< it was tried and failed: not possible until the loop has rested */
     bool measured;    /**< `execution`, rather than estimated */
@@ -30,8 +33,8 @@ struct prospect {
     double execution; /**< seconds an iteration, the check of a kept plan included */
 };
 
-/** Is a plan kept for what this call executes? WAY_BINS needs none: it fits where the loop has a
- * form for it, and is only tried where a sample said that it may be worth it. */
+/** Is a plan kept for what this call executes? A way without plans fits where the loop has a form
+ *  for it, and is only tried where a sample said that it may be worth it. */
 enum kept_match {
     KEPT_NONE,
     KEPT_CHANGED, /**< one for other subscripts, as a sample of them shows */
@@ -59,17 +62,17 @@ struct situation {
 enum action {
     ACTION_SEQUENTIAL, /**< the original loop */
     ACTION_INSPECT,    /**< a sample, then as redcc_pick_way says; alone: the sample only */
-    ACTION_REUSE       /**< a kept plan, of way `way` */
+    ACTION_REUSE       /**< a kept plan, of way `way`, or a way without one */
 };
 
 struct decision {
     enum action action;
     enum way way;
-    bool alone;      /**< INSPECT: by one thread, for redcc_note_prospects; no thread is started */
-    bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
-    double deadline; /**< INSPECT: seconds after which a dry run must be given up; of
-                          redcc_pick_way: the set-up */
-    struct trial trial; /**< REUSE of WAY_BINS, where it may turn out to be slower */
+    bool alone;         /**< INSPECT: by one thread, for redcc_note_arms; no thread is started */
+    bool timed;         /**< SEQUENTIAL: tell redcc_observe what it took */
+    double deadline;    /**< INSPECT: seconds after which a dry run must be given up; of
+                             redcc_pick_way: the set-up */
+    struct trial trial; /**< REUSE of a way that can stop, where it may turn out to be slower */
     double earned;      /**< REUSE: seconds saved since the last set-up, less what that took */
     enum rule rule;
 };
@@ -99,11 +102,10 @@ struct outcome {
 
 /** Where a loop stands, at trip counts of one size. */
 enum stand {
-    STAND_UNTIMED,   /**< never executed */
-    STAND_SHORT,     /**< too short for threads to be woken */
     STAND_SAVING,    /**< sequential, until the credit allows a trial */
     STAND_COMPARING, /**< two ways take turns */
-    STAND_PARALLEL,  /**< a plan is the faster way */
+    STAND_PARALLEL,  /**< a way is faster than the sequential loop */
+    STAND_SHORT,     /**< too short for threads to be woken: exponential back-off, not timed */
     STAND_RESTING    /**< sequential for some calls: exponential back-off */
 };
 
@@ -113,18 +115,17 @@ struct timings {
     long count;
 };
 
-/** Two ways executed in turn, so that both meet the machine as it is now. */
+/** Two ways take turns, the contender first. */
 struct comparison {
     enum way contender, incumbent;
-    bool incumbents_turn;
-    int contended, defended;             /* executions */
-    double contender_sum, incumbent_sum; /* seconds an iteration */
+    struct turns turns;
 };
 
 /** Set-ups at one size. */
 struct set_ups {
     double since;    /* sequential seconds since the last one */
-    double factor;   /* of its estimated cost, which `since` must reach for another */
+    double factor;   /* of its estimated cost, which `since` must reach for another; 0: as at first
+                      */
     double invested; /* seconds that the last one took */
     double earned;   /* and saved */
     int misses;      /* in a row that were abandoned before they had earned their cost */
@@ -134,28 +135,24 @@ struct set_ups {
     long lifetime;   /* calls that had those of the plan before it, which others ended; 0: none */
 };
 
-/** Exponential back-off. */
-struct back_off {
-    long calls, until, length;
-};
-
 struct size_state {
     enum stand stand;
     enum rule rule;
-    enum way way; /* PARALLEL: of the plan */
+    enum way way; /* PARALLEL; RESTING after a comparison: the contender */
     int threads;
     int steady;       /* of the last call (situation.steady), not below 0 */
-    bool looked;      /* the prospects are known */
-    bool gained;      /* the last execution by a plan took less than the sequential loop */
+    bool looked;      /* the arms are known */
+    bool gained;      /* the last execution by a way took less than the sequential loop */
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
-    int checks; /* how often it was in a row, a plan being the faster way; DOUBLINGS at most */
+    int checks;       /* how often it was in a row, a plan being the faster way */
+    long calls;
     struct timings sequential;
-    struct prospect prospect[WAY_COUNT];
+    struct arm arm[WAY_COUNT];
     struct comparison comparison;
     struct set_ups set_ups;
-    struct back_off rest;
+    struct back_off rest; /* until a call by its number */
 };
 
 /** Seconds of all sizes. */
@@ -186,22 +183,22 @@ enum reach {
 };
 
 /** Of a loop that is saving and has no plan; of any other it is REACH_TEAM. start of *now is the
- *  least that it may be; kept is not looked at but for WAY_BINS. */
+ *  least that it may be; kept is not looked at but for ways without plans. */
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now);
 
 /** What to do in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
 
-/** An inspection has sampled the loop (`spent` seconds so far): notes the prospects [WAY_COUNT] and
+/** An inspection has sampled the loop (`spent` seconds so far): notes the arms [WAY_COUNT] and
  *  says which way is worth its set-up and within the credit, until what deadline, from now on;
  *  ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
-                               const struct prospect *prospect, double spent);
+                               const struct arm *arm, double spent);
 
 /** An inspection by one thread has sampled the loop, and ends here (RESULT_UNATTRACTIVE): notes the
- *  prospects [WAY_COUNT]. */
-void redcc_note_prospects(struct choice_state *state, long long trip,
-                          const struct prospect *prospect, double spent);
+ *  arms [WAY_COUNT]. */
+void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
+                     double spent);
 
 /** Takes in an outcome; of each decision exactly one with what was decided, then, where that
  *  failed, one more of the sequential loop if it is timed. */
@@ -210,13 +207,31 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome);
 /** Seconds that may be lost now without passing the bound, a loan included; may be negative. */
 double redcc_credit(const struct choice_state *state);
 
-/** Seconds of a sequential execution, as they were lately: the median of three. 0: not known. */
-double redcc_usual_sequential(const struct choice_state *state, long long trip);
+/** What is known at trip counts of that size. */
+const struct size_state *redcc_size_of(const struct choice_state *state, long long trip);
 
-/** How many sequential executions of this size were timed. */
-long redcc_timings_of(const struct choice_state *state, long long trip);
+/** Seconds an iteration of the sequential loop: the median of the last three executions, of two the
+ *  lower; the least of them, for what is gained is not to be overestimated. 0: not known. */
+double redcc_usual(const struct size_state *size);
+double redcc_least(const struct size_state *size);
 
-/** The row that decided last at this size. */
-enum rule redcc_rule_of(const struct choice_state *state, long long trip);
+/** Seconds an iteration by that way. Estimates follow the sequential loop, whose first execution
+ *  takes longer than others. */
+double redcc_expected(const struct size_state *size, enum way way);
+
+/** May that way be had, and is it worth a trial where an iteration takes `current` seconds? */
+bool redcc_is_better(const struct size_state *size, enum way way, double current);
+
+/** Did the last set-up not pay? How many in a row did not, that one included. */
+int redcc_misses(const struct set_ups *set_ups);
+
+/** How many times its cost `since` must reach for another set-up. */
+double redcc_factor(const struct set_ups *set_ups);
+
+/** Whose turn it is. */
+enum way redcc_turn(const struct comparison *comparison);
+
+/** Begins to compare two ways. */
+void redcc_compare(struct size_state *size, enum way contender, enum way incumbent);
 
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** What each way would cost, by what an inspection has found so far. */
-#ifndef REDCC_PROSPECTS_H
-#define REDCC_PROSPECTS_H
+#ifndef REDCC_CHOOSE_COST_MODEL_H
+#define REDCC_CHOOSE_COST_MODEL_H
 
-#include "choose/decide.h"
+#include "learn/learner.h"
 
 struct findings {
     long long trip; /**< iterations */
@@ -11,6 +11,7 @@ struct findings {
     double sequential;   /**< seconds of the original loop for an iteration */
     double spent;        /**< seconds of this inspection so far */
     double share;        /**< of the iterations, by the thread that would execute most by index */
+    double direct;       /**< the same without an inspection; 0: that cannot be had */
     double touches;      /**< of an iteration */
     double leading_rows; /**< ... at different addresses, of the group that owners are cut in */
     double further_rows; /**< ... of the others */
@@ -25,10 +26,7 @@ struct findings {
     double checked;   /**< bytes of subscripts that are compared before a plan is used again */
 };
 
-/** Fills prospect [WAY_COUNT]. */
-void redcc_estimate_prospects(const struct findings *findings, struct prospect *prospect);
-
-/** Seconds that putting iterations in levels takes for a touch. */
-extern const double redcc_level_touch;
+/** Fills arm [WAY_COUNT]. */
+void redcc_estimate_arms(const struct findings *findings, struct arm *arm);
 
 #endif

@@ -1,0 +1,422 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Decisions: what a loop can afford, and what it does. What came of them is outcome.c's. */
+#include "learn/learner.h"
+
+#include <assert.h>
+
+/* ---- what it can afford -----------------------------------------------------------------------
+ */
+
+/* A loop at trip counts of one size, in a call. */
+struct choice {
+    struct ledger *ledger;
+    struct size_state *size;
+    const struct situation *now;
+};
+
+static double credit_of(const struct ledger *it) {
+    return LEARN_SHARE * it->sequential - it->overhead + it->loan;
+}
+
+double redcc_credit(const struct choice_state *state) {
+    return credit_of(&state->ledger);
+}
+
+static double least_of(double a, double b) {
+    return a < b ? a : b;
+}
+
+static double most_of(double a, double b) {
+    return a > b ? a : b;
+}
+
+/* Seconds of a sequential execution. */
+static double usual_of(const struct choice *c) {
+    return redcc_usual(c->size) * (double)c->now->trip;
+}
+
+/* Until bins are known to be the faster way, an execution by them is a trial, which stops. */
+static bool is_trial(const struct choice *c, enum way way) {
+    const bool compared = c->size->stand == STAND_COMPARING && c->size->comparison.contender == way;
+    return way == WAY_BINS && (compared || !c->size->arm[way].measured);
+}
+
+static bool is_clear(const struct choice *c, enum way way) {
+    return redcc_expected(c->size, way) < LEARN_CLEAR * redcc_usual(c->size);
+}
+
+/* Seconds that may be lost by this way now, beside what one execution by it may lose. */
+static double room_for(const struct choice *c, enum way way) {
+    const double risk = is_trial(c, way) ? LEARN_SHARE : is_clear(c, way) ? 0 : LEARN_RISK;
+    const double lent = redcc_is_planned(way) ? 0 : c->ledger->loan; /* for a set-up */
+    return credit_of(c->ledger) - lent - risk * usual_of(c);
+}
+
+/* One that was measured and is clearly the faster way repays what is owed, as long as it does. */
+static bool may_execute(const struct choice *c, enum way way) {
+    const bool gains =
+        c->size->gained && c->size->arm[way].measured && !is_trial(c, way) && is_clear(c, way);
+    return gains || room_for(c, way) >= 0;
+}
+
+static bool fits(const struct choice *c, enum way way) {
+    return c->now->kept[way] == KEPT_FITS &&
+           (redcc_is_planned(way) ||
+            (c->size->arm[way].possible && room_for(c, way) >= c->now->start));
+}
+
+/* Of the ways that this call can have at once, the one with the least expected time below `current`
+ * seconds an iteration. */
+static enum way ready_way(const struct choice *c, double current) {
+    enum way best = WAY_SEQUENTIAL;
+    double least = LEARN_BETTER * current;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        if (fits(c, way) && redcc_expected(c->size, way) < least) {
+            best = way;
+            least = redcc_expected(c->size, way);
+        }
+    return best;
+}
+
+/* Subscripts that were not met lately, as far as is known; ones that are likely to stay. */
+static bool are_new(const struct choice *c) {
+    return !c->now->verified && c->now->steady < LEARN_SURE / 2;
+}
+
+static bool are_sure(const struct choice *c) {
+    return c->now->verified || c->now->steady >= LEARN_SURE;
+}
+
+/* Seconds of a set-up from now on, and of starting threads. What was spent so far may show that
+ * less is left than is likely: no less than half of what the inspection itself takes. A plan for
+ * subscripts that are new each time must not count on a slice that is cheaper than the body. */
+static double cost_of(const struct choice *c, enum way way) {
+    const struct arm *it = &c->size->arm[way];
+    const double all = it->learned > 0 ? it->learned : it->set_up;
+    const double left = most_of(all - c->now->spent, (all - c->now->dried - c->now->awaited) / 2);
+    const bool counts_body = are_new(c) && it->learned == 0;
+    return left + c->now->start + (counts_body ? usual_of(c) / c->now->threads : 0);
+}
+
+/* How many executions a plan made now may serve: as many as there were (rent or buy), or this one
+ * alone where the subscripts were not yet met. Where plans were ended by other subscripts: until
+ * these are as old as those of the last one were, or, where they are older, as long again. */
+static double horizon_of(const struct choice *c) {
+    const struct set_ups *it = &c->size->set_ups;
+    if (it->lifetime == 0)
+        return are_new(c) && c->now->steady >= 0 ? 1 : (double)c->size->calls;
+    const long since = (c->size->calls - it->begun) / (2 * LEARN_SURE),
+               age = c->now->steady > 0 ? c->now->steady : 0;
+    const long life = it->lifetime > since ? it->lifetime : since;
+    return (double)(life > age ? life - age : age);
+}
+
+/* Does the credit cover it, has it waited long enough, and does it pay? */
+static bool is_affordable(const struct choice *c, enum way way) {
+    const double all = c->now->spent + cost_of(c, way);
+    return all <= room_for(c, way) &&
+           all * redcc_factor(&c->size->set_ups) <= c->size->set_ups.since;
+}
+
+/* One loan at a time, and none after a set-up that did not earn its cost. */
+static bool may_borrow(const struct choice *c) {
+    return c->size->stand == STAND_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
+           (c->ledger->loan > 0 || credit_of(c->ledger) >= 0);
+}
+
+/* Do two executions repay the set-up, or half as many as its subscripts were there for? Where they
+ * may change, the first one must. Where samples may have missed a change, the plan may serve once:
+ * that may lose a share of the time so far. */
+static bool is_worth_loan(const struct choice *c, enum way way) {
+    const double usual = usual_of(c), set_up = cost_of(c, way);
+    const double gained = usual - redcc_expected(c->size, way) * (double)c->now->trip;
+    const double soon = most_of(LEARN_SURE, c->now->steady) / 2;
+    const double repaid = are_sure(c) ? least_of(soon, horizon_of(c)) : LEARN_BETTER;
+    const double misled = set_up - c->now->start - gained;
+    return is_clear(c, way) && set_up <= LEARN_LOAN * usual && set_up <= repaid * gained &&
+           (c->now->verified || misled <= LEARN_SHARE * c->ledger->sequential);
+}
+
+typedef bool allows(const struct choice *, enum way);
+
+/* The plan that is the cheapest over so many executions, set-up included, of those that are allowed
+ * and better than `current` seconds an iteration. */
+static enum way best_plan(const struct choice *c, double current, double executions,
+                          allows *is_allowed) {
+    enum way best = WAY_SEQUENTIAL;
+    double least = current * executions * (double)c->now->trip;
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
+        const double each = redcc_expected(c->size, way) * (double)c->now->trip;
+        const double cost = cost_of(c, way) + each * executions;
+        if (redcc_is_better(c->size, way, current) && cost < least && is_allowed(c, way)) {
+            best = way;
+            least = cost;
+        }
+    }
+    return best;
+}
+
+static enum way affordable_way(const struct choice *c, double current) {
+    return best_plan(c, current, horizon_of(c), is_affordable);
+}
+
+/* Seconds that a look takes. */
+static double look_of(const struct choice *c) {
+    const double usual = usual_of(c);
+    return c->size->look > 0
+               ? c->size->look
+               : least_of(LEARN_LOOK, LEARN_CLEAR * usual) + (c->now->dry_run ? usual : 0);
+}
+
+/* ---- decisions --------------------------------------------------------------------------------
+ */
+
+static struct decision sequentially(const struct choice *c, enum rule rule) {
+    c->size->rule = rule;
+    return (struct decision){.action = ACTION_SEQUENTIAL, .timed = true, .rule = rule};
+}
+
+static struct decision reuse(const struct choice *c, enum way way, enum rule rule) {
+    const double usual = redcc_usual(c->size);
+    const bool was_faster = c->size->arm[way].measured && c->size->arm[way].execution < usual;
+    struct decision decision = {.action = ACTION_REUSE,
+                                .way = way,
+                                .earned = c->size->set_ups.earned - c->size->set_ups.invested,
+                                .rule = rule};
+    c->size->rule = rule;
+    if (is_trial(c, way) && !was_faster) /* whose short rounds would hide a gain */
+        decision.trial = (struct trial){usual, LEARN_SHARE * usual_of(c)};
+    return decision;
+}
+
+/* What is spent of a loan already stays lent. */
+static void lend(const struct choice *c, double seconds) {
+    c->ledger->loan = most_of(c->ledger->loan, seconds);
+}
+
+/* A set-up that a loan or the credit allows, for a way better than `current` seconds an iteration,
+ * if there is one. A loan is twice its cost and a part of an execution, for threads that the system
+ * has no core for at once. */
+static struct decision set_up(const struct choice *c, double current) {
+    const double usual = usual_of(c);
+    enum way way = may_borrow(c) ? best_plan(c, redcc_usual(c->size), LEARN_FACTOR, is_worth_loan)
+                                 : WAY_SEQUENTIAL;
+    const bool is_lent = way != WAY_SEQUENTIAL;
+    way = is_lent ? way : affordable_way(c, current);
+    if (way == WAY_SEQUENTIAL)
+        return sequentially(c, RULE_SAVING);
+    const double most = 2 * cost_of(c, way) + (is_lent ? LEARN_RISK * usual : 0);
+    if (is_lent)
+        lend(c, least_of(c->now->spent + most, c->now->awaited + LEARN_LOAN * usual));
+    c->size->rule = RULE_SET_UP;
+    return (struct decision){.action = ACTION_INSPECT,
+                             .way = way,
+                             .deadline = least_of(most, room_for(c, way) - c->now->spent),
+                             .rule = RULE_SET_UP};
+}
+
+/* By all threads, so that a set-up can follow at once, where the subscripts are likely to stay and
+ * the credit covers starting them; where that is little beside an execution, it is lent. Else by
+ * one thread, which waits for nobody: most light loops are not worth more than the look. */
+static struct decision look(const struct choice *c) {
+    const double cost = look_of(c), credit = credit_of(c->ledger);
+    if (credit < cost || c->size->set_ups.since < redcc_factor(&c->size->set_ups) * cost)
+        return sequentially(c, RULE_SAVING);
+    const bool is_lent = c->now->verified && credit < cost + c->now->start && may_borrow(c) &&
+                         cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
+    if (is_lent)
+        lend(c, c->now->start);
+    const bool alone = !are_sure(c) || credit_of(c->ledger) < cost + c->now->start;
+    c->size->rule = RULE_LOOKING;
+    return (struct decision){.action = ACTION_INSPECT,
+                             .alone = alone,
+                             .deadline = credit_of(c->ledger) - (alone ? 0 : c->now->start),
+                             .rule = RULE_LOOKING};
+}
+
+static struct decision decide_saving(const struct choice *c) {
+    const enum way ready = ready_way(c, redcc_usual(c->size));
+    if (ready != WAY_SEQUENTIAL && may_execute(c, ready)) {
+        if (!c->size->arm[ready].measured) {
+            redcc_compare(c->size, ready, WAY_SEQUENTIAL);
+            return reuse(c, ready, RULE_COMPARING);
+        }
+        c->size->way = ready;
+        c->size->stand = STAND_PARALLEL;
+        return reuse(c, ready, RULE_FASTER);
+    }
+    if (redcc_misses(&c->size->set_ups) >= LEARN_SURE / 2 && c->now->steady >= 0 &&
+        c->now->steady < LEARN_SURE / 2)
+        return sequentially(c, RULE_CHANGING);
+    return c->size->looked ? set_up(c, redcc_usual(c->size)) : look(c);
+}
+
+/* The plan in use is for other subscripts: what was lent for it is still owed, but no more may be
+ * spent of it. */
+static struct decision leave_plan(const struct choice *c) {
+    c->size->stand = STAND_SAVING;
+    c->ledger->loan = 0;
+    return decide_saving(c);
+}
+
+static struct decision decide_comparing(const struct choice *c) {
+    const struct comparison *it = &c->size->comparison;
+    if (c->now->kept[it->contender] != KEPT_FITS ||
+        (it->incumbent != WAY_SEQUENTIAL && c->now->kept[it->incumbent] != KEPT_FITS))
+        return leave_plan(c);
+    const enum way turn = redcc_turn(it);
+    if (turn == WAY_SEQUENTIAL)
+        return sequentially(c, RULE_COMPARING);
+    return may_execute(c, turn) ? reuse(c, turn, RULE_COMPARING) : sequentially(c, RULE_SAVING);
+}
+
+/* Was the sequential loop not timed for so long that timing it costs little? A first execution
+ * finds no page of the arrays in place, and says less than the others. */
+static bool is_check_due(const struct choice *c) {
+    const double more = redcc_usual(c->size) - c->size->arm[c->size->way].execution;
+    const double after = c->size->sequential.count > 1
+                             ? LEARN_CHECK * (double)(1 << c->size->checks)
+                             : LEARN_CHECK / LEARN_SURE;
+    return c->size->unchecked > after * more * (double)c->now->trip;
+}
+
+static struct decision decide_parallel(const struct choice *c) {
+    if (c->now->kept[c->size->way] != KEPT_FITS)
+        return leave_plan(c);
+    if (!may_execute(c, c->size->way))
+        return sequentially(c, RULE_SAVING);
+    const double current = c->size->arm[c->size->way].execution;
+    if (is_check_due(c)) {
+        c->size->checks += c->size->sequential.count > 1 && c->size->checks < LEARN_PAIRS;
+        redcc_compare(c->size, c->size->way, WAY_SEQUENTIAL);
+        redcc_turns_note(&c->size->comparison.turns, current);
+        return sequentially(c, RULE_COMPARING);
+    }
+    const enum way way = affordable_way(c, current);
+    if (way != WAY_SEQUENTIAL && way != c->size->way && c->now->kept[way] != KEPT_FITS)
+        return set_up(c, current);
+    const enum way ready = ready_way(c, current);
+    if (ready != WAY_SEQUENTIAL && ready != c->size->way) {
+        redcc_compare(c->size, ready, c->size->way);
+        return reuse(c, ready, RULE_COMPARING);
+    }
+    return reuse(c, c->size->way, RULE_FASTER);
+}
+
+/* What a rest was for may be otherwise now. */
+static void end_rest(const struct choice *c) {
+    const bool was_slower = c->size->rule == RULE_SLOWER;
+    c->size->stand = STAND_SAVING;
+    if (was_slower && c->now->kept[c->size->way] == KEPT_FITS) {
+        redcc_compare(c->size, c->size->way, WAY_SEQUENTIAL);
+        return;
+    }
+    c->size->looked = false;
+    for (enum way way = 0; way < WAY_COUNT; way++)
+        c->size->arm[way] = (struct arm){.learned = c->size->arm[way].learned};
+}
+
+static bool is_resting(const struct size_state *size) {
+    return (size->stand == STAND_SHORT || size->stand == STAND_RESTING) &&
+           size->calls < size->rest.until;
+}
+
+static struct decision at_rest(const struct size_state *size) {
+    return (struct decision){
+        .action = ACTION_SEQUENTIAL, .timed = size->stand == STAND_RESTING, .rule = size->rule};
+}
+
+static bool is_short(const struct choice *c) {
+    return usual_of(c) < LEARN_WAKES * c->now->wake;
+}
+
+static struct decision decide(const struct choice *c) {
+    if (c->size->sequential.count == 0)
+        return sequentially(c, RULE_FIRST);
+    if (c->size->stand == STAND_SHORT && c->size->calls == c->size->rest.until) {
+        c->size->stand = STAND_SAVING;
+        return sequentially(c, RULE_SHORT);
+    }
+    if (c->size->stand == STAND_RESTING)
+        end_rest(c);
+    if (c->size->stand == STAND_SAVING && is_short(c)) {
+        redcc_wait_for(&c->size->rest, c->size->calls, redcc_longer(c->size->rest.length));
+        c->size->stand = STAND_SHORT;
+        return sequentially(c, RULE_SHORT);
+    }
+    return c->size->stand == STAND_COMPARING  ? decide_comparing(c)
+           : c->size->stand == STAND_PARALLEL ? decide_parallel(c)
+                                              : decide_saving(c);
+}
+
+/* ---- the interface ----------------------------------------------------------------------------
+ */
+
+static struct size_state *size_of(struct choice_state *state, long long trip) {
+    return (struct size_state *)redcc_size_of(state, trip);
+}
+
+bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
+                         struct decision *decision) {
+    struct size_state *size = size_of(state, trip);
+    if (!is_resting(size) || size->threads != threads || size->calls + 2 >= size->rest.until)
+        return false;
+    size->calls++;
+    *decision = at_rest(size);
+    return true;
+}
+
+/* A size of another number of threads is a new one. */
+static struct decision take_call(const struct choice *c) {
+    if (c->size->threads > 0 && c->size->threads != c->now->threads)
+        *c->size = (struct size_state){0};
+    c->size->threads = c->now->threads;
+    c->size->steady = c->now->steady > 0 ? c->now->steady : 0;
+    c->size->calls++;
+    return is_resting(c->size) ? at_rest(c->size) : decide(c);
+}
+
+struct decision redcc_decide(struct choice_state *state, const struct situation *now) {
+    return take_call(&(struct choice){&state->ledger, size_of(state, now->trip), now});
+}
+
+enum reach redcc_reach(const struct choice_state *state, const struct situation *now) {
+    struct size_state size = *redcc_size_of(state, now->trip); /* copies: nothing is decided yet */
+    struct ledger ledger = state->ledger;
+    const bool as_before = size.threads == 0 || size.threads == now->threads;
+    if (size.sequential.count > 0 &&
+        (size.stand != STAND_SAVING || size.set_ups.begun > 0 || !as_before))
+        return REACH_TEAM;
+    const struct decision decision = take_call(&(struct choice){&ledger, &size, now});
+    return decision.action == ACTION_SEQUENTIAL ? REACH_NOTHING
+           : decision.alone                     ? REACH_LOOK
+                                                : REACH_TEAM;
+}
+
+void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
+                     double spent) {
+    struct size_state *size = size_of(state, trip);
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+        struct arm *known = &size->arm[way], before = *known;
+        *known = arm[way];
+        known->learned = before.learned;
+        known->ruled_out = before.ruled_out;
+        known->possible = arm[way].possible && !before.ruled_out;
+        known->measured = before.measured && arm[way].possible;
+        known->execution = known->measured ? before.execution : arm[way].execution;
+    }
+    size->looked = true;
+    size->look = spent;
+    size->looked_at = redcc_usual(size);
+}
+
+struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
+                               const struct arm *arm, double spent) {
+    struct size_state *size = size_of(state, now->trip);
+    struct situation here = *now;
+    here.spent = spent;
+    redcc_note_arms(state, now->trip, arm, spent);
+    const double current =
+        size->stand == STAND_PARALLEL ? size->arm[size->way].execution : redcc_usual(size);
+    return set_up(&(struct choice){&state->ledger, size, &here}, current);
+}

@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What came of decisions: estimates give way to measurements, comparisons end, and what did not
+ *  pay rests. */
+#include "learn/learner.h"
+
+#include <assert.h>
+
+const struct size_state *redcc_size_of(const struct choice_state *state, long long trip) {
+    const int logarithm = 63 - __builtin_clzll((unsigned long long)trip | 1);
+    return &state->size[logarithm < REDCC_SIZES ? logarithm : REDCC_SIZES - 1];
+}
+
+double redcc_usual(const struct size_state *size) {
+    const double *t = size->sequential.recent;
+    if (size->sequential.count < 3)
+        return size->sequential.count == 2 && t[1] < t[0] ? t[1] : t[0];
+    const double low = t[0] < t[1] ? t[0] : t[1], high = t[0] < t[1] ? t[1] : t[0];
+    return t[2] < low ? low : t[2] > high ? high : t[2];
+}
+
+double redcc_least(const struct size_state *size) {
+    double low = size->sequential.recent[0];
+    for (int i = 1; i < 3 && i < size->sequential.count; i++)
+        low = size->sequential.recent[i] < low ? size->sequential.recent[i] : low;
+    return size->sequential.count ? low : 0;
+}
+
+static bool missed(const struct set_ups *it) {
+    return it->invested > 0 && it->earned < it->invested;
+}
+
+int redcc_misses(const struct set_ups *it) {
+    return missed(it) ? it->misses + 1 : 0;
+}
+
+/* Doubled by each that did not pay, halved by each that did. */
+double redcc_factor(const struct set_ups *it) {
+    const double now = it->factor > 0 ? it->factor : LEARN_FACTOR;
+    if (it->invested == 0)
+        return now;
+    return missed(it) ? 2 * now : now > 2 ? now / 2 : 1;
+}
+
+double redcc_expected(const struct size_state *size, enum way way) {
+    const struct arm *it = &size->arm[way];
+    return it->measured || size->looked_at <= 0
+               ? it->execution
+               : it->execution * redcc_usual(size) / size->looked_at;
+}
+
+bool redcc_is_better(const struct size_state *size, enum way way, double current) {
+    return size->arm[way].possible && redcc_expected(size, way) < LEARN_BETTER * current;
+}
+
+void redcc_compare(struct size_state *size, enum way contender, enum way incumbent) {
+    size->comparison = (struct comparison){contender, incumbent, {.arms = 2}};
+    size->stand = STAND_COMPARING;
+    size->rule = RULE_COMPARING;
+}
+
+static void rest(struct size_state *size, enum rule rule) {
+    redcc_back_off(&size->rest, size->calls);
+    size->stand = STAND_RESTING;
+    size->rule = rule;
+}
+
+static void stop_resting(struct size_state *size, enum stand stand) {
+    size->rest.length = 0;
+    size->stand = stand;
+}
+
+/* The way was tried and failed. Is there one that may be better? */
+static bool another_may_do(struct size_state *size, enum way failed) {
+    size->arm[failed].possible = false;
+    size->arm[failed].ruled_out = true;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        if (redcc_is_better(size, way, redcc_usual(size)))
+            return true;
+    return false;
+}
+
+/* A way without a set-up has none that is lost with it. */
+static void return_to_sequential(struct size_state *size, enum way way) {
+    if (!redcc_is_planned(way) && another_may_do(size, way))
+        stop_resting(size, STAND_SAVING);
+    else
+        rest(size, RULE_SLOWER);
+}
+
+/* A comparison is over: the contender was the faster way, or not. */
+static void settle(struct size_state *size, bool contender_won) {
+    const struct comparison *it = &size->comparison;
+    struct arm *arm = &size->arm[it->contender];
+    arm->execution = redcc_turns_mean(&it->turns, 0);
+    arm->measured = true;
+    size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
+    size->unchecked = 0;
+    if (contender_won || it->incumbent != WAY_SEQUENTIAL) {
+        stop_resting(size, STAND_PARALLEL);
+        size->rule = RULE_FASTER;
+        return;
+    }
+    size->checks = 0;
+    return_to_sequential(size, it->contender);
+}
+
+enum way redcc_turn(const struct comparison *it) {
+    return redcc_turn_of(2, it->turns.timed) == 0 ? it->contender : it->incumbent;
+}
+
+static void count_in_comparison(struct size_state *size, enum way way, double each) {
+    struct comparison *it = &size->comparison;
+    if (way != redcc_turn(it))
+        return; /* sequential for want of credit */
+    redcc_turns_note(&it->turns, each);
+    if (it->turns.timed == 1 && it->incumbent == WAY_SEQUENTIAL &&
+        each < LEARN_CLEAR * redcc_usual(size))
+        settle(size, true);
+    else if (it->turns.timed % 2 == 0 && redcc_turns_winner(&it->turns) >= 0)
+        settle(size, redcc_turns_winner(&it->turns) == 0);
+}
+
+/* More than noise lies between two timings of a loop: the machine is another. */
+static bool is_another(double before, double now) {
+    return now * (1 + 2 * LEARN_NOISE) < before || now > (1 + 2 * LEARN_NOISE) * before;
+}
+
+static void observe_sequential(struct choice_state *state, struct size_state *size,
+                               const struct outcome *outcome) {
+    const double each = outcome->seconds / (double)outcome->trip;
+    const double all = outcome->seconds * (double)(1 + outcome->untimed);
+    struct timings *timings = &size->sequential;
+    const struct comparison *it = &size->comparison;
+    state->ledger.sequential += all;
+    size->set_ups.since += all;
+    size->calls += outcome->untimed;
+    const bool comparing = size->stand == STAND_COMPARING;
+    const bool is_check = comparing && it->turns.timed == 1 && redcc_turn(it) == WAY_SEQUENTIAL;
+    if (is_check && is_another(redcc_usual(size), each))
+        timings->count = 0;
+    timings->recent[timings->count++ % 3] = each;
+    if (size->calls < timings->count) /* timed before the loop had a state */
+        size->calls = timings->count;
+    if (comparing)
+        count_in_comparison(size, WAY_SEQUENTIAL, each);
+}
+
+static void count_set_up(struct size_state *size, enum way way, double seconds) {
+    struct set_ups *it = &size->set_ups;
+    *it = (struct set_ups){.factor = redcc_factor(it),
+                           .invested = seconds,
+                           .misses = redcc_misses(it),
+                           .begun = size->calls,
+                           .met = size->steady,
+                           .lifetime = it->lifetime};
+    size->arm[way].learned = seconds;
+    size->arm[way].possible = true;
+    size->checks = 0;
+}
+
+/* The first execution by a new way starts threads and touches pages: it is only compared where it
+ * is clearly the faster way in spite of that. */
+static void begin_trial(struct size_state *size, enum way way, double each) {
+    const bool rival = size->stand == STAND_PARALLEL && size->way != way;
+    redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
+    if (!rival && each < LEARN_CLEAR * redcc_usual(size))
+        count_in_comparison(size, way, each);
+}
+
+/* An execution that was not the sequential loop's. Returns the seconds that one would have taken.
+ */
+static double enter_in_ledger(struct choice_state *state, struct size_state *size,
+                              const struct outcome *outcome) {
+    const double sequential = redcc_least(size) * (double)outcome->trip;
+    state->ledger.sequential += sequential;
+    state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
+    size->set_ups.since += sequential;
+    return sequential;
+}
+
+static void observe_parallel(struct choice_state *state, struct size_state *size,
+                             const struct outcome *outcome) {
+    const double each = outcome->seconds / (double)outcome->trip;
+    const double smoothing = 1.0 / (1 + LEARN_PAIRS);
+    struct arm *arm = &size->arm[outcome->way];
+    struct set_ups *set_ups = &size->set_ups;
+    const bool is_first =
+        outcome->set_up > 0 || (!redcc_is_planned(outcome->way) && !arm->measured);
+    if (outcome->set_up > 0) {
+        if (size->stand == STAND_SAVING && set_ups->uses > 0)
+            set_ups->lifetime = set_ups->met + set_ups->uses;
+        count_set_up(size, outcome->way, outcome->set_up);
+    }
+    const double sequential = enter_in_ledger(state, size, outcome);
+    set_ups->uses++;
+    set_ups->earned += sequential - outcome->seconds;
+    size->gained = outcome->seconds < sequential;
+    if (outcome->set_up == 0) {
+        arm->execution +=
+            arm->measured ? smoothing * (each - arm->execution) : each - arm->execution;
+        arm->measured = true;
+    }
+    if (is_first)
+        begin_trial(size, outcome->way, each);
+    else if (size->stand == STAND_COMPARING)
+        count_in_comparison(size, outcome->way, each);
+    else if (size->stand == STAND_PARALLEL)
+        size->unchecked += outcome->seconds;
+}
+
+static void observe_left(struct choice_state *state, struct size_state *size,
+                         const struct outcome *outcome) {
+    struct arm *arm = &size->arm[outcome->way];
+    enter_in_ledger(state, size, outcome);
+    arm->execution = outcome->seconds / (double)outcome->trip;
+    arm->measured = true;
+    size->way = outcome->way;
+    return_to_sequential(size, outcome->way);
+}
+
+static void observe_stop(struct size_state *size, const struct outcome *outcome) {
+    size->rule = RULE_STOPPED;
+    const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
+    const double twice = 2 * outcome->seconds;
+    const double expected = whole > twice ? whole : twice;
+    if (outcome->way == WAY_SEQUENTIAL) { /* a look, by its dry run */
+        size->look = expected;
+        return;
+    }
+    count_set_up(size, outcome->way, outcome->seconds);
+    size->arm[outcome->way].learned = expected;
+    if (size->stand != STAND_PARALLEL)
+        size->stand = STAND_SAVING;
+}
+
+static void observe_loss(struct size_state *size, const struct outcome *outcome) {
+    if (outcome->result == RESULT_CHANGED) {
+        size->stand = STAND_SAVING;
+        size->rule = RULE_CHANGED;
+    } else if (outcome->result == RESULT_STOPPED) {
+        observe_stop(size, outcome);
+    } else if (outcome->result == RESULT_UNATTRACTIVE) {
+        if (outcome->way != WAY_SEQUENTIAL)
+            count_set_up(size, outcome->way, outcome->seconds);
+        if (!another_may_do(size, outcome->way))
+            rest(size, RULE_UNATTRACTIVE);
+    } else { /* refused: of one way, then another one may do; of all: the loop rests */
+        const bool another = another_may_do(size, outcome->way) && outcome->way != WAY_SEQUENTIAL;
+        if (size->stand != STAND_PARALLEL && !another)
+            rest(size, RULE_REFUSED);
+    }
+}
+
+void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
+    struct size_state *size = (struct size_state *)redcc_size_of(state, outcome->trip);
+    bool failed = false;
+    if (outcome->result == RESULT_SEQUENTIAL) {
+        observe_sequential(state, size, outcome);
+    } else if (outcome->result == RESULT_PARALLEL) {
+        observe_parallel(state, size, outcome);
+    } else if (outcome->result == RESULT_LEFT) {
+        observe_left(state, size, outcome);
+        failed = true;
+    } else {
+        observe_loss(size, outcome);
+        state->ledger.overhead += outcome->seconds;
+        failed = true;
+    }
+    /* A loan is repaid, or what it was given for has failed: nothing more may be spent of it. */
+    if (failed || size->stand == STAND_RESTING || redcc_credit(state) >= state->ledger.loan)
+        state->ledger.loan = 0;
+}
