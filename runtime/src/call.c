@@ -188,10 +188,6 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     if (!redcc_threads_ensure(state, loop, threads))
         return false;
     call->asked = call->threads = threads;
-    if (threads > 1)
-        redcc_cores_begin(&execution->cores);
-    redcc_room_begin(&execution->room, &execution->cores,
-                     threads > 1 ? redcc_team_to_start(threads) : 0);
     if (!alone)
         call->planned = threads;
     execution->inspection.inspector = state->inspector;
@@ -416,8 +412,6 @@ static void note_node(struct thread_state *thread) {
 void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads) {
     struct execution *execution = call->execution;
     *worker = (redcc_worker){.call = call, .thread = number};
-    if (number == 0)
-        redcc_room_end(&execution->room);
     if (threads > execution->call.asked) {
         if (number == 0)
             execution->reason = REASON_TEAM;
@@ -425,8 +419,6 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     }
     assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     if (number == 0) {
-        if (execution->call.started > 0)
-            redcc_cores_give_way(&execution->cores, threads - 1);
         redcc_team_came(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
         if (!execution->advice.alone || is_dry) /* a sample is over before anybody waits */
@@ -438,8 +430,6 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     worker->execution = thread;
     if (number > 0 && execution->call.started > 0)
         redcc_signals_take_over();
-    if (number > 0)
-        redcc_cores_take(&execution->cores);
     if (!execution->advice.alone)
         note_node(thread);
     if (number == threads - 1)

@@ -9,8 +9,6 @@
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
 
-#include "base/cores.h"
-#include "base/room.h"
 #include "base/within.h"
 #include "bins/binning.h"
 #include "choose/advice.h"
@@ -27,8 +25,6 @@ struct execution {
     struct loop_state *state;
     struct call call;
     struct within within; /* of the thread that entered */
-    struct room room;
-    struct cores cores;
     struct advice advice; /* auto's, at entry */
     struct reuse reuse;
     struct inspection inspection;

@@ -4,9 +4,9 @@
 #define REDCC_REPORT_H
 
 #include "base/reason.h"
-#include "learn/rule.h"
 #include "execute/lanes.h"
 #include "execute/validate.h"
+#include "learn/rule.h"
 #include "plan/method.h"
 
 #include <stdatomic.h>

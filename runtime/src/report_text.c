@@ -7,6 +7,7 @@
 #include "base/system.h"
 #include "settings.h"
 #include "variables.h"
+#include "why.h"
 
 #include <string.h>
 
@@ -100,6 +101,15 @@ static void write_lanes(FILE *out, const struct statistics *it) {
     write_text(out, "lanes_why", redcc_lanes_slug(it->last.lanes_reason));
 }
 
+static void write_why(FILE *out, const struct statistics *it) {
+    char why[REDCC_WHY];
+    redcc_why_sequential(it, why);
+    if (why[0])
+        write_text(out, "why_sequential", why);
+    else
+        fputs(", \"why_sequential\": null", out);
+}
+
 static void write_fallbacks(FILE *out, const struct statistics *it) {
     const char *separator = "";
     fputs(", \"fallbacks\": [", out);
@@ -163,6 +173,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
         fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
                 it->validated.broken);
     write_lanes(out, it);
+    write_why(out, it);
     write_plans(out, it);
     write_times(out, it);
     write_work(out, it);
@@ -218,6 +229,10 @@ void redcc_report_body(FILE *out) {
 /* ---- a table --------------------------------------------------------------------------------- */
 
 static void write_notes(FILE *out, const struct statistics *it) {
+    char why[REDCC_WHY];
+    redcc_why_sequential(it, why);
+    if (why[0])
+        fprintf(out, "redcc:       why sequential: %s\n", why);
     for (enum reason reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
         if (atomic_load(&it->fallback[reason]) > 0)
             fprintf(out, "redcc:       sequential %ld times: %s\n",

@@ -6,6 +6,7 @@
 #include "problem.h"
 #include "settings.h"
 #include "variables.h"
+#include "why.h"
 
 #include <ctype.h>
 #include <setjmp.h>
@@ -211,6 +212,35 @@ static void modes_follow_the_calls(void **unused) {
     fixture_end(&fixture);
 }
 
+/* One sentence, of the reason that most calls had; none where most ran in parallel. */
+static void a_sequential_loop_is_told_why(void **unused) {
+    (void)unused;
+    struct statistics it = {0};
+    char why[REDCC_WHY];
+    redcc_why_sequential(&it, why);
+    assert_string_equal(why, "");
+    atomic_store(&it.calls, 22);
+    atomic_store(&it.fallback[REASON_SAVING], 21);
+    atomic_store(&it.fallback[REASON_COMPARED], 1);
+    it.sequential.calls = 22;
+    it.sequential.seconds = 2.7e-3;
+    redcc_why_sequential(&it, why);
+    assert_string_equal(why, "executed 22 times for 2.7 ms; a plan repays after some 41: raise the "
+                             "work per call, or name a method");
+    atomic_store(&it.calls, 100);
+    redcc_why_sequential(&it, why);
+    assert_string_equal(why, "");
+    for (enum reason reason = REASON_NONE + 1; reason < REASON_COUNT; reason++) {
+        struct statistics other = {0};
+        atomic_store(&other.calls, 1);
+        atomic_store(&other.fallback[reason], 1);
+        redcc_why_sequential(&other, why);
+        assert_true(strncmp(why, redcc_reason_text(reason), strlen(redcc_reason_text(reason))) ==
+                    0);
+        assert_true(strlen(why) < REDCC_WHY - 1 && !strstr(why, "null"));
+    }
+}
+
 static void who_is_advised_to_sleep(void **unused) {
     (void)unused;
     assert_true(redcc_advises_sleep(100, 1, NULL, false));
@@ -232,6 +262,7 @@ int main(void) {
         cmocka_unit_test(no_plan_is_lost_twice),
         cmocka_unit_test(more_arrays_than_there_is_room_for_are_counted),
         cmocka_unit_test(who_is_advised_to_sleep),
+        cmocka_unit_test(a_sequential_loop_is_told_why),
         cmocka_unit_test(modes_follow_the_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

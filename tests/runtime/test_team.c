@@ -1,14 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* How many threads OpenMP must start: the program may have started them for other regions. */
+/* How many threads OpenMP must start: the program may have started them for other regions. And do
+ * other programs want the processors? */
 #include "base/team.h"
+
+#include "base/clock.h"
+#include "base/system.h"
 #include "thread_count.h"
 
 #include <omp.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -59,9 +66,40 @@ static void threads_that_are_there_need_not_be_started(void **state) {
     assert_int_equal(redcc_team_to_start(THREADS + 2), 2);
 }
 
+static atomic_bool over;
+
+static void *compute(void *unused) {
+    while (!atomic_load(&over))
+        ;
+    return unused;
+}
+
+/* As many threads compute as there are processors, and some more. */
+static void threads_that_run_are_counted(void **unused) {
+    (void)unused;
+    enum { MOST = 512 };
+    static pthread_t thread[MOST];
+    const int online = redcc_system_online(), count = online + 6;
+    if (access("/proc/loadavg", R_OK) != 0 || count > MOST)
+        skip(); /* not known here */
+    assert_true(redcc_system_running() > 0);
+    assert_int_equal(online, sysconf(_SC_NPROCESSORS_ONLN));
+    for (int i = 0; i < count; i++)
+        assert_int_equal(pthread_create(&thread[i], NULL, compute, NULL), 0);
+    const double until = redcc_seconds() + 10;
+    int running = 0; /* all of them, once each has begun */
+    while (running <= count && redcc_seconds() < until)
+        running = redcc_system_running();
+    atomic_store(&over, true);
+    for (int i = 0; i < count; i++)
+        pthread_join(thread[i], NULL);
+    assert_in_range(running, count + 1, 10000);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_that_are_there_need_not_be_started),
+        cmocka_unit_test(threads_that_run_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "base/wait.h"
 
 #include "base/affinity.h"
+#include "base/clock.h"
 #include "base/system.h"
 
 #include <limits.h>
@@ -13,8 +14,27 @@
 enum {
     SPINS = 4000, /* some 20 to 100 microseconds: longer than a balanced loop's threads differ */
     IDLE = 1000,  /* docs/decisions/0002 */
-    YIELDS = 4    /* then leave the core to whom we wait for, then sleep */
+    YIELDS = 4,   /* then leave the core to whom we wait for, then sleep */
+    FULL = 1024
 };
+
+/* What a thread spins of that, of FULL: exponential back-off. Who waits for a thread that another
+ * program keeps from its core spins for nothing, and keeps that core from others himself. So a wait
+ * that ended asleep halves it. One that ended awake, or soon afterwards, doubles it. */
+struct patience {
+    int part;
+};
+
+static _Thread_local struct patience at_barriers
+    __attribute__((__tls_model__("initial-exec"))) = {FULL};
+static _Thread_local struct patience in_between
+    __attribute__((__tls_model__("initial-exec"))) = {FULL};
+static const double soon = 0.1e-3; /* as long as all spins take */
+
+static void note(struct patience *it, bool was_worth_it) {
+    const int next = was_worth_it ? 2 * it->part : it->part / 2;
+    it->part = next > FULL ? FULL : next > 1 ? next : 1;
+}
 
 static int cores(void) {
     static atomic_int known;
@@ -52,29 +72,39 @@ static bool changed(atomic_uint *word, unsigned value) {
     return atomic_load_explicit(word, memory_order_acquire) != value;
 }
 
-static bool changes_in(int spins, atomic_uint *word, unsigned value) {
+static bool changes_in(int most, struct patience *patience, atomic_uint *word, unsigned value) {
+    const int spins = (int)((long)most * patience->part / FULL);
     for (int spin = 0; spin < spins; spin++) {
-        if (changed(word, value))
+        if (changed(word, value)) {
+            note(patience, true);
             return true;
+        }
         relax();
     }
     return false;
 }
 
+static void sleep_and_learn(struct patience *patience, atomic_uint *word, unsigned value,
+                            atomic_int *asleep) {
+    const double began = redcc_seconds();
+    sleep_while(word, value, asleep);
+    note(patience, redcc_seconds() - began < soon);
+}
+
 void redcc_wait_idle(atomic_uint *word, unsigned value, atomic_int *asleep) {
-    if (!changes_in(IDLE, word, value))
-        sleep_while(word, value, asleep);
+    if (!changes_in(IDLE, &in_between, word, value))
+        sleep_and_learn(&in_between, word, value, asleep);
 }
 
 void redcc_wait_while(atomic_uint *word, unsigned value, atomic_int *asleep, int threads) {
-    if (threads <= cores() && changes_in(SPINS, word, value))
+    if (threads <= cores() && changes_in(SPINS, &at_barriers, word, value))
         return;
     for (int yield = 0; yield < YIELDS; yield++) {
         if (changed(word, value))
             return;
         redcc_system_yield();
     }
-    sleep_while(word, value, asleep);
+    sleep_and_learn(&at_barriers, word, value, asleep);
 }
 
 void redcc_wake(atomic_uint *word, atomic_int *asleep) {

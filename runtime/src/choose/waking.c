@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/waking.h"
 
+#include "base/affinity.h"
 #include "base/clock.h"
-#include "base/cores.h"
+#include "base/system.h"
 #include "base/team.h"
 #include "learn/constants.h"
 
@@ -28,15 +29,19 @@ double redcc_start_seconds(int missing, bool wanted) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
     if (missing == 0)
         return first_region;
-    const double usual =
-        measured > 0 ? missing * measured : LEARN_LOOK * (1 + (missing - 1) / 8.0);
+    const double usual = measured > 0 ? missing * measured : LEARN_LOOK * (1 + (missing - 1) / 8.0);
     const double likely = usual < turn && wanted ? turn : usual;
     return likely > first_region ? likely : first_region;
 }
 
+static bool cores_are_wanted(int more) {
+    const int online = redcc_system_online();
+    return online == redcc_processors_here() && redcc_system_running() + more > online;
+}
+
 static double look_for_start(int threads) {
     const int missing = redcc_team_to_start(threads);
-    return redcc_start_seconds(missing, missing > 0 && redcc_cores_are_wanted(missing));
+    return redcc_start_seconds(missing, missing > 0 && cores_are_wanted(missing));
 }
 
 double redcc_likely_start(int threads) {

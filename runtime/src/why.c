@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "why.h"
+
+#include "learn/constants.h"
+
+#include <string.h>
+
+/* What can be done about it. */
+static const char *const advice[REASON_COUNT] = {
+    [REASON_NAMED] = "unset it, or name another method",
+    [REASON_FORKED] =
+        "execute another program in the child, or fork before the first parallel loop",
+    [REASON_TRAPS] = "switch the traps off around the loop",
+    [REASON_NO_THREADS] = "raise the limit on processes or on memory (ulimit)",
+    [REASON_ALLOCATOR] = "link an allocator that defines aligned_alloc as well",
+    [REASON_HANDLER] = "execute the loop outside of the handler first",
+    [REASON_NESTED] = "the region around it has the threads already",
+    [REASON_CONCURRENT] = "let one thread execute it at a time",
+    [REASON_ONE_THREAD] = "set OMP_NUM_THREADS, or give the process more processors",
+    [REASON_TEAM] = "let OpenMP give no more threads than it is asked for",
+    [REASON_LITTLE_WORK] = "raise the work per call, or name a method",
+    [REASON_SERIAL_FASTER] =
+        "raise the work per iteration; REDCC_METHOD names a method all the same",
+    [REASON_SAVING] = "raise the work per call, or name a method",
+    [REASON_COMPARED] = "the faster of the two is used from then on",
+    [REASON_UNATTRACTIVE] =
+        "sort what is subscripted, raise the work per iteration, or name a method",
+    [REASON_DEADLINE] = "call it more often with the same subscripts, or name a method",
+    [REASON_CHANGED] = "keep subscripts for several calls, or name binning, which needs no plan",
+    [REASON_NO_MEMORY] = "raise REDCC_MEMORY_LIMIT, or give the process more memory",
+    [REASON_ORDER_NEEDED] = "name a method that keeps the order, as localwrite",
+    [REASON_NO_COPIES] = "name a method without private copies, as localwrite",
+    [REASON_MIXED] = "give each reduction array memory of its own",
+    [REASON_OUT_OF_STEP] = "give each reduction array memory of its own",
+    [REASON_LEVELS] = "name localwrite",
+    [REASON_INSPECTOR] = "this is a fault of redcc's: please report it",
+    [REASON_NO_BINS] = "name a method with a plan, as localwrite",
+    [REASON_SPREAD] = "name a method with a plan, as localwrite",
+    [REASON_TWO_ADDRESSES] = "map the memory once",
+    [REASON_OVERLAP] = "keep what the loop reads apart from what it updates"};
+
+static enum reason commonest(const struct statistics *it, long *sequential) {
+    enum reason most = REASON_NONE;
+    *sequential = 0;
+    for (enum reason reason = REASON_NONE + 1; reason < REASON_COUNT; reason++) {
+        const long count = atomic_load(&it->fallback[reason]);
+        *sequential += count;
+        if (most == REASON_NONE || count > atomic_load(&it->fallback[most]))
+            most = reason;
+    }
+    return most;
+}
+
+/* Executions of so many seconds after which the credit has covered a look, and a set-up of half an
+ * execution. */
+static long repaid_after(double seconds) {
+    const double look = LEARN_LOOK < LEARN_CLEAR * seconds ? LEARN_LOOK / seconds : LEARN_CLEAR;
+    return (long)((look + 0.5) / LEARN_SHARE);
+}
+
+void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
+    long sequential;
+    const enum reason reason = commonest(it, &sequential);
+    const long calls = atomic_load(&it->calls), timed = it->sequential.calls;
+    text[0] = '\0';
+    if (sequential == 0 || 2 * sequential < calls)
+        return;
+    const char *todo = advice[reason];
+    const double each = timed > 0 ? it->sequential.seconds / (double)timed : 0;
+    if (reason == REASON_SAVING && timed > 0)
+        snprintf(text, REDCC_WHY,
+                 "executed %ld times for %.3g ms; a plan repays after some %ld: %s", calls,
+                 1e3 * each * (double)calls, repaid_after(each), todo);
+    else if (reason == REASON_LITTLE_WORK && timed > 0)
+        snprintf(text, REDCC_WHY, "a call takes %.3g ms; threads pay from some %.2g on: %s",
+                 1e3 * each, 1e3 * LEARN_WAKES * LEARN_LOOK / 40, todo);
+    else
+        snprintf(text, REDCC_WHY, "%s: %s", redcc_reason_text(reason), todo);
+}
