@@ -31,6 +31,7 @@ struct simulation {
     double excess;  /* twice the largest of an execution over the sequential one, and a block's */
     double lent;    /* the largest loan, seconds */
     double longest; /* sequential execution, seconds */
+    double told;    /* seconds, to the decision code: all of them are in its ledger */
     struct simulated so_far;
 };
 
@@ -91,8 +92,13 @@ static struct situation situation_of(struct simulation *it, const struct simulat
 }
 
 static void tell(struct simulation *it, struct outcome outcome) {
+    const struct ledger *ledger = &it->state->ledger;
     it->so_far.total += outcome.seconds + outcome.set_up;
+    it->told += outcome.seconds + outcome.set_up;
     redcc_observe(it->state, &outcome);
+    if (fabs(ledger->sequential + ledger->overhead - it->told) > 1e-9 * it->told)
+        fail_msg("the ledger holds %g seconds of %g", ledger->sequential + ledger->overhead,
+                 it->told);
 }
 
 static struct outcome outcome_of(enum result result, enum way way,
@@ -117,6 +123,7 @@ static void try_bins(struct simulation *it, const struct simulated_call *call, d
     const double seconds = call->sequential + fmin(done, 1) * more + start;
     it->started = true;
     it->so_far.parallel += result == RESULT_PARALLEL;
+    it->so_far.left += result == RESULT_LEFT;
     tell(it, outcome_of(result, WAY_BINS, call, seconds));
 }
 

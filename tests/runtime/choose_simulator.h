@@ -52,6 +52,7 @@ struct simulated {
     int set_ups;      /**< begun; */
     int stopped;      /**< of them, at their deadline */
     int parallel;     /**< executions by a plan */
+    int left;         /**< trials in bins that were left in the middle */
     int left_alone;   /**< calls of which redcc_reach said that nothing can be begun */
 };
 

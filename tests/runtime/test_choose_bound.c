@@ -163,6 +163,21 @@ static void bins_on_trial(void **unused) {
     free(trace);
 }
 
+/* Bins that seemed to be the best way were not: the next one is taken, and they are left alone. */
+static void what_has_failed_is_not_tried_again(void **unused) {
+    (void)unused;
+    struct trace *trace = heavy(40, 0.3, 1.74);
+    trace->compared = false;
+    trace->execution_error = 0.2;
+    trace->possible[WAY_BINS] = true;
+    for (int c = 0; c < trace->count; c++)
+        trace->call[c].execution[WAY_BINS] = 2 * trace->call[c].sequential;
+    const struct simulated it = simulate(trace);
+    assert_int_equal(it.left, 1);
+    assert_in_range(it.parallel, 20, 39);
+    free(trace);
+}
+
 /* An executor without a set-up, that subscripts may change under; and one that is slower. */
 static void without_a_set_up(void **unused) {
     (void)unused;
@@ -489,6 +504,7 @@ int main(void) {
         cmocka_unit_test(first_executions_take_longer),
         cmocka_unit_test(bins_on_trial),
         cmocka_unit_test(without_a_set_up),
+        cmocka_unit_test(what_has_failed_is_not_tried_again),
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),
         cmocka_unit_test(dry_runs),
