@@ -21,17 +21,17 @@ enum {
 /* What a thread spins of that, of FULL: exponential back-off. Who waits for a thread that another
  * program keeps from its core spins for nothing, and keeps that core from others himself. So a wait
  * that ended asleep halves it. One that ended awake, or soon afterwards, doubles it. */
-struct patience {
+struct spinning {
     int part;
 };
 
-static _Thread_local struct patience at_barriers
+static _Thread_local struct spinning at_barriers
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
-static _Thread_local struct patience in_between
+static _Thread_local struct spinning in_between
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
 static const double soon = 0.1e-3; /* as long as all spins take */
 
-static void note(struct patience *it, bool was_worth_it) {
+static void note(struct spinning *it, bool was_worth_it) {
     const int next = was_worth_it ? 2 * it->part : it->part / 2;
     it->part = next > FULL ? FULL : next > 1 ? next : 1;
 }
@@ -72,11 +72,11 @@ static bool changed(atomic_uint *word, unsigned value) {
     return atomic_load_explicit(word, memory_order_acquire) != value;
 }
 
-static bool changes_in(int most, struct patience *patience, atomic_uint *word, unsigned value) {
-    const int spins = (int)((long)most * patience->part / FULL);
+static bool changes_in(int most, struct spinning *spinning, atomic_uint *word, unsigned value) {
+    const int spins = (int)((long)most * spinning->part / FULL);
     for (int spin = 0; spin < spins; spin++) {
         if (changed(word, value)) {
-            note(patience, true);
+            note(spinning, true);
             return true;
         }
         relax();
@@ -84,11 +84,11 @@ static bool changes_in(int most, struct patience *patience, atomic_uint *word, u
     return false;
 }
 
-static void sleep_and_learn(struct patience *patience, atomic_uint *word, unsigned value,
+static void sleep_and_learn(struct spinning *spinning, atomic_uint *word, unsigned value,
                             atomic_int *asleep) {
     const double began = redcc_seconds();
     sleep_while(word, value, asleep);
-    note(patience, redcc_seconds() - began < soon);
+    note(spinning, redcc_seconds() - began < soon);
 }
 
 void redcc_wait_idle(atomic_uint *word, unsigned value, atomic_int *asleep) {
