@@ -36,6 +36,7 @@ static const char *const advice[REASON_COUNT] = {
     [REASON_INSPECTOR] = "this is a fault of redcc's: please report it",
     [REASON_NO_BINS] = "name a method with a plan, as localwrite",
     [REASON_NO_SELECTION] = "name localwrite, which makes a plan",
+    [REASON_UNLINKED] = "compile both files again, together",
     [REASON_SPREAD] = "name a method with a plan, as localwrite",
     [REASON_TWO_ADDRESSES] = "map the memory once",
     [REASON_OVERLAP] = "keep what the loop reads apart from what it updates"};
