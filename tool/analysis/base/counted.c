@@ -369,7 +369,7 @@ counted_result counted_recognise_analysed(ir_node *loop) {
     return recognise_while(loop);
 }
 
-static counted_result without_calls(counted_result result, const ir_node *loop) {
+static counted_result without_calls(counted_result result, const ir_node *loop, bool beside) {
     if (!result.is_counted)
         return result;
     if (loop->kind == IR_DO || compares_while_stepping(&result.loop))
@@ -379,7 +379,7 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
     const ir_node *header = loop->kind == IR_FOR ? loop->children[2] : NULL;
     if (header && header->kind == IR_EXPRESSION)
         header = header->children[0];
-    if (header && (header != result.loop.increment || result.loop.start_count))
+    if (header && !beside && (header != result.loop.increment || result.loop.start_count))
         return not_counted(REASON_TRIP_COUNT, header, result.loop.counter->name);
     if (!expression_is_plain(result.loop.bound) || result.loop.bound_variable)
         return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
@@ -397,7 +397,11 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
 }
 
 counted_result counted_recognise(ir_node *loop) {
-    return without_calls(counted_recognise_analysed(loop), loop);
+    return without_calls(counted_recognise_analysed(loop), loop, false);
+}
+
+counted_result counted_recognise_beside(ir_node *loop) {
+    return without_calls(counted_recognise_analysed(loop), loop, true);
 }
 
 /* ---- constant loops and ranges -------------------------------------------------------------- */
@@ -406,7 +410,7 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
                       int64_t *last) {
     if (loop->kind != IR_FOR)
         return false;
-    counted_result r = without_calls(recognise_for(loop), loop);
+    counted_result r = without_calls(recognise_for(loop), loop, false);
     int64_t lower, bound;
     if (!r.is_counted || !r.loop.lower || !expression_constant(r.loop.lower, &lower) ||
         !expression_constant(r.loop.bound, &bound))

@@ -17,7 +17,10 @@ typedef struct counted_result {
  * bound's memory is not written in the loop is not checked here, that its variables are not is. */
 counted_result counted_recognise(ir_node *loop);
 
-/** The same, with what is left to the caller: the bound may call functions, the counter's address
+/** The same, but that the header may set and step others beside the counter. */
+counted_result counted_recognise_beside(ir_node *loop);
+
+/** The same as counted_recognise, with what is left to the caller: the bound may call functions, the counter's address
  *  may be taken outside the loop, the header may set a variable to the bound (bound_variable) and
  *  step others beside the counter. The step may be no constant (stride), and an unsigned counter
  * may wrap in a way that its value after the loop tells. A do loop may be one whose first value

@@ -231,12 +231,17 @@ typedef struct distribution {
     const distributed_store *stores; /* in source order */
 } distribution;
 
+enum { MOST_STEPPED = 4 };
+
 /** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations do
- *  nothing but tell rows. Those that mention its counter are elements of arrays, one after the
- *  other: what its first and its last iteration tell is all, and what lies between. */
+ *  nothing but tell rows, perhaps in spans inside of it whose headers stay the same. Rows that
+ *  mention what it steps are elements of arrays, one after the other: what its first and its last
+ *  iteration tell is all, and what lies between. */
 typedef struct loop_span {
     const ir_node *loop;
     counted_loop counted;
+    unsigned stepped_count; /* variables that the header steps by 1: the counter, and others, */
+    const ir_variable *stepped[MOST_STEPPED]; /* which the body does not write */
 } loop_span;
 
 /** A read because of which no plan of the loop can be kept. */

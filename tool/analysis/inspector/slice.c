@@ -17,6 +17,7 @@
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
+#include "analysis/base/stepped.h"
 #include "analysis/reduction/forward.h"
 
 /* A variable, or one field of a variable that is a record. */
@@ -27,6 +28,8 @@ typedef struct needed_part {
 
 typedef struct slicer {
     const loop_analysis *j;
+    unsigned touch_count;
+    const slice_touch *touches;
     bool *keep;
     VECTOR(needed_part) needed;
     bool is_integer_only; /* of what is tried: floating-point values are an obstacle */
@@ -401,6 +404,35 @@ static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *
     return true;
 }
 
+/* ---- loops over blocks ------------------------------------------------------------------------
+ * In an innermost loop over the rows of a block, inside another loop of the iteration, what decides
+ * whether a single row is touched is not worth asking: the block is told as a whole (spans.c), and
+ * what the conditions read decides no subscripts. */
+
+static ir_node *loop_around(const slicer *s, const ir_node *node) {
+    ir_node *outer = node->parent;
+    while (outer != s->j->loop && !ir_is_loop(outer))
+        outer = outer->parent;
+    return outer != s->j->loop ? outer : NULL;
+}
+
+static bool is_in_block(const slicer *s, const ir_node *node) {
+    ir_node *const loop = loop_around(s, node);
+    loop_span span;
+    if (!loop || !loop_around(s, loop) || !span_recognise(loop, &span))
+        return false;
+    for (unsigned i = 0; i < s->touch_count; i++)
+        if (ir_contains(span.counted.body, s->touches[i].place) &&
+            (s->touches[i].loop_count || !span_is_told(&span, s->touches[i].row) ||
+             !slice_is_safe_here(s->j, s->touches[i].row, true)))
+            return false;
+    for (unsigned i = 0; i < s->j->sources.count; i++) /* no more of it may be compared */
+        if (s->j->sources.items[i].is_subscript && s->j->sources.items[i].place &&
+            ir_contains(span.counted.body, s->j->sources.items[i].place))
+            return false;
+    return true;
+}
+
 static void keep_for_touch(slicer *s, const slice_touch *touch) {
     const bool is_safe = slice_is_safe_here(s->j, touch->row, true) &&
                          slice_loops_are_constant(touch->loop_count, touch->loops);
@@ -417,9 +449,11 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
+        const bool can_go = is_safe && is_safe_behind(s, outer, outer, outer);
+        if (can_go && !is_wanted && outer->kind == IR_IF && is_in_block(s, outer))
+            continue;
         if (try_to_keep(s, outer, true))
             continue;
-        const bool can_go = is_safe && is_safe_behind(s, outer, outer, outer);
         if ((is_wanted || !can_go) && !try_to_keep(s, outer, false) && !can_go)
             fail(s, outer);
     }
@@ -450,7 +484,9 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
 
 static void keep_continues(slicer *s, const ir_node *loop, const ir_node *node,
                            unsigned touch_count, const slice_touch *touches) {
-    if (node->kind == IR_CONTINUE && !try_to_keep(s, node, true) &&
+    const bool is_free = node->kind == IR_CONTINUE && is_in_block(s, node) &&
+                         is_safe_without(s, loop, node, touch_count, touches);
+    if (node->kind == IR_CONTINUE && !is_free && !try_to_keep(s, node, true) &&
         !is_safe_without(s, loop, node, touch_count, touches) && !try_to_keep(s, node, false))
         fail(s, node);
     if (ir_is_loop(node) && !s->keep[node->id])
@@ -479,7 +515,10 @@ static void need_touch(slicer *s, const slice_touch *touch) {
 }
 
 slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_touch *touches) {
-    slicer s = {.j = j, .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
+    slicer s = {.j = j,
+                .touch_count = touch_count,
+                .touches = touches,
+                .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
     for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
         need_touch(&s, &touches[i]);
     unsigned before = 0;

@@ -5,61 +5,90 @@
  *
  *     for (c = 0; c < m; c++)  centers[k * m + c] += ...
  *
- * so that the first and the last say where all of them are.
+ * so that the first and the last say where all of them are. One inside of another whose header does
+ * not depend on the outer one gives the same rows in each iteration of that, and is told once:
+ *
+ *     for (p = first, i = 0; i < n; i++, p++)
+ *         for (q = second, k = 0; k < m; k++, q++)  f[p] += ..., f[q] -= ...
  */
 #include "analysis/loop/spans.h"
 
-#include "analysis/base/counted.h"
-#include "analysis/base/row_steps.h"
+#include "analysis/base/stepped.h"
 
-/* Nothing below is in the slice, nor jumps. */
-static bool is_left_out(const loop_analysis *j, const ir_node *node) {
-    if ((j->slice.holds[node->id] && node->kind != IR_BLOCK) || node->kind == IR_BREAK ||
-        node->kind == IR_CONTINUE)
-        return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_left_out(j, node->children[i]))
+/* ---- what is left of it in the slice --------------------------------------------------------- */
+
+static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span);
+
+/* Does what the loop inside tells not depend on what the outer one steps? */
+static bool stays_in(const loop_span *outer, const loop_span *inner) {
+    for (unsigned i = 0; i < 3; i++)
+        if (span_mentions(outer, inner->loop->children[i]) > 0)
             return false;
     return true;
 }
 
-static bool tells_spans_only(const loop_analysis *j, const counted_loop *loop) {
+/* Is there a loop of the slice in between that steps something of the row as well? */
+static bool is_stepped_below(const loop_analysis *j, const loop_span *span, const ir_node *place,
+                             const ir_node *row) {
+    loop_span inner;
+    for (ir_node *node = place->parent; node && node != span->loop; node = node->parent)
+        if (node->kind == IR_FOR && j->slice.holds[node->id] &&
+            (!span_recognise(node, &inner) || span_mentions(&inner, row) > 0))
+            return true;
+    return false;
+}
+
+/* Nothing below is in the slice but spans, nor jumps. */
+static bool is_left_out(const loop_analysis *j, const loop_span *span, ir_node *node) {
+    loop_span inner;
+    const bool holds = j->slice.holds[node->id];
+    if (holds && node->kind == IR_FOR)
+        return is_span(j, node, &inner) && stays_in(span, &inner);
+    if ((holds && node->kind != IR_BLOCK) || node->kind == IR_BREAK)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_left_out(j, span, node->children[i]))
+            return false;
+    return true;
+}
+
+static bool tells_row(const loop_analysis *j, const loop_span *span, const ir_node *place,
+                      const ir_node *row) {
+    return span_is_told(span, row) &&
+           (span_mentions(span, row) == 0 || !is_stepped_below(j, span, place, row));
+}
+
+static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
+    const ir_node *body = span->counted.body;
     unsigned count = 0;
     for (unsigned i = 0; i < j->updates.count; i++) {
         const reduction_update *update = &j->updates.items[i];
-        if (!ir_contains(loop->body, update->statement))
+        if (!ir_contains(body, update->statement))
             continue;
         count++;
-        if (!row_steps_with(update->row, loop->counter))
+        if (!tells_row(j, span, update->statement, update->row))
             return false;
     }
     for (unsigned i = 0; i < j->sources.count; i++) {
         const loop_source *read = &j->sources.items[i];
-        if (read->extent != EXTENT_TOUCHED || !read->place || !ir_contains(loop->body, read->place))
+        if (read->extent != EXTENT_TOUCHED || !read->place || !ir_contains(body, read->place))
             continue;
         count++;
-        if (read->loop_count || !row_steps_with(read->row, loop->counter))
+        if (read->loop_count || !tells_row(j, span, read->place, read->row))
             return false;
     }
     return count > 0;
 }
 
-static bool is_span(const loop_analysis *j, ir_node *node, counted_loop *loop) {
-    if (node->kind != IR_FOR || !j->slice.holds[node->id])
-        return false;
-    const counted_result counted = counted_recognise(node);
-    *loop = counted.loop;
-    return counted.is_counted && loop->step == 1 &&
-           (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL) &&
-           is_left_out(j, loop->body) && tells_spans_only(j, loop);
+static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span) {
+    return node->kind == IR_FOR && j->slice.holds[node->id] && span_recognise(node, span) &&
+           is_left_out(j, span, (ir_node *)span->counted.body) && tells_spans_only(j, span);
 }
 
 static void find_below(const loop_analysis *j, ir_node *node, span_list *spans) {
-    loop_span span = {.loop = node};
-    if (is_span(j, node, &span.counted)) {
+    loop_span span;
+    if (is_span(j, node, &span))
         VECTOR_PUSH(j->an->memory, spans, span);
-        return;
-    }
     for (unsigned i = 0; i < node->child_count; i++)
         find_below(j, node->children[i], spans);
 }

@@ -7,7 +7,8 @@
 
 typedef VECTOR(loop_span) span_list;
 
-/** All of them, in source order. To be asked when the slice is known. */
+/** All of them, in source order, each before those inside of it. To be asked when the slice is
+ *  known. */
 span_list find_spans(const loop_analysis *j);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
+#include "analysis/base/stepped.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
 #include "emit/base/step.h"
@@ -75,15 +76,39 @@ static void list_row(inspector *self, row_list *rows, logged_row item) {
     VECTOR_PUSH(self->printer.arena, rows, item);
 }
 
+/** Is the row, of a place in the span's body, logged in a span inside of it? */
+static bool is_logged_below(const loop_facts *facts, const loop_span *span, const ir_node *place,
+                            const ir_node *row) {
+    for (const ir_node *node = place->parent; node && node != span->loop; node = node->parent)
+        if (span_of(facts, node))
+            return span_mentions(span, row) == 0;
+    return false;
+}
+
+/** Is it logged by a span around this one, which steps it? */
+static bool is_logged_above(const loop_facts *facts, const loop_span *span, const ir_node *row) {
+    for (const ir_node *node = span->loop->parent; node != facts->loop; node = node->parent)
+        if (span_of(facts, node) && span_mentions(span_of(facts, node), row) > 0)
+            return true;
+    return false;
+}
+
+/** Is it of those that this span logs itself? */
+static bool is_logged_here(const loop_facts *facts, const loop_span *span, const ir_node *place,
+                           const ir_node *row) {
+    return ir_contains(span->counted.body, place) && !is_logged_below(facts, span, place, row) &&
+           !is_logged_above(facts, span, row);
+}
+
 /** What the body of a span logs, each row once. */
-static row_list rows_of_span(inspector *self, const ir_node *body) {
+static row_list rows_of_span(inspector *self, const loop_span *span) {
     const loop_facts *facts = self->loop->facts;
     row_list rows = {0};
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *read = &facts->sources[i];
         const int number = self->loop->plan->source_number[i];
         if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_LOGGED || !read->place ||
-            !ir_contains(body, read->place))
+            !is_logged_here(facts, span, read->place, read->row))
             continue;
         list_row(self, &rows,
                  (logged_row){read->row, number, 0, source_is_unconditional(facts, read)});
@@ -91,7 +116,7 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
     }
     for (unsigned i = 0; i < facts->update_count; i++) {
         const reduction_update *update = &facts->updates[i];
-        if (!ir_contains(body, update->statement))
+        if (!is_logged_here(facts, span, update->statement, update->row))
             continue;
         list_row(self, &rows,
                  (logged_row){update->row, SOURCE_NOT_LOGGED, update->array,
@@ -101,33 +126,71 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
     return rows;
 }
 
-/** The counter has its first value; afterwards it has the one that the loop leaves it with. */
+/** Spans inside of a span: each is logged once. */
+static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *node) {
+    if (span_of(facts, node)) {
+        print_statement(p, node);
+        return;
+    }
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        log_spans_below(p, facts, node->children[i]);
+}
+
+/** From the first iteration to the last one, in arithmetic that wraps around: the program may not
+ *  come to it. */
+static void step_to_last(inspector *self, const loop_span *span) {
+    const counted_loop *counted = &span->counted;
+    writer *out = self->printer.out;
+    const char *counter = origin_variable(self->printer.arena, counted->counter);
+    const char *last =
+        arena_format(self->printer.arena, "%s%s", log_row_text(self, counted->bound),
+                     counted->comparison == IR_OP_LESS ? " - 1" : "");
+    for (unsigned i = 0; i < span->stepped_count; i++) {
+        const char *name = origin_variable(self->printer.arena, span->stepped[i]);
+        if (span->stepped[i] != counted->counter)
+            writer_line(out,
+                        "%s = (__typeof__(%s))((redcc_size)%s + (redcc_size)(%s) - "
+                        "(redcc_size)%s);",
+                        name, name, name, last, counter);
+    }
+    writer_line(out, "%s = (__typeof__(%s))(%s);", counter, counter, last);
+}
+
+/** From there to where the loop leaves what it steps, where that outlives it. */
+static void step_behind(inspector *self, const loop_span *span) {
+    for (unsigned i = 0; i < span->stepped_count; i++)
+        if (!ir_declarator_in(span->loop->children[0], span->stepped[i]))
+            writer_line(self->printer.out, "%s++;",
+                        origin_variable(self->printer.arena, span->stepped[i]));
+}
+
+/** What the loop steps has its first value; afterwards it has the one that the loop leaves it with.
+ */
 static void log_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
-    const counted_loop *counted = &span_of(self->loop->facts, loop)->counted;
-    const char *counter = origin_variable(p->arena, counted->counter);
-    const row_list rows = rows_of_span(self, counted->body);
+    const loop_facts *facts = self->loop->facts;
+    const loop_span *span = span_of(facts, loop);
+    const row_list rows = rows_of_span(self, span);
     for (unsigned i = 0; i < rows.count; i++)
-        if (expression_mentions(rows.items[i].row, counted->counter)) {
+        if (span_mentions(span, rows.items[i].row)) {
             self->is_unconditional = rows.items[i].is_unconditional;
             writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
-                        log_address_text(self, rows.items[i].row, counted->counter));
+                        log_address_text(self, rows.items[i].row,
+                                         span_stepped_in(span, rows.items[i].row)));
         }
     for (unsigned i = 0; i < rows.count; i++) {
         const logged_row *item = &rows.items[i];
         self->is_unconditional = item->is_unconditional;
-        if (!expression_mentions(item->row, counted->counter))
+        if (!span_mentions(span, item->row))
             log_row(self, item->row, logged_is_update(item), logged_number(item), NULL);
     }
-    self->is_unconditional = is_unconditional(self->loop->facts, loop);
-    writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
-                log_row_text(self, counted->bound),
-                counted->comparison == IR_OP_LESS ? " - 1" : "");
+    log_spans_below(p, facts, span->counted.body);
+    self->is_unconditional = is_unconditional(facts, loop);
+    step_to_last(self, span);
     for (unsigned i = 0; i < rows.count; i++)
-        if (expression_mentions(rows.items[i].row, counted->counter))
-            log_up_to(self, &rows.items[i], i, counted->counter);
-    if (!counted->counter_is_declared_in_header)
-        writer_line(p->out, "%s++;", counter);
+        if (span_mentions(span, rows.items[i].row))
+            log_up_to(self, &rows.items[i], i, span_stepped_in(span, rows.items[i].row));
+    step_behind(self, span);
 }
 
 /** Nothing that the loop touches may stay untold. */
