@@ -2,6 +2,7 @@
 #include "plan/inner_iterations.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/stepped.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
@@ -16,7 +17,7 @@ typedef struct inner_rest {
     const ir_node *block; /* its body */
     unsigned rest;        /* number of the statement that the rest of an iteration begins with */
     unsigned row_count;
-    const reduction_update *rows[MOST_SKIP_ROWS]; /* one update of each row */
+    skip_row rows[MOST_SKIP_ROWS];
     unsigned sum_count;
     const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
 } inner_rest;
@@ -210,16 +211,60 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
     return a->array == b->array && syntax_same(a->row, b->row);
 }
 
+/** The loop of the inner iteration that steps through the row's elements; NULL: there is none. */
+static const loop_span *span_below(const inner_rest *t, const reduction_update *update) {
+    const ir_node *const end = ir_contains(t->inner, update->statement) ? t->inner : NULL;
+    for (const ir_node *node = update->statement->parent; end && node != end; node = node->parent) {
+        const loop_span *span = span_of(t->facts, node);
+        if (span && span_stepped_in(span, update->row))
+            return span;
+    }
+    return NULL;
+}
+
+/** The value that the header gives it; NULL: another statement does. */
+static const ir_node *first_value(const loop_span *span, const ir_variable *variable) {
+    const counted_loop *counted = &span->counted;
+    if (variable == counted->counter)
+        return counted->lower;
+    for (unsigned i = 0; i < counted->start_count; i++)
+        if (counted->starts[i].variable == variable)
+            return counted->starts[i].value;
+    return NULL;
+}
+
+/** A plain value that is known before the rest of an inner iteration. */
+static bool await_value(inner_rest *t, const ir_node *value) {
+    return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
+           await_variables(t, value);
+}
+
+/** The same of all that says which rows the loop below steps through. */
+static bool await_span(inner_rest *t, const loop_span *span, const ir_node *row) {
+    const ir_variable *stepped = span_stepped_in(span, row);
+    if (row->kind == IR_VARIABLE && row->variable == stepped)
+        return await_value(t, first_value(span, stepped)) &&
+               await_value(t, span->counted.lower) && await_value(t, span->counted.bound);
+    if (row->kind == IR_VARIABLE && loop_array_of_base(t->facts, row) < 0 &&
+        !await_variable(t, row->variable))
+        return false;
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (!await_span(t, span, row->children[i]))
+            return false;
+    return true;
+}
+
 /** False: there are too many, or it is not known where it is. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
+    const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)
-        if (is_same_row(t->rows[i], update))
+        if (is_same_row(t->rows[i].update, update) && t->rows[i].span == span)
             return true;
     if (t->row_count == MOST_SKIP_ROWS || update->last || update->row->type->size <= 0 ||
         expression_has_load(update->row, true) || expression_has_hazard(update->row) ||
-        !await_variables(t, update->row))
+        !(span ? await_span(t, span, update->row) : await_variables(t, update->row)))
         return false;
-    t->rows[t->row_count++] = update;
+    t->rows[t->row_count++] = (skip_row){update, span};
     return true;
 }
 
@@ -309,7 +354,7 @@ static const char *why_not(inner_rest *t) {
     if (!sums_flow_into_updates(t))
         return "a sum that it adds to is read by something else than an update";
     for (unsigned i = 0; i < t->row_count; i++)
-        if (!has_number(t->rows[i]))
+        if (!has_number(t->rows[i].update))
             return "the address of a row cannot be computed as a number";
     return NULL;
 }

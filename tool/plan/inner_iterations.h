@@ -9,7 +9,8 @@
  *     }
  *
  * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
- * to the next inner iteration.
+ * to the next inner iteration. Rows that a loop below steps through one after the other are asked
+ * for together: of a loop over pairs of blocks, a thread that owns neither block goes on to the next.
  *
  * Why it is sound: the rest of the inner iteration does nothing but updates, and changes no
  * variable but its own, so that nobody can see whether the thread executed it; and the rows that it
@@ -23,13 +24,19 @@
 
 enum { MOST_SKIP_ROWS = 4 };
 
+/** Rows that an inner iteration updates. */
+typedef struct skip_row {
+    const reduction_update *update; /* one of them */
+    const loop_span *span; /* the loop below that steps through them; NULL: it is one row */
+} skip_row;
+
 /** An inner loop, whose iterations are left out by threads that own none of the rows. */
 typedef struct inner_skip {
     const ir_node *loop;
     const char *declined;  /* why none is left out; NULL: */
     const ir_node *before; /* the statement of the body in front of which ownership is checked */
     unsigned row_count;
-    const reduction_update *rows[MOST_SKIP_ROWS]; /* one update of each row */
+    skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
 /** Sets skips: of the form whose body is a function of its own. */
