@@ -91,7 +91,7 @@ static void others(int blocks) {
             const int other = near[b][k];
             for (int q = MOST * other / 2, j = 0; j < 5; j++, q++) {
                 u[q + j] += r[b][0];
-                for (int i = j + 1; i < 5; i++)
+                for (int i = 0; i < j; i++)
                     n_of[MOST * other + i] += i;
             }
         }

@@ -243,8 +243,8 @@ static bool await_value(inner_rest *t, const ir_node *value) {
 static bool await_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped)
-        return await_value(t, first_value(span, stepped)) &&
-               await_value(t, span->counted.lower) && await_value(t, span->counted.bound);
+        return await_value(t, first_value(span, stepped)) && await_value(t, span->counted.lower) &&
+               await_value(t, span->counted.bound);
     if (row->kind == IR_VARIABLE && loop_array_of_base(t->facts, row) < 0 &&
         !await_variable(t, row->variable))
         return false;

@@ -10,7 +10,8 @@
  *
  * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
  * to the next inner iteration. Rows that a loop below steps through one after the other are asked
- * for together: of a loop over pairs of blocks, a thread that owns neither block goes on to the next.
+ * for together: of a loop over pairs of blocks, a thread that owns neither block goes on to the
+ * next.
  *
  * Why it is sound: the rest of the inner iteration does nothing but updates, and changes no
  * variable but its own, so that nobody can see whether the thread executed it; and the rows that it

@@ -20,12 +20,12 @@ counted_result counted_recognise(ir_node *loop);
 /** The same, but that the header may set and step others beside the counter. */
 counted_result counted_recognise_beside(ir_node *loop);
 
-/** The same as counted_recognise, with what is left to the caller: the bound may call functions, the counter's address
- *  may be taken outside the loop, the header may set a variable to the bound (bound_variable) and
- *  step others beside the counter. The step may be no constant (stride), and an unsigned counter
- * may wrap in a way that its value after the loop tells. A do loop may be one whose first value
- * does not meet the condition, or whose counter would never come to the bound: it then iterates
- * other than by counter, bound and step.
+/** The same as counted_recognise, with what is left to the caller: the bound may call functions,
+ * the counter's address may be taken outside the loop, the header may set a variable to the bound
+ * (bound_variable) and step others beside the counter. The step may be no constant (stride), and an
+ * unsigned counter may wrap in a way that its value after the loop tells. A do loop may be one
+ * whose first value does not meet the condition, or whose counter would never come to the bound: it
+ * then iterates other than by counter, bound and step.
  */
 counted_result counted_recognise_analysed(ir_node *loop);
 

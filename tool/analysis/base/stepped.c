@@ -37,9 +37,8 @@ bool span_recognise(ir_node *loop, loop_span *span) {
         return false;
     const counted_result counted = counted_recognise_beside(loop);
     span->counted = counted.loop;
-    return counted.is_counted && counted.loop.step == 1 &&
-           (counted.loop.comparison == IR_OP_LESS ||
-            counted.loop.comparison == IR_OP_LESS_EQUAL) &&
+    return counted.is_counted &&
+           (counted.loop.comparison == IR_OP_LESS || counted.loop.comparison == IR_OP_LESS_EQUAL) &&
            find_stepped(loop->children[2], span);
 }
 

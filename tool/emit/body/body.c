@@ -333,8 +333,7 @@ static const char *first_value_name(const ir_node *node, void *context) {
             value = counted->starts[i].value;
     if (!value) {
         const char *name = local_name(node, it->loop);
-        return name ? name
-                    : wrapping_operation(it->loop->arena, node, first_value_name, context);
+        return name ? name : wrapping_operation(it->loop->arena, node, first_value_name, context);
     }
     const char *text = text_operand(it->loop->arena, value, wrapping_name, it->loop);
     const char *type = origin_type(it->loop->arena, node->type);
@@ -366,10 +365,10 @@ static const char *span_question(loop_text *loop, const skip_row *skipped) {
 static const char *row_question(loop_text *loop, const skip_row *skipped) {
     const ir_node *row = skipped->update->row;
     const char *number = row_number(loop, row);
-    return number ? arena_format(loop->arena, "REDCC_OWNS_ROW(%u, %s, %lld)",
-                                 skipped->update->array, macro_argument(loop->arena, number),
-                                 (long long)row->type->size)
-                  : NULL;
+    return number
+               ? arena_format(loop->arena, "REDCC_OWNS_ROW(%u, %s, %lld)", skipped->update->array,
+                              macro_argument(loop->arena, number), (long long)row->type->size)
+               : NULL;
 }
 
 /** What asks whether the thread owns any of the rows; NULL: it cannot be spelled. */

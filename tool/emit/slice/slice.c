@@ -142,9 +142,8 @@ static void step_to_last(inspector *self, const loop_span *span) {
     const counted_loop *counted = &span->counted;
     writer *out = self->printer.out;
     const char *counter = origin_variable(self->printer.arena, counted->counter);
-    const char *last =
-        arena_format(self->printer.arena, "%s%s", log_row_text(self, counted->bound),
-                     counted->comparison == IR_OP_LESS ? " - 1" : "");
+    const char *last = arena_format(self->printer.arena, "%s%s", log_row_text(self, counted->bound),
+                                    counted->comparison == IR_OP_LESS ? " - 1" : "");
     for (unsigned i = 0; i < span->stepped_count; i++) {
         const char *name = origin_variable(self->printer.arena, span->stepped[i]);
         if (span->stepped[i] != counted->counter)
