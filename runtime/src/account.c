@@ -39,7 +39,9 @@ static void count_overlap(struct execution *execution) {
     const redcc_loop *loop = execution->call.request.loop;
     const struct overlap overlap = execution->inspection.overlap;
     const char *source = loop->sources[overlap.source].name;
-    const char *array = loop->arrays[overlap.array].name;
+    const char *array = overlap.array < loop->array_count
+                            ? loop->arrays[overlap.array].name
+                            : loop->sources[overlap.array - loop->array_count].name;
     redcc_trace(TRACE_CHOICE, loop, "the original loop: '%s' overlaps '%s'", source, array);
     redcc_report_overlap(&execution->state->reported.statistics, source, array);
 }

@@ -86,6 +86,82 @@ static void perhaps_never(int n, int from, const int *restrict k, double *restri
     }
 }
 
+/* What may be the sum, as far as is known: the arrays, what is read, other sums. It is compared. */
+struct sums {
+    double energy, virial, *force;
+    const double *place;
+};
+
+static void in_a_record(int n, struct sums *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const double d = t->place[s[i]] - t->place[c[i]];
+        t->force[s[i]] += d;
+        t->force[c[i]] -= d;
+        if (d > 0.25)
+            continue;
+        t->energy += d;
+        t->virial += d * d;
+    }
+}
+
+static void in_inner_loops(int n, struct sums *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const double here = t->place[s[i]];
+        for (int j = i; j < i + 3; j++) {
+            const int k = s[j];
+            const double d = here - t->place[k];
+            if (d < 0.125) {
+                t->energy += d;
+                t->force[i % M] += d;
+                t->force[k] -= d;
+            }
+        }
+    }
+}
+
+static void two_pointers(int n, double *to, const double *from, double *sum, double *other) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        to[s[i]] += from[s[i]];
+        *sum += from[i];
+        *other *= 1 + from[i] * 0x1p-12;
+    }
+}
+
+double total = 0.25;
+static void of_the_program(int n, double *to, const double *from) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        total -= from[s[i]];
+        to[s[i]] += from[s[i]] + 1;
+    }
+}
+
+static void compared(void) {
+    static double a[N], b[N], e[2] = {1, 1.5};
+    for (int i = 0; i < N; i++)
+        b[i] = v[i];
+    /* The sum is an element, is read, is another sum: only the loop as it is will do. */
+    two_pointers(N, a, b, &a[s[5]], &e[1]);
+    two_pointers(N, a, b, &b[s[N / 2]], &e[1]);
+    two_pointers(N, a, b, &b[N - 1], &e[0]);
+    two_pointers(N, a, b, &e[0], &e[0]);
+    struct sums t = {.energy = 0.5, .force = a, .place = v};
+    in_a_record(N, &t);
+    in_inner_loops(N / 2, &t);
+    two_pointers(N, a, b, &e[0], &e[1]);
+    case_print("apart", &t, 2 * sizeof(double));
+    for (int i = 0; i < N; i++)
+        c[i] = s[i], s[i] = 0;
+    of_the_program(N, &total, v);
+    of_the_program(N, a, &total);
+    for (int i = 0; i < N; i++)
+        s[i] = c[i], c[i] = i % 5;
+    of_the_program(N, a, v);
+    CASE_PRINT(a);
+    CASE_PRINT(b);
+    CASE_PRINT(e);
+    case_print("total", &total, sizeof total);
+}
+
 int main(void) {
     case_values(v, N);
     for (int i = 0; i < N; i++)
@@ -113,6 +189,7 @@ int main(void) {
         case_print("of", b.of[1].y, sizeof b.of[1].y);
         CASE_PRINT(few);
         CASE_PRINT(h);
+        compared();
     }
     return 0;
 }

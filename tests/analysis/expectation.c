@@ -46,7 +46,8 @@ static void describe_scalars(buffer *out, const loop_facts *facts) {
     static const char *const types[] = {
         [OPERAND_INTEGER] = "integer", [OPERAND_FLOAT] = "float", [OPERAND_DOUBLE] = "double"};
     for (unsigned i = 0; i < facts->scalar_count; i++)
-        buffer_format(out, " %s=%s%s", facts->scalars[i].variable->name,
+        buffer_format(out, " %s=%s%s",
+                      facts->scalars[i].variable ? facts->scalars[i].variable->name : "memory",
                       types[facts->scalars[i].operand],
                       facts->scalars[i].is_conditional ? "-sometimes" : "");
 }

@@ -45,7 +45,7 @@ double in_a_union(int n, const int *k, const double *x) {
 
 double as_a_whole(int n, const int *k, const double *x) {
     struct table t = {.n = 1}, u = t;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse private-not-proved
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         u.own[k[i]] += x[i];
         t.n += k[i];
     }

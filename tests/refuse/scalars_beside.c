@@ -123,20 +123,6 @@ double value_used(int n, const int *k, double *h) {
     return last + sum;
 }
 
-void may_be_the_array(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
-        total += 0.1;
-        h[k[t]] += 1.0;
-    }
-}
-
-void may_be_read(int n, const int *k, const double *v, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
-        total += 0.1;
-        h[k[t]] += v[t];
-    }
-}
-
 static int used(void) {
     return filled;
 }
@@ -186,13 +172,6 @@ void static_inside(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         static int calls;
         calls++;
-        h[k[t]] += 1.0;
-    }
-}
-
-void element(int n, const int *k, double *h, double *sums) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
-        sums[0] += 0.1;
         h[k[t]] += 1.0;
     }
 }

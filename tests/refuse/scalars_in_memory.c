@@ -38,24 +38,31 @@ double seen_by_a_call(int n, const int *restrict k, double *restrict h, const do
     return m.x;
 }
 
-void perhaps_the_same(int n, const int *k, double *h, double *sum) {
+/* Where the subscripts are may be what is counted: they are read before the loop. */
+void perhaps_a_subscript(int n, const int *k, double *restrict h, int *count) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         h[k[i]] += 1;
+        *count += 2;
+    }
+}
+
+/* What each iteration stores for itself may be it. */
+void perhaps_stored(int n, const int *k, double *restrict h, double *o, double *sum) {
+    double own[2];
+    double *to = n > 5 ? own : o;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse other-store
+        h[k[i]] += to[1];
+        to[1] = *sum;
         *sum += 2;
     }
 }
 
-void perhaps_read(int n, const int *k, double *restrict h, const double *v, double *sum) {
+/* Another spelling of it is read. */
+void certainly_read(int n, const int *k, double *restrict h, struct system *s) {
+    double *const e = &s->energy;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        h[k[i]] += v[i];
-        *sum += 2;
-    }
-}
-
-void a_member_that_a_pointer_reaches(int n, const int *k, struct system *s) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        s->force[k[i]] += 1;
-        s->energy += 2;
+        h[k[i]] += s->energy;
+        *e += 2;
     }
 }
 

@@ -99,7 +99,7 @@ static void random_mappings(void **unused) {
     for (int round = 0; round < 1200; round++) {
         struct range written[RANGES], read[RANGES];
         const struct touches touches = {written, (uint32_t)(1 + draw(RANGES)), read,
-                                        (uint32_t)draw(RANGES + 1)};
+                                        (uint32_t)draw(RANGES + 1), NULL};
         for (int r = 0; r < RANGES; r++) {
             written[r] = draw(8) ? range_at_random() : redcc_nowhere;
             read[r] = range_at_random();
@@ -123,7 +123,8 @@ static void random_mappings(void **unused) {
 static bool touches_both(const void *a, const void *b, size_t bytes) {
     const struct range written = {(uintptr_t)a, (uintptr_t)a + bytes};
     const struct range read = {(uintptr_t)b, (uintptr_t)b + bytes};
-    const struct touches reads = {&written, 1, &read, 1}, writes = {&read, 1, &written, 1};
+    const struct touches reads = {&written, 1, &read, 1, NULL},
+                         writes = {&read, 1, &written, 1, NULL};
     const bool aliased = redcc_may_be_aliased(reads);
     assert_int_equal(aliased, redcc_may_be_aliased(writes));
     return aliased;
@@ -184,7 +185,7 @@ static void many_pieces(void **unused) {
     char *const all =
         mmap(NULL, 2 * MANY * PAGE, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     const struct range written = {(uintptr_t)all, (uintptr_t)all + 2 * MANY * PAGE};
-    const struct touches touches = {&written, 1, NULL, 0};
+    const struct touches touches = {&written, 1, NULL, 0, NULL};
     assert_false(redcc_may_be_aliased(touches));
     for (int piece = 0; piece < MANY; piece++)
         mprotect(all + 2 * piece * PAGE, PAGE, PROT_NONE);
@@ -224,7 +225,7 @@ static void lines_of_the_text(void **unused) {
 static void print_prices(void) {
     static const int counts[] = {0, 200, 2000};
     const struct range written = {(uintptr_t)area, (uintptr_t)area + PAGES * PAGE};
-    const struct touches touches = {&written, 1, NULL, 0};
+    const struct touches touches = {&written, 1, NULL, 0, NULL};
     map(0, PAGES, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     for (int c = 0; c < 3; c++) {
         for (int made = 0; made < counts[c]; made++)

@@ -90,11 +90,15 @@ static void write_sources(loop_text *loop, writer *out) {
         return;
     writer_fill(out, true);
     writer_line(out, "static const redcc_source %s[] =", outlined_name(loop, "sources"));
-    for (unsigned i = 0; i < loop->plan->source_count; i++)
-        writer_line(out, "    %s{%s, %d}%s", i == 0 ? "{" : "",
-                    text_quoted(loop->arena, loop->plan->sources[i].fact->name),
-                    loop->plan->sources[i].is_subscript ? 1 : 0,
+    for (unsigned i = 0; i < loop->plan->source_count; i++) {
+        const logged_source *item = &loop->plan->sources[i];
+        const char *scalar = item->is_scalar       ? " | REDCC_IS_SCALAR"
+                             : item->meets_scalars ? " | REDCC_MEETS_SCALARS"
+                                                   : "";
+        writer_line(out, "    %s{%s, %d%s}%s", i == 0 ? "{" : "",
+                    text_quoted(loop->arena, item->fact->name), item->is_subscript, scalar,
                     i + 1 < loop->plan->source_count ? "," : "};");
+    }
     writer_fill(out, false);
 }
 

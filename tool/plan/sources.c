@@ -27,8 +27,10 @@ void plan_sources(loop_plan *plan) {
         while (number < plan->source_count && !move_together(sources[number].fact, fact))
             number++;
         if (number == plan->source_count)
-            sources[plan->source_count++] = (logged_source){fact, false};
+            sources[plan->source_count++] = (logged_source){.fact = fact};
         sources[number].is_subscript |= fact->is_subscript;
+        sources[number].is_scalar |= fact->is_scalar;
+        sources[number].meets_scalars |= fact->meets_scalars;
         numbers[i] = (int)number;
     }
     plan->sources = sources;

@@ -65,9 +65,17 @@ typedef struct redcc_array {
  */
 typedef struct redcc_source {
     const char *name;
-    int is_subscript; /**< what it holds decides which elements are touched: a plan may be used
-                           again only while it is unchanged */
+    int is_subscript; /**< 1: what it holds decides which elements are touched: a plan may be used
+                           again only while it is unchanged; and of the following */
 } redcc_source;
+
+enum {
+    /** A scalar that the loop adds to, in memory: nothing else of the loop may be it, neither an
+     *  array, nor another such scalar, */
+    REDCC_IS_SCALAR = 2,
+    /** nor a source that is not known to be apart. */
+    REDCC_MEETS_SCALARS = 4
+};
 
 /** Any function, by its address. */
 typedef void (*redcc_code)(void);

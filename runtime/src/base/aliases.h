@@ -17,6 +17,7 @@ struct touches {
     uint32_t written_count;
     const struct range *read; /* [read_count] */
     uint32_t read_count;
+    const redcc_loop *loop; /* whose sources are read; NULL: of no loop */
 };
 
 /** May memory that is written be touched at another address as well? True also where that cannot be

@@ -102,12 +102,11 @@ static enum reason ask(struct binning *binning, bool exact, struct range *writte
     const redcc_loop *loop = &binning->loop->loop;
     for (uint32_t array = 0; array < loop->array_count; array++)
         written[array] = written_of(binning, array, exact);
-    if (!redcc_ranges_are_apart(read, loop->source_count, written, loop->array_count,
-                                &binning->overlap))
+    if (!redcc_ranges_are_apart(loop, read, written, loop->array_count, &binning->overlap))
         return REASON_OVERLAP;
     if (!are_apart(written, loop->array_count))
         return REASON_OUT_OF_STEP;
-    const struct touches touches = {written, loop->array_count, read, loop->source_count};
+    const struct touches touches = {written, loop->array_count, read, loop->source_count, loop};
     return redcc_may_be_aliased(touches) ? REASON_TWO_ADDRESSES : REASON_NONE;
 }
 

@@ -128,11 +128,11 @@ enum reason redcc_sweep_finish(struct inspection *inspection) {
             return REASON_DEADLINE;
     redcc_gather_touched(inspection);
     gather_sources(inspection);
+    const redcc_loop *loop = inspection->call->request.loop;
     const struct touches touches = {inspection->touched, inspection->partition.array_count,
-                                    inspection->sources,
-                                    inspection->call->request.loop->source_count};
-    if (!redcc_ranges_are_apart(touches.read, touches.read_count, touches.written,
-                                touches.written_count, &inspection->overlap))
+                                    inspection->sources, loop->source_count, loop};
+    if (!redcc_ranges_are_apart(loop, touches.read, touches.written, touches.written_count,
+                                &inspection->overlap))
         return REASON_OVERLAP;
     return redcc_may_be_aliased(touches) ? REASON_TWO_ADDRESSES : REASON_NONE;
 }

@@ -8,23 +8,41 @@
 /** Which range that is read overlaps which one that is written. */
 struct overlap {
     uint32_t source;
-    uint32_t array;
+    uint32_t array; /* from array_count on: a scalar, by its number among the sources */
 };
 
+/** Does the source lie apart from the scalars in memory that the loop adds to? */
+static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
+                                                     const struct range *read, uint32_t source,
+                                                     struct overlap *overlap) {
+    const int what = loop->sources[source].is_subscript;
+    for (uint32_t s = 0; what > 1 && s < loop->source_count; s++)
+        if (s != source && (loop->sources[s].is_subscript & REDCC_IS_SCALAR) &&
+            redcc_ranges_overlap(read[source], read[s])) {
+            *overlap = (struct overlap){source, loop->array_count + s};
+            return false;
+        }
+    return true;
+}
+
 /**
- * Does nothing that is read (read [read_count]) overlap anything that is written (written
- * [written_count])? Asked for a new plan at what its inspection found, for a kept one at the places
- * where the arrays and the sources are in this call. False: *overlap is the first pair that does.
+ * Does nothing that the loop reads (read [loop->source_count]) overlap anything that it writes
+ * (written [written_count])? Asked for a new plan at what its inspection found, for a kept one at
+ * the places where the arrays and the sources are in this call. False: *overlap is the first pair
+ * that does.
  */
-static inline bool redcc_ranges_are_apart(const struct range *read, uint32_t read_count,
+static inline bool redcc_ranges_are_apart(const redcc_loop *loop, const struct range *read,
                                           const struct range *written, uint32_t written_count,
                                           struct overlap *overlap) {
-    for (uint32_t r = 0; r < read_count; r++)
+    for (uint32_t r = 0; r < loop->source_count; r++) {
+        if (!redcc_range_is_apart_from_scalars(loop, read, r, overlap))
+            return false;
         for (uint32_t w = 0; w < written_count; w++)
             if (redcc_ranges_overlap(read[r], written[w])) {
                 *overlap = (struct overlap){r, w};
                 return false;
             }
+    }
     return true;
 }
 

@@ -66,8 +66,8 @@ static bool fits(const struct reuse *reuse, const struct kept_plan *kept, int th
            (key_bytes == 0 || memcmp(kept->key, request->key, key_bytes) == 0) &&
            sources_fit(kept, request, reuse->sources) &&
            arrays_fit(plan, request, reuse->written) &&
-           redcc_ranges_are_apart(reuse->sources, loop->source_count, reuse->written,
-                                  plan->array_count, &overlap);
+           redcc_ranges_are_apart(loop, reuse->sources, reuse->written, plan->array_count,
+                                  &overlap);
 }
 
 static struct reading reading_of(const struct reuse *reuse, uint32_t source) {
@@ -82,7 +82,7 @@ static void ask_tracking(struct reuse *reuse) {
         struct tracking *tracking = &reuse->found->source[s].tracking;
         tracking->stands = false;
         tracking->begun = 0;
-        if (loop->sources[s].is_subscript && reuse->call->tracks)
+        if ((loop->sources[s].is_subscript & 1) && reuse->call->tracks)
             redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->rest, &earned);
     }
 }
@@ -101,7 +101,8 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
     enum { WORDS = 32 }; /* some 3 microseconds where none is in the caches */
     uint64_t hash = 0;
-    if (!source.is_subscript || !known.end || known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
+    if (!(source.is_subscript & 1) || !known.end ||
+        known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
         return 0;
     const size_t last = (size_t)(known.end - known.first) - sizeof(uint64_t);
     for (size_t word = 0; word < WORDS; word++) {
@@ -169,9 +170,9 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     reuse->found = found;
     if (!found || !fits(reuse, found, threads)) /* which sets where the sources are */
         return;
-    if (redcc_may_be_aliased((struct touches){reuse->written, found->plan->array_count,
-                                              reuse->sources,
-                                              reuse->call->request.loop->source_count})) {
+    if (redcc_may_be_aliased(
+            (struct touches){reuse->written, found->plan->array_count, reuse->sources,
+                             reuse->call->request.loop->source_count, reuse->call->request.loop})) {
         redcc_reuse_drop_found(reuse);
         return;
     }
@@ -209,7 +210,8 @@ static bool take_in(struct fingerprint *all, const char *data, size_t bytes, dou
 /* Does the call say where all subscripts are? */
 static bool are_known(const redcc_loop *loop, const redcc_extent *known) {
     for (uint32_t s = 0; s < loop->source_count; s++)
-        if (loop->sources[s].is_subscript && !known[s].end && !is_part_of_another(loop, known, s))
+        if ((loop->sources[s].is_subscript & 1) && !known[s].end &&
+            !is_part_of_another(loop, known, s))
             return false;
     return true;
 }
@@ -221,7 +223,7 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
     if (!(loop->flags & REDCC_VERIFIABLE) || !are_known(loop, known))
         return false;
     for (uint32_t s = 0; s < loop->source_count; s++)
-        if (loop->sources[s].is_subscript && known[s].end &&
+        if ((loop->sources[s].is_subscript & 1) && known[s].end &&
             !take_in(all, known[s].first, (size_t)(known[s].end - known[s].first), until))
             return false;
     return true;
@@ -263,7 +265,7 @@ static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32
 bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
     const redcc_loop *loop = reuse->call->request.loop;
     for (uint32_t s = 0; s < loop->source_count; s++) {
-        if (!loop->sources[s].is_subscript)
+        if (!(loop->sources[s].is_subscript & 1))
             continue;
         const struct tracking *tracking = &reuse->found->source[s].tracking;
         const bool same = tracking->stands
@@ -319,7 +321,7 @@ static void record_sources(struct source_record *records, const struct reuse *re
         if (!redcc_range_empty(range))
             record->extent = (struct offsets){(ptrdiff_t)(range.first - anchor),
                                               (ptrdiff_t)(range.end - anchor)};
-        if (!request->loop->sources[s].is_subscript)
+        if (!(request->loop->sources[s].is_subscript & 1))
             continue;
         const struct reading reading = reading_of(reuse, s);
         record->sampled = sample_source(request->loop->sources[s], request->known[s]);

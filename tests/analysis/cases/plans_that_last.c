@@ -197,3 +197,31 @@ void table_in_any_case(int n, double *h, const double *x, const int *p, const in
         h[at[t]] += 1;
     }
 }
+
+struct bodies {
+    int n;
+    double *f;
+    const double *x;
+};
+
+/* The array's pointer is read under the condition alone; each iteration reads another member. */
+void pairs_in_a_record(struct bodies *s, double cut) {
+    for (int i = 0; i < s->n; i++) // EXPECT: transform s->f(+) verifiable
+        for (int k = i + 1; k < s->n; k++) {
+            double d = s->x[i] - s->x[k];
+            if (d < cut) {
+                s->f[i] += d;
+                s->f[k] -= d;
+            }
+        }
+}
+
+/* No iteration need have looked at *s: its condition stays, and what decides it. */
+void optional_record(struct bodies *s, int m, const int *restrict p, const double *restrict x,
+                     double cut) {
+    for (int t = 0; t < m; t++) { // EXPECT: refuse base-conditional
+        int i = p[t];
+        if (x[i] < cut)
+            s->f[i] += 1;
+    }
+}

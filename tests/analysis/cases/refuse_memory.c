@@ -98,7 +98,7 @@ struct totals {
 };
 
 void memory_scalar(int n, const int *s, struct totals *t) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+    for (int i = 0; i < n; i++) { // EXPECT: transform t->b(+) guards=1
         t->sum += 1.0;
         t->b[s[i]] += 1.0;
     }

@@ -149,7 +149,10 @@ typedef struct loop_source {
     const ir_node *place; /* EXTENT_TOUCHED: the node of the loop (statement) before which the
                              inspector can compute &row; it and what it needs are in the slice */
     bool is_subscript;    /* its contents decide which elements are touched */
-    bool needs_guard;     /* may overlap a reduction array as far as the analysis knows */
+    bool needs_guard;     /* may overlap what the loop writes as far as the analysis knows */
+    bool is_scalar;       /* a scalar that the loop accumulates into in memory (scalar_update's
+                             is_guarded): compared with all that may be it */
+    bool meets_scalars;   /* may be such a scalar */
     bool is_sometimes; /* read in some iterations only: its address may have no meaning in others,
                           and is computed as a number (row_address.h knows it, unless TOUCHED) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
@@ -199,6 +202,8 @@ typedef struct scalar_update {
                             operands an iteration may put together before */
     bool is_series;      /* floating, and some update of this scalar is repeated: all operands of an
                             iteration are kept, of all updates of the scalar together */
+    bool is_guarded;     /* a place in memory that other accesses of the loop may be of, as far as
+                            is known: compared before anything is written */
     bool is_extremum;    /* if (e op s) s = e; with a comparison op, of one type with s. Where it is
                             conditional no operand is before s in that order */
     bool is_negated;     /* is_extremum: if (!(e op s)) s = e */

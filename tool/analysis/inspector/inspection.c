@@ -148,6 +148,8 @@ static void add_source(loop_analysis *j, const loop_source *item) {
             other->is_subscript != item->is_subscript || !source_ends_equal(other, item))
             continue;
         other->needs_guard |= item->needs_guard;
+        other->is_scalar |= item->is_scalar;
+        other->meets_scalars |= item->meets_scalars;
         other->is_ahead |= item->is_ahead;
         return;
     }
@@ -219,7 +221,7 @@ static void add_load_in_loops(loop_analysis *j, const ir_node *node, const told_
     load.access.type = node->type;
     load.access.is_behind = false;
     load.where = location_of(j->an->facts, node, j->loop);
-    load.needs_guard = false; /* that of the callee's read is elsewhere */
+    load.needs_guard = load.meets_scalars = false; /* that of the callee's read is elsewhere */
     while (load.access.loop_count &&
            !expression_mentions(node, of->told->loops[load.access.loop_count - 1].counter))
         load.access.loop_count--;
@@ -272,10 +274,13 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
     if (contents.is_possible) {
         contents.source.is_subscript = true;
         contents.source.needs_guard = read->needs_guard;
+        contents.source.meets_scalars = read->meets_scalars;
         add_source(j, &contents.source);
     } else if (read->needs_guard) {
         source_plan plan = source_plan_of(j, read, false);
         plan.source.needs_guard = true;
+        plan.source.meets_scalars = read->meets_scalars;
+        plan.source.is_scalar = read->is_scalar;
         if (read->access.callee && plan.source.extent == EXTENT_TOUCHED)
             add_loads_of(j, &plan.source, read);
         add_source(j, &plan.source);
@@ -289,7 +294,9 @@ static void add_sources(loop_analysis *j, const bool *keep) {
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
-        if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
+        if (read->is_scalar)
+            add_read(j, read, false);
+        else if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
     }
     for (unsigned i = 0; i < j->updates.count; i++)
@@ -315,6 +322,18 @@ static bool take_slice(loop_analysis *j, const touch_list *touches, reason_id wh
 
 static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
+}
+
+/* The slice reads before the loop: nothing that it reads may be a sum in memory. */
+static bool are_scalars_apart(loop_analysis *j) {
+    bool meets = false;
+    for (unsigned i = 0; i < j->sources.count; i++)
+        meets |= j->sources.items[i].is_subscript && j->sources.items[i].meets_scalars;
+    for (unsigned i = 0; meets && i < j->access_count; i++)
+        if (j->accesses[i].is_scalar)
+            return analysis_refuse(j, REASON_SCALAR_CARRIED, j->accesses[i].access.node,
+                                   analysis_name(j, j->accesses[i].access.lvalue));
+    return true;
 }
 
 static bool find_slice(loop_analysis *j) {
@@ -350,6 +369,8 @@ static bool find_slice(loop_analysis *j) {
     }
     add_sources(j, j->slice.holds);
     j->slice.is_verifiable = j->slice.is_verifiable && is_settled;
+    if (!are_scalars_apart(j))
+        return false;
     if (!is_small(j))
         return analysis_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
     return true;

@@ -85,6 +85,11 @@ static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     return false;
 }
 
+bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load) {
+    const ir_node *pointer = has_subscript(load) ? NULL : dereferenced(load);
+    return pointer && list_dereferences(&j->found, pointer);
+}
+
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
     /* Another element of the array being there does not say that this one is. */
     if (has_subscript(base) && base->type && base->type->kind != IR_ARRAY)

@@ -10,4 +10,8 @@
  *  optional one that may be null. Of an element of an array: where that element is read anyway. */
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base);
 
+/** Is the load of a member of an object, found by nothing but members and pointers, of which each
+ *  iteration reads another member? Then it may be made where the program makes none. */
+bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load);
+
 #endif

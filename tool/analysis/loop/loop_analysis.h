@@ -38,7 +38,9 @@ typedef struct loop_access {
     access_class class;
     unsigned array;        /* CLASS_REDUCTION */
     reduction_operator op; /* CLASS_REDUCTION */
-    bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known */
+    bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known; or is_scalar */
+    bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded */
+    bool meets_scalars;    /* CLASS_SHARED: may be one of these */
 } loop_access;
 
 typedef struct loop_array {

@@ -4,6 +4,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
+#include "analysis/loop/bases.h"
 
 /* ---- under fewer conditions ----------------------------------------------------------------- */
 
@@ -42,7 +43,8 @@ bool slice_is_safe_here(const loop_analysis *j, const ir_node *node, bool as_add
     bool is_array = node->type && node->type->kind == IR_ARRAY;
     if (!as_address && !is_array && node->kind != IR_VARIABLE && expression_is_lvalue(node) &&
         expression_has_load(node, false))
-        return is_steady(j, node) && is_made_anyway(j, node);
+        return is_steady(j, node) &&
+               (is_made_anyway(j, node) || base_is_beside_what_is_read(j, node));
     if (expression_is_hazard(node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++) {

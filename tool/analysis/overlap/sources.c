@@ -406,6 +406,46 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
     return table && expression_same(table, array->array.base);
 }
 
+/* With the scalars in memory that the loop accumulates into. */
+static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *other) {
+    overlap worst = OVERLAP_NO;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        if (!j->accesses[i].is_scalar)
+            continue;
+        const overlap meets =
+            locations_overlap(&j->an->rules, &other->where, &j->accesses[i].where);
+        worst = meets > worst ? meets : worst;
+    }
+    return worst;
+}
+
+static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
+    return analysis_refuse(j, REASON_SCALAR_CARRIED, scalar->access.node,
+                           analysis_name(j, scalar->access.lvalue));
+}
+
+/* Where each such scalar lies is compared with all arrays, all others, and all that may be read of
+ * it: what is written besides must be apart by proof. */
+static bool check_scalars_in_memory(loop_analysis *j) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        loop_access *scalar = &j->accesses[i];
+        if (!scalar->is_scalar)
+            continue;
+        const source_plan plan = source_plan_of(j, scalar, false);
+        if (!plan.is_possible || plan.source.extent != EXTENT_INVARIANT)
+            return refuse_scalar(j, scalar);
+        scalar->needs_guard = true;
+        for (unsigned k = 0; k < j->access_count; k++) {
+            const loop_access *other = &j->accesses[k];
+            if (other->access.kind != ACCESS_READ && other->class != CLASS_REDUCTION &&
+                !other->is_scalar &&
+                locations_overlap(&j->an->rules, &other->where, &scalar->where) != OVERLAP_NO)
+                return refuse_scalar(j, scalar);
+        }
+    }
+    return true;
+}
+
 static bool check_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *read = &j->accesses[i];
@@ -428,6 +468,9 @@ static bool check_reads(loop_analysis *j) {
                 array->array.is_interleaved = true; /* another field, read through the same base */
             needs_guard |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
         }
+        read->meets_scalars =
+            !read->access.is_presumed && overlap_with_scalars(j, read) != OVERLAP_NO;
+        needs_guard |= read->meets_scalars;
         if (needs_guard && !check_guard(j, read))
             return false;
     }
@@ -436,6 +479,7 @@ static bool check_reads(loop_analysis *j) {
 
 source_result check_sources(const loop_analysis *j) {
     loop_analysis own = analysis_copy(j);
-    check_reads(&own);
+    if (check_scalars_in_memory(&own))
+        check_reads(&own);
     return (source_result){own.why, own.accesses, own.arrays};
 }

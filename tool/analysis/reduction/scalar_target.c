@@ -54,7 +54,8 @@ static bool are_other_elements(const ir_node *a, const ir_node *b) {
              a->children[1]->value != b->children[1]->value));
 }
 
-bool scalar_target_is_alone(const loop_analysis *j, const ir_node *target) {
+overlap scalar_target_meets(const loop_analysis *j, const ir_node *target) {
+    overlap worst = OVERLAP_NO;
     const location where = location_of_target(j, target);
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -62,8 +63,8 @@ bool scalar_target_is_alone(const loop_analysis *j, const ir_node *target) {
         if (is_named && (expression_same(a->access.lvalue, target) ||
                          are_other_elements(a->access.lvalue, target)))
             continue;
-        if (locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
-            return false;
+        const overlap meets = locations_overlap(&j->an->rules, &a->where, &where);
+        worst = meets > worst ? meets : worst;
     }
-    return true;
+    return worst;
 }

@@ -9,8 +9,7 @@
 /** Is it one object in all iterations, found by what stays: m.x, e[2], *p, p->energy? */
 bool scalar_target_stays(const loop_analysis *j, const ir_node *target);
 
-/** Is it apart, by proof, from all that the loop accesses otherwise than by this very expression?
- */
-bool scalar_target_is_alone(const loop_analysis *j, const ir_node *target);
+/** May it be, as far as is known, what the loop accesses otherwise than by this very expression? */
+overlap scalar_target_meets(const loop_analysis *j, const ir_node *target);
 
 #endif

@@ -132,12 +132,19 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
 }
 
 /* A variable, or what stays as one would. */
-static bool is_scalar(const loop_analysis *j, const loop_access *write) {
+static bool is_scalar(const loop_analysis *j, const loop_access *write, bool *is_guarded) {
     const ir_node *target = write->access.lvalue;
-    if (target->kind == IR_VARIABLE)
+    if (target->kind == IR_VARIABLE) {
+        *is_guarded = !variable_is_automatic(target->variable) &&
+                      scalar_target_meets(j, target) == OVERLAP_MAYBE;
         return !is_declared_within(j, target->variable);
-    return target == write->access.node && ir_type_is_scalar(target->type) &&
-           scalar_target_stays(j, target) && scalar_target_is_alone(j, target);
+    }
+    if (target != write->access.node || !ir_type_is_scalar(target->type) ||
+        !scalar_target_stays(j, target))
+        return false;
+    const overlap meets = scalar_target_meets(j, target);
+    *is_guarded = meets == OVERLAP_MAYBE;
+    return meets != OVERLAP_SAME;
 }
 
 static bool is_of_one(const scalar_update *a, const scalar_update *b) {
@@ -173,7 +180,7 @@ bool scalar_take_update(loop_analysis *j, loop_access *write) {
     found.is_repeated = !is_outside_inner_loops(j, statement);
     found.is_conditional = write->access.is_conditional || found.is_repeated;
     found.is_series = found.is_repeated && found.operand != OPERAND_INTEGER;
-    if (!is_scalar(j, write))
+    if (!is_scalar(j, write, &found.is_guarded))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *read = &j->accesses[i];
@@ -183,6 +190,7 @@ bool scalar_take_update(loop_analysis *j, loop_access *write) {
             read->class = CLASS_SELF;
     }
     write->class = CLASS_SELF;
+    write->is_scalar = found.is_guarded;
     join_series(j, &found);
     VECTOR_PUSH(j->an->memory, &j->scalars, found);
     return true;
@@ -231,7 +239,8 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* The variable is touched by nothing else than updates of it, the place by one. */
+/* The variable is touched by nothing else than updates of it, the place by one. What may touch it,
+ * as far as is known, is compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};
@@ -240,7 +249,9 @@ static reason check_alone(const loop_analysis *j, const scalar_update *update,
         const bool is_own =
             is_own_access(a, variable) &&
             (variable != update->place || ir_contains(update->statement, a->access.node));
-        if (!is_own && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
+        const overlap meets =
+            is_own ? OVERLAP_NO : locations_overlap(&j->an->rules, &a->where, &where);
+        if (meets == OVERLAP_SAME || (meets == OVERLAP_MAYBE && !update->is_guarded))
             return analysis_reason(j, REASON_SCALAR_CARRIED, a->access.node, variable->name);
     }
     return (reason){0};
