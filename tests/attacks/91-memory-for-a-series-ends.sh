@@ -48,7 +48,7 @@ jq -e '[.loops[] | select(.verdict == "transformed" and .line == 15)] | length =
 gcc -O2 -ffp-contract=off loop.c -o sequential
 gcc -O2 -ffp-contract=off -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
 ./sequential >expected
-for method in localwrite localwrite-steal wavefront graph-localwrite auto; do
+for method in localwrite localwrite-direct localwrite-steal wavefront graph-localwrite auto; do
     for limit in 4M 9M 20M 4G; do
         OMP_NUM_THREADS=3 REDCC_METHOD=$method REDCC_MEMORY_LIMIT=$limit REDCC_REPORT=run.json ./parallel >found
         cmp expected found || { echo "$method, $limit" >&2; exit 1; }
