@@ -14,7 +14,7 @@
 enum {
     SPINS = 4000, /* some 20 to 100 microseconds: longer than a balanced loop's threads differ */
     IDLE = 1000,  /* docs/decisions/0002 */
-    YIELDS = 4,   /* then leave the core to whom we wait for, then sleep */
+    YIELDS = 4,   /* then leave the core to the awaited thread, then sleep */
     FULL = 1024
 };
 

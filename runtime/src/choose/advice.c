@@ -466,5 +466,5 @@ enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip) {
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations) {
     const double each = iterations > 0 ? seconds / (double)iterations : 0;
     return trip < SMALL_TRIP && each * (double)trip < LEARN_WAKES * redcc_wake_seconds() ? 1
-                                                                                          : threads;
+                                                                                         : threads;
 }

@@ -16,8 +16,8 @@
 #ifndef REDCC_ADVICE_H
 #define REDCC_ADVICE_H
 
-#include "learn/learner.h"
 #include "inspect/inspection.h"
+#include "learn/learner.h"
 #include "plan/method.h"
 #include "reuse/kept.h"
 
