@@ -67,7 +67,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         return 0;
     /* Also where the loop then runs sequentially: a row that is named for another array may make
      * arrays seem to overlap. */
-    if (redcc_settings()->validate)
+    if (redcc_settings()->validate && loop->flags & REDCC_BY_HAND)
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct shared shared = {.attempt = attempt, .member = member, .context = context};
     if (redcc_enter(&shared.call, loop, attempt->trip, attempt->bases, attempt->known, attempt->key,

@@ -240,7 +240,7 @@ __attribute__((aligned(32))) static void in_place(int n) {
         const int a = own[i];
         for (int k = point[i]; k < point[i + 1]; k++) {
             const int j = list[k];
-            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
             s[j] -= e;
             s[a] += e;
         }

@@ -51,7 +51,7 @@ static void in_an_enumerator(int n) {
 
 static void in_a_type(int n) {
     typedef double tab;
-    for (int t = 0; t < n; t++) // EXPECT: transformed
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
         h[look(t)] += (tab)0.3;
 }
 

@@ -55,7 +55,7 @@ static void size_of_other(int n) {
     struct row {
         int a[16];
     };
-    for (int t = 0; t < n; t++) // EXPECT: parallel
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
         h[by_size(table, t)] += (double)sizeof(struct row);
 }
 
@@ -84,7 +84,7 @@ static void union_of_none(int n) {
 
 static void typedef_and_variable(int n) {
     int row[3], length[2] = {1, 2};
-    for (int t = 0; t < n; t++) // EXPECT: parallel
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
         h[by_typedef(table, t)] += (double)sizeof row;
     for (int t = 0; t < n; t++) // EXPECT: parallel
         h[by_variable(table, t)] += length[t % 2];

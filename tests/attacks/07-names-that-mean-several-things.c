@@ -87,7 +87,7 @@ static void vla(int n, int m, int v[n][m]) {
 static void var_len_shadow(int n) {
     int m = 2;
     int(*a)[m] = (int(*)[m])k;
-    for (int t = 0; t < n / 4; t++) { // EXPECT: transformed
+    for (int t = 0; t < n / 4; t++) { // EXPECT: refuse text
         int m = 7;
         h[(a[t][1] + m) % ROWS] += 0.1;
     }
@@ -103,7 +103,7 @@ static void look_in_static(int n) {
 }
 static void block_function(int n) {
     int abs(int);
-    for (int t = 0; t < n; t++) { // EXPECT: parallel
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         int abs(int);
         h[abs(-k[t])] += 0.1;
     }

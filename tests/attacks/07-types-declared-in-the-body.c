@@ -101,7 +101,7 @@ static void in_the_function(int n) {
         int first, second;
     };
     enum { SHIFT = 11 };
-    for (int t = 0; t < n; t++) { // EXPECT: parallel
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         struct pair p = {k[t], t};
         h[(p.first + SHIFT) % ROWS] += 0.1 * p.second;
     }

@@ -33,7 +33,7 @@ static void gathered(int n, const int *restrict k, const int *restrict from, con
 }
 
 static void records(int n, const int *restrict k, const long *v, struct pair { float a, b; } *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: transformed
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         count[k[t]]++;
         h[k[t]].a = (float)v[n - 1 - t];
         h[k[t]].b = 1.0f;

@@ -13,14 +13,14 @@ __attribute__((optimize("fast-math"))) void said_before(int n, const int *restri
 RELAXED void by_macro(int n, const int *restrict s, const double *restrict w, double *restrict b);
 
 void said_before(int n, const int *restrict s, const double *restrict w, double *restrict b) {
-    for (int t = 0; t < n; t++) { // EXPECT: parallel
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         const double x = w[t] / 3.0 + w[t] / 7.0, y = x + 1e16 - 1e16;
         b[s[t]] += y + x * x * x * x * x;
     }
 }
 
 void by_macro(int n, const int *restrict s, const double *restrict w, double *restrict b) {
-    for (int t = 0; t < n; t++) { // EXPECT: parallel
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         const double x = w[t] / 3.0 + w[t] / 11.0, y = x + 1e16 - 1e16;
         b[s[t]] += y + x * x * x * x * x;
     }

@@ -47,7 +47,7 @@ static void add_up_there(int n, double OWN *sum) {
 
 /* An address is a number: that alone is the same for all. */
 static void an_address_alone(int n, const double OWN *v) {
-    for (int t = 0; t < n; t++) // EXPECT: parallel
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
         h[s[t]] += v ? x[t] : 1;
 }
 

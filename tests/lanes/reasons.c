@@ -23,25 +23,6 @@ void has_the_form(int n, elements e, points p, double *restrict b) {
     }
 }
 
-void with_a_directive(int n, elements e, points p, double *restrict b) {
-#define HALF 0.5
-    for (int t = 0; t < n; t++) { /* lanes: place */
-        const double d = p[e[t].node[0]][0];
-        b[e[t].node[1]] += d * HALF;
-    }
-}
-
-void with_a_type_of_its_own(int n, elements e, double *restrict b) {
-    typedef struct {
-        double x, y;
-    } pair;
-    const pair *const pairs = (const pair *)e[0].weight;
-    for (int t = 0; t < n; t++) { /* lanes: place */
-        const pair *const q = &pairs[e[t].node[0]];
-        b[e[t].node[1]] += q->x * q->y;
-    }
-}
-
 double leaves_a_sum(int n, elements e, points p, double *restrict b) {
     double sum = 0;
     for (int t = 0; t < n; t++) { /* lanes: other-values */

@@ -87,9 +87,9 @@ static __attribute__((__unused__)) void REDCC_THIS(_sequential)(const REDCC_CONT
 
 static redcc_site REDCC_THIS(_site) = {{{REDCC_WHERE, REDCC_ORDERED,
 #ifdef REDCC_STREAMS
-                                         REDCC_ALL_FLAGS | REDCC_SELECTS | REDCC_BINS_FLAG,
+                                         REDCC_ALL_FLAGS | REDCC_BY_HAND | REDCC_SELECTS | REDCC_BINS_FLAG,
 #else
-                                         REDCC_ALL_FLAGS | REDCC_SELECTS,
+                                         REDCC_ALL_FLAGS | REDCC_BY_HAND | REDCC_SELECTS,
 #endif
                                          REDCC_ARRAYS, REDCC_THIS(_arrays), REDCC_SOURCES,
 #if REDCC_SOURCES > 0

@@ -147,7 +147,9 @@ enum {
      *  REDCC_SELECT. */
     REDCC_SELECTS = 16384,
     /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
-    REDCC_SHORT = 32768
+    REDCC_SHORT = 32768,
+    /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
+    REDCC_BY_HAND = 65536
 };
 
 enum {

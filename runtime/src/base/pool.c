@@ -61,8 +61,10 @@ static void nothing(void *unused) {
 static void *serve(void *given) {
     struct slot *slot = given;
     struct pool *const it = slot->pool;
-    /* This object must not be unloaded while a thread executes its code. */
-    __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
+    /* This object must not be unloaded while a thread executes its code. What says so allocates:
+     * with an allocator of the program's, which may be made for one thread (attack 32). */
+    if (!redcc_system_is_program())
+        __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
     redcc_within = 1; /* a loop in a loop's body is not to run in parallel */
     unsigned seen = 0;
     arrive(it);

@@ -23,6 +23,20 @@ static unsigned long told(unsigned long what) {
     return __getauxval ? __getauxval(what) : 0;
 }
 
+#if UINTPTR_MAX > 0xffffffff
+typedef Elf64_Ehdr elf_header;
+#else
+typedef Elf32_Ehdr elf_header;
+#endif
+/* The linker's word for the beginning of this object. */
+extern const elf_header __ehdr_start __attribute__((__weak__, __visibility__("hidden")));
+
+bool redcc_system_is_program(void) {
+    const unsigned long program = told(AT_PHDR);
+    return &__ehdr_start && program &&
+           (uintptr_t)&__ehdr_start + __ehdr_start.e_phoff == (uintptr_t)program;
+}
+
 int redcc_system_open(const char *name) {
     return (int)redcc_system(SYS_openat, AT_FDCWD, name, O_RDONLY | O_CLOEXEC);
 }

@@ -76,6 +76,9 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
                       (long)(f))
 #define redcc_system(...) REDCC_SYSTEM_7(__VA_ARGS__, 0, 0, 0, 0, 0, 0, 0)
 
+/** Is the runtime a part of the program's file, which is never unloaded? False where that cannot be
+ *  said. */
+bool redcc_system_is_program(void);
 /** Opens a file to read; its descriptor, or negative. */
 int redcc_system_open(const char *name);
 

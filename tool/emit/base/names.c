@@ -126,10 +126,23 @@ const char *pointed_name(const loop_text *loop, const ir_node *node) {
     return loop->outline.by_address[node->variable->id];
 }
 
+/** Does another loop begin before this one in its line? It seems so to a name that is longer than
+ * it need be; names that are equal are found later, and the loop is left as it is. */
+static bool is_behind_another(const loop_text *loop) {
+    const char *const text = loop->unit->source->text;
+    const uint32_t end = loop->facts->loop->range.begin;
+    uint32_t begin = end;
+    while (begin > 0 && text[begin - 1] != '\n')
+        begin--;
+    const char *before = arena_copy(loop->arena, text + begin, end - begin);
+    return strstr(before, "for (") || strstr(before, "for(") || strstr(before, "while");
+}
+
 const char *outlined_name(loop_text *loop, const char *part) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
-    return arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name,
-                        place.line);
+    const char *name =
+        arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name, place.line);
+    return is_behind_another(loop) ? arena_format(loop->arena, "%s_%u", name, place.column) : name;
 }
 
 const char *private_declaration(loop_text *loop, const private_variable *item) {
