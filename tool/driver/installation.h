@@ -17,8 +17,8 @@ typedef struct installation {
  *  (bin, lib, include side by side), then as built. */
 installation installation_find(arena *a);
 
-/** The URI of the folder that holds the pages, reasons.md and refused.md: where the project said that
- *  they are to be read (REDCC_DOCUMENTS_URI), else as installed. NULL: there is none. */
+/** The URI of the folder that holds the pages, reasons.md and refused.md: where the project said
+ * that they are to be read (REDCC_DOCUMENTS_URI), else as installed. NULL: there is none. */
 const char *installation_documents(arena *a);
 
 #endif

@@ -13,7 +13,7 @@ typedef VECTOR(const char *) string_list;
 typedef struct report_options {
     report_form form;
     bool form_is_given;
-    bool all; /* --all */
+    bool all;                /* --all */
     const char *file;        /* NULL: standard output */
     const char *inputs_file; /* --inputs-file; NULL: none */
 } report_options;

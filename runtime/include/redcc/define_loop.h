@@ -85,27 +85,28 @@ static __attribute__((__unused__)) void REDCC_THIS(_sequential)(const REDCC_CONT
 
 #ifndef REDCC_OFF
 
-static redcc_site REDCC_THIS(_site) = {{{REDCC_WHERE, REDCC_ORDERED,
+static redcc_site REDCC_THIS(_site) = {
+    {{REDCC_WHERE, REDCC_ORDERED,
 #ifdef REDCC_STREAMS
-                                         REDCC_ALL_FLAGS | REDCC_BY_HAND | REDCC_SELECTS | REDCC_BINS_FLAG,
+      REDCC_ALL_FLAGS | REDCC_BY_HAND | REDCC_SELECTS | REDCC_BINS_FLAG,
 #else
-                                         REDCC_ALL_FLAGS | REDCC_BY_HAND | REDCC_SELECTS,
+      REDCC_ALL_FLAGS | REDCC_BY_HAND | REDCC_SELECTS,
 #endif
-                                         REDCC_ARRAYS, REDCC_THIS(_arrays), REDCC_SOURCES,
+      REDCC_ARRAYS, REDCC_THIS(_arrays), REDCC_SOURCES,
 #if REDCC_SOURCES > 0
-                                         REDCC_THIS(_sources),
+      REDCC_THIS(_sources),
 #else
-                                         0,
+      0,
 #endif
-                                         1 + (REDCC_SOURCES) + (REDCC_KEYS), 0},
+      1 + (REDCC_SOURCES) + (REDCC_KEYS), 0},
 #ifdef REDCC_STREAMS
-                                        REDCC_ARRAYS,
-                                        REDCC_THIS(_streams)},
+     REDCC_ARRAYS,
+     REDCC_THIS(_streams)},
 #else
-                                        0,
-                                        0},
+     0,
+     0},
 #endif
-                                       0};
+    0};
 
 /* Names to the runtime what iterations touch. Those that are as the ones before are compared only,
  * in a loop in which nothing is called. */

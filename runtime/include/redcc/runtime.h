@@ -101,8 +101,8 @@ extern redcc_int redcc_unasked_iterations;
 /** Are the functions that this object calls, and all that these lead to, those that `expected`
  * names? No other definition has been put in the place of one, by the linker or by the dynamic one.
  */
-int redcc_are_linked(const redcc_callee *called, redcc_size count, const redcc_expectation *expected,
-                     redcc_size expected_count);
+int redcc_are_linked(const redcc_callee *called, redcc_size count,
+                     const redcc_expectation *expected, redcc_size expected_count);
 
 /** Counts an execution of the original loop because they are not. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
