@@ -212,7 +212,8 @@ static void write_body(loop_text *loop, writer *out) {
 
 /** What each thread does: it takes the context, inspects and executes. */
 static void write_member(loop_text *loop, writer *out) {
-    writer_line(out, "REDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {", outlined_name(loop, "member"));
+    writer_line(out, "%sREDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {",
+                loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "member"));
     out->depth++;
     if (loop->plan->prefetch.ahead > 0)
         writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);

@@ -137,9 +137,9 @@ static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };
 
-bool has_macro_of_header_words(arena *a, const ir_unit *unit) {
-    for (size_t i = 0; i < sizeof words_of_macros / sizeof *words_of_macros; i++)
-        if (macro_name_in(a, unit, words_of_macros[i], strlen(words_of_macros[i])))
-            return true;
-    return false;
+const char *macro_of_header_words(arena *a, const ir_unit *unit) {
+    const char *name = NULL;
+    for (size_t i = 0; !name && i < sizeof words_of_macros / sizeof *words_of_macros; i++)
+        name = macro_name_in(a, unit, words_of_macros[i], strlen(words_of_macros[i]));
+    return name;
 }

@@ -14,7 +14,8 @@ const char *macro_name_in_head(const ir_unit *unit);
 /** A name of the runtime's, or of OpenMP's, that is written into the text and that the program
  * gives to something of its own; NULL: there is none. */
 const char *taken_name(const ir_unit *unit);
-/** Would a macro of the program change what the macros of the runtime's header say? */
-bool has_macro_of_header_words(arena *a, const ir_unit *unit);
+/** The name of a macro of the program that would change what the macros of the runtime's header
+ * say; NULL: there is none. */
+const char *macro_of_header_words(arena *a, const ir_unit *unit);
 
 #endif

@@ -152,8 +152,10 @@ const char *plan_outline(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (facts->array_count > MOST_ARRAYS)
         return "it updates too many arrays";
-    if (has_macro_of_header_words(plan->arena, plan->unit))
-        return "a macro of the program would change what the macros of loop.h say";
+    const char *macro = macro_of_header_words(plan->arena, plan->unit);
+    if (macro)
+        return arena_format(plan->arena, "the macro '%s' would change the text that is written",
+                            macro);
     if (!has_place(plan))
         return "a directive stands between the function's beginning and the loop's end, or "
                "something "
