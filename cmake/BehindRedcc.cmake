@@ -23,6 +23,7 @@ function(build_behind_redcc target)
   set_target_properties(${target} PROPERTIES C_COMPILER_LAUNCHER
                         "${CMAKE_COMMAND};-E;env;${environment};${redcc-cc_path}")
   target_link_libraries(${target} PRIVATE redcc_rt_static)
+  target_link_options(${target} PUBLIC LINKER:-u,redcc_run) # a weak name takes nothing out of an archive
   add_dependencies(${target} redcc redcc-cc redcc_rt_static)
   get_target_property(sources ${target} SOURCES)
   set_source_files_properties(${sources} PROPERTIES OBJECT_DEPENDS
