@@ -28,7 +28,7 @@ end
 begin "REDCC_OPTS"
 printf '%s' "$source_text" >x.c
 REDCC_OPTS="--order=fixed  --pure='a b,c'" "$redcc_cc" --redcc-show -c x.c >shown || fail "$case_name"
-expect_match shown "redcc' x.c -o [^ ]* --order=fixed '--pure=a b,c' --"
+expect_match shown "redcc' x.c -o [^ ]* --files=project --order=fixed '--pure=a b,c' --"
 expect_match shown 'ffp-contract=off'
 REDCC_OPTS="--order=any" "$redcc_cc" --redcc-show -c x.c >shown || fail "$case_name"
 expect_no_match shown 'ffp-contract'
