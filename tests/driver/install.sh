@@ -115,7 +115,7 @@ for compiler in gcc clang-19; do
     # ... and what clang remarks on -march=native where it is newer than the processor.
     grep -vE 'dlopen|libgomp\.a|invalid-feature-combination|^[0-9]+ warnings? generated' messages >others
     expect_empty others
-    expect_match 'kept/a loop.c' REDCC_ENTER
+    expect_match 'kept/a loop.c' REDCC_ATTEMPT
     rm -r kept
     for threads in 1 2 3; do
       OMP_NUM_THREADS=$threads ./parallel | expect_same expected /dev/stdin
