@@ -6,7 +6,16 @@
 #include "driver/files.h"
 #include "support/source.h"
 
+/* What was linked already has a runtime of its own, if any: the one of an archive is hidden, and
+ * would not be found by it. */
+static bool is_served(const session *s, const char *path) {
+    const bool is_shared = source_ends_with(path, ".so") || strstr(path_base(path), ".so.");
+    return is_shared && !source_ends_with(s->tools.library, ".so");
+}
+
 bool has_loops(session *s, const char *path) {
+    if (is_served(s, path))
+        return false;
     size_t length = 0;
     const char *bytes = file_read(s->memory, path, &length);
     return bytes && memmem(bytes, length, "redcc_run", sizeof "redcc_run") != NULL;
