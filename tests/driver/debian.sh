@@ -44,7 +44,7 @@ OMP_NUM_THREADS=2 ./parallel | expect_same expected /dev/stdin
 # by hand, with the shared library
 export PKG_CONFIG_PATH="${library%/*}/pkgconfig"
 redcc count.c -o count.redcc.c 2>/dev/null || fail redcc
-eval "cc -O2 -ffp-contract=off count.redcc.c $(pkg-config --cflags redcc) -L'${library%/*}' -lredcc_rt -o shared" || fail "the shared library"
+eval "cc -O2 -ffp-contract=off count.redcc.c $(pkg-config --cflags redcc) -L'${library%/*}' -Wl,--no-as-needed -lredcc_rt -o shared" || fail "the shared library"
 readelf -d shared >dynamic && expect_match dynamic 'NEEDED.*libredcc_rt\.so\.1'
 OMP_NUM_THREADS=2 ./shared | expect_same expected /dev/stdin
 # with CMake

@@ -67,7 +67,7 @@ int main(void) { return redcc_run == 0; }
 END
 eval "cc use.c $(pkg-config --cflags --libs redcc) -o use" || fail "$case_name"
 ./use || fail "$case_name: a program starts without a variable"
-eval "cc use.c $(pkg-config --cflags redcc) -L'$library' -lredcc_rt -o use-shared" || fail "$case_name: shared"
+eval "cc use.c $(pkg-config --cflags redcc) -L'$library' -Wl,--no-as-needed -lredcc_rt -o use-shared" || fail "$case_name: shared"
 LD_LIBRARY_PATH="$library" ./use-shared || fail "$case_name: run the shared one"
 end
 

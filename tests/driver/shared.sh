@@ -42,16 +42,16 @@ run_program() { "$@" ./program >actual 2>messages || fail "$case_name: $*: $(cat
 begin "nobody can take the runtime from a library, nor from a program"
 write_sources
 for file in libfill.so program; do
-  nm -D --defined-only "$file" >exported
+  nm -D --defined-only "$file" | grep -v " redcc_record_" >exported # records of functions are for others
   expect_no_match exported ' redcc_'
-  nm -D --undefined-only "$file" >needed
+  nm -D --undefined-only "$file" | grep -v " redcc_record_" >needed
   expect_no_match needed ' redcc_'
 done
 run_program env REDCC_METHOD=localwrite
 gcc -O1 -fPIC -shared -ffp-contract=off fill.c -o libfill.so
 run_program env REDCC_METHOD=localwrite
 "$redcc_cc" gcc -O1 main.c -L. -lfill -Wl,-rpath,"$PWD" -rdynamic -o program || fail "-rdynamic"
-nm -D --defined-only program >exported
+nm -D --defined-only program | grep -v " redcc_record_" >exported
 expect_no_match exported ' redcc_'
 end
 
