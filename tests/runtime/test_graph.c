@@ -343,7 +343,7 @@ static void auto_adds_stealable_blocks_where_iterations_are_long(void **unused) 
     (void)unused;
     const struct mesh mesh = {.side = 257, .sheets = 1};
     assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_graph_localwrite_steal);
-    assert_ptr_equal(method_of_long_iterations(&mesh, 90e-9), &redcc_method_graph_localwrite);
+    assert_ptr_equal(method_of_long_iterations(&mesh, 60e-9), &redcc_method_graph_localwrite);
 }
 
 /* They are there, and one of them takes part in all: they are joined to the others. */
