@@ -135,9 +135,9 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
      redcc__attempt.trip = redcc__trip, redcc__attempt.first = redcc__lower,                       \
      redcc__attempt.bases = redcc__bases, redcc__attempt.known = redcc__known,                     \
      redcc__attempt.key = redcc__key,                                                              \
-     (int)__builtin_expect(redcc_run(REDCC_INTERFACE, &(redcc_site), &redcc__attempt, redcc_member,     \
-                                &redcc__context),                                                  \
-                      0))
+     (int)__builtin_expect(redcc_run(REDCC_INTERFACE, &(redcc_site), &redcc__attempt,              \
+                                     redcc_member, &redcc__context),                               \
+                           0))
 
 /** The runtime keeps operands of each iteration, of so many updates (redcc__operand_bytes). */
 #define REDCC_OPERANDS(redcc_count)                                                                \
