@@ -17,11 +17,11 @@ static double pages_of(struct range pages) {
  * have cost as much it is begun: that loses at most as much again (ski rental). */
 static double price(struct range pages, const struct back_off *rest) {
     const double times = rest->length ? (double)rest->length / (LEARN_REST / 2.0) : 1;
-    return times * LEARN_PAGE * (pages_of(pages) + A_SOURCE);
+    return times * LEARN_PAGE * (pages_of(pages) + (double)A_SOURCE);
 }
 
 static double compared(struct range pages, uint32_t times) {
-    return times * LEARN_PAGE / A_COMPARISON * pages_of(pages);
+    return times * LEARN_PAGE / (double)A_COMPARISON * pages_of(pages);
 }
 
 static void back_off(struct tracking *tracking, struct back_off *rest) {
