@@ -166,6 +166,23 @@ static int find_word(const char *const *words, size_t count, const char *word) {
     return -1;
 }
 
+/** "a, b or c" */
+static const char *list_words(arena *a, const char *const *words, size_t count) {
+    const char *list = words[0];
+    for (size_t i = 1; i < count; i++)
+        list = arena_format(a, "%s%s%s", list, i + 1 < count ? ", " : " or ", words[i]);
+    return list;
+}
+
+/** Sets *number to the number of `value` among `words`, or says what the option takes. */
+static const char *read_word(arena *a, const char *name, const char *const *words, size_t count,
+                             const char *value, int *number) {
+    *number = find_word(words, count, value);
+    return *number >= 0
+               ? NULL
+               : arena_format(a, "%s takes %s, not '%s'", name, list_words(a, words, count), value);
+}
+
 static const char *const order_words[] = {"serial", "fixed", "any"};
 
 const char *options_order_word(result_order order) {
@@ -175,30 +192,32 @@ const char *options_order_word(result_order order) {
 static const char *read_lanes(arena *a, options *o, const char *value) {
     static const char *const words[] = {"off", "auto", "2", "4", "8"};
     static const unsigned lanes[] = {0, 1, 2, 4, 8};
-    const int number = find_word(words, COUNT(words), value);
-    if (number < 0)
-        return arena_format(a, "--lanes takes off, auto, 2, 4 or 8, not '%s'", value);
-    o->lanes = lanes[number];
-    return NULL;
+    int number;
+    const char *wrong = read_word(a, "--lanes", words, COUNT(words), value, &number);
+    if (!wrong)
+        o->lanes = lanes[number];
+    return wrong;
 }
 
 static const char *read_order(arena *a, options *o, const char *value) {
-    const int number = find_word(order_words, COUNT(order_words), value);
-    if (number < 0)
-        return arena_format(a, "--order takes serial, fixed or any, not '%s'", value);
-    o->order = (result_order)number;
-    o->order_is_given = true;
-    return NULL;
+    int number;
+    const char *wrong = read_word(a, "--order", order_words, COUNT(order_words), value, &number);
+    if (!wrong) {
+        o->order = (result_order)number;
+        o->order_is_given = true;
+    }
+    return wrong;
 }
 
 static const char *read_form(arena *a, options *o, const char *value) {
     static const char *const words[] = {"text", "json", "sarif", "yaml"};
-    const int number = find_word(words, COUNT(words), value);
-    if (number < 0)
-        return arena_format(a, "--report takes text, json, sarif or yaml, not '%s'", value);
-    o->report.form = (report_form)number;
-    o->report.form_is_given = true;
-    return NULL;
+    int number;
+    const char *wrong = read_word(a, "--report", words, COUNT(words), value, &number);
+    if (!wrong) {
+        o->report.form = (report_form)number;
+        o->report.form_is_given = true;
+    }
+    return wrong;
 }
 
 static const char *read_pure(arena *a, options *o, const char *value) {
@@ -218,20 +237,20 @@ static const char *read_pure(arena *a, options *o, const char *value) {
 
 static const char *read_compiler(arena *a, options *o, const char *value) {
     static const char *const words[] = {"any", "known"};
-    const int number = find_word(words, COUNT(words), value);
-    if (number < 0)
-        return arena_format(a, "--compiler takes any or known, not '%s'", value);
-    o->knows_compiler = number == 1;
-    return NULL;
+    int number;
+    const char *wrong = read_word(a, "--compiler", words, COUNT(words), value, &number);
+    if (!wrong)
+        o->knows_compiler = number == 1;
+    return wrong;
 }
 
 static const char *read_files(arena *a, options *o, const char *value) {
     static const char *const words[] = {"alone", "project"};
-    const int number = find_word(words, COUNT(words), value);
-    if (number < 0)
-        return arena_format(a, "--files takes alone or project, not '%s'", value);
-    o->sees_project = number == 1;
-    return NULL;
+    int number;
+    const char *wrong = read_word(a, "--files", words, COUNT(words), value, &number);
+    if (!wrong)
+        o->sees_project = number == 1;
+    return wrong;
 }
 
 static const char *read_predefined(arena *a, options *o, const char *value) {
