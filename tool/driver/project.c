@@ -277,21 +277,28 @@ static void note_definers(project *p) {
         }
 }
 
+static const project_definers no_definers;
+
 static const project_definers *definers_of(const project *p, const char *name) {
-    static const project_definers none;
     const project_definers *known = map_get(p->definers, name, strlen(name));
-    return known ? known : &none;
+    return known ? known : &no_definers;
+}
+
+/* The files that define a function, where they are asked for by `seen` for the first time; else
+ * none.
+ */
+static const project_definers *new_definers_of(const project *p, map *seen, const char *name) {
+    void **is_seen = map_at(seen, name, strlen(name));
+    const bool is_new = !*is_seen;
+    *is_seen = p->memory;
+    return is_new ? definers_of(p, name) : &no_definers;
 }
 
 /* Notes what the function calls, and what all functions do that lie in the files with these. */
 static void note_calls(project *p, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];
-        void **is_seen = map_at(seen, name, strlen(name));
-        if (*is_seen)
-            continue;
-        *is_seen = p->memory;
-        const project_definers *list = definers_of(p, name);
+        const project_definers *list = new_definers_of(p, seen, name);
         for (unsigned i = 0; i < list->files.count; i++) {
             const project_file *file = &p->files.items[list->files.items[i]];
             for (unsigned k = 0; k < file->functions.count; k++)
@@ -378,11 +385,7 @@ bool project_calls_in_loop(const project *p, const char *name) {
 static void add_called(const project *p, digester *d, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];
-        void **is_seen = map_at(seen, name, strlen(name));
-        if (*is_seen)
-            continue;
-        *is_seen = p->memory;
-        const project_definers *list = definers_of(p, name);
+        const project_definers *list = new_definers_of(p, seen, name);
         for (unsigned i = 0; i < list->files.count; i++) {
             const project_file *file = &p->files.items[list->files.items[i]];
             digest_text(d, name);
