@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Slice and body as functions, to be inserted at *place, and sets is_outlined and the
- *  calls; NULL: the loop is to be written in place. */
+/** Slice, body and member function, to be inserted at *place. NULL: they cannot be written
+ *  (loop->obstacle). */
 const char *write_outlined(loop_text *loop, uint32_t *place);
 
 #endif

@@ -126,16 +126,23 @@ const char *pointed_name(const loop_text *loop, const ir_node *node) {
     return loop->outline.by_address[node->variable->id];
 }
 
-/** Does another loop begin before this one in its line? It seems so to a name that is longer than
- * it need be; names that are equal are found later, and the loop is left as it is. */
+/** Does a loop of the tree begin in [begin, end)? */
+static bool has_loop_between(const ir_node *node, uint32_t begin, uint32_t end) {
+    if (ir_is_loop(node) && node->range.begin >= begin && node->range.begin < end)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (node->children[i] && has_loop_between(node->children[i], begin, end))
+            return true;
+    return false;
+}
+
+/** Does another loop of the function begin before this one in its line? */
 static bool is_behind_another(const loop_text *loop) {
-    const char *const text = loop->unit->source->text;
     const uint32_t end = loop->facts->loop->range.begin;
     uint32_t begin = end;
-    while (begin > 0 && text[begin - 1] != '\n')
+    while (begin > 0 && loop->unit->source->text[begin - 1] != '\n')
         begin--;
-    const char *before = arena_copy(loop->arena, text + begin, end - begin);
-    return strstr(before, "for (") || strstr(before, "for(") || strstr(before, "while");
+    return has_loop_between(loop->facts->function->body, begin, end);
 }
 
 const char *outlined_name(loop_text *loop, const char *part) {
