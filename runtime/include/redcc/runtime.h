@@ -77,7 +77,7 @@
  *            known [source_count] extents that do not
  *            depend on the inspection, {base, 0} for the others; key [key_count] every scalar and
  *            pointer value that the subscripts depend on, the loop's first value and step included.
- *   threads  omp_get_max_threads(); nested  omp_in_parallel().
+ *   threads  that the region may have; nested  the caller is within a region already.
  * Returns 1 where call->threads threads shall redcc_join, 0 where the loop is to run serially (few
  * iterations, one thread, nested or concurrent use, a method or order that says so).
  * Stops the program with a message where REDCC_METHOD or REDCC_ORDER name nothing known, or ask
@@ -115,8 +115,7 @@ void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size);
 /** Gives it back; NULL does nothing. */
 void redcc_operands_give(void *operands);
 
-/** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads().
- */
+/** Called once by each thread of the region: its number, and how many there are. */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
 
 /** The next block to inspect: 1 with first, last, stride set, or 0: go on to redcc_next. */

@@ -211,9 +211,8 @@ double redcc_credit(const struct choice_state *state);
 const struct size_state *redcc_size_of(const struct choice_state *state, long long trip);
 
 /** Seconds an iteration of the sequential loop: the median of the last three executions, of two the
- *  lower; the least of them, for what is gained is not to be overestimated. 0: not known. */
+ *  lower. 0: not known. */
 double redcc_usual(const struct size_state *size);
-double redcc_least(const struct size_state *size);
 
 /** Seconds an iteration by that way. Estimates follow the sequential loop, whose first execution
  *  takes longer than others. */

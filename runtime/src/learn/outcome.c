@@ -18,7 +18,8 @@ double redcc_usual(const struct size_state *size) {
     return t[2] < low ? low : t[2] > high ? high : t[2];
 }
 
-double redcc_least(const struct size_state *size) {
+/* What is gained is not to be overestimated. 0: not known. */
+static double least_of_last(const struct size_state *size) {
     double low = size->sequential.recent[0];
     for (int i = 1; i < 3 && i < size->sequential.count; i++)
         low = size->sequential.recent[i] < low ? size->sequential.recent[i] : low;
@@ -171,7 +172,7 @@ static void begin_trial(struct size_state *size, enum way way, double each) {
  */
 static double enter_in_ledger(struct choice_state *state, struct size_state *size,
                               const struct outcome *outcome) {
-    const double sequential = redcc_least(size) * (double)outcome->trip;
+    const double sequential = least_of_last(size) * (double)outcome->trip;
     state->ledger.sequential += sequential;
     state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
     size->set_ups.since += sequential;
