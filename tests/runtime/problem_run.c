@@ -4,6 +4,7 @@
 #include "problem.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include <omp.h>
 
@@ -62,6 +63,18 @@ int problem_run(struct problem *problem, struct described *described, int thread
     return problem_run_fewer(problem, described, threads, threads, last);
 }
 
+/* The extents that are known before an inspection. */
+static void set_known(const struct problem *problem, redcc_extent known[4]) {
+    memset(known, 0, 4 * sizeof *known);
+    if (problem->trip <= 0)
+        return;
+    known[0] = (redcc_extent){(const char *)problem->start,
+                              (const char *)(problem->start + problem->trip + 1)};
+    known[1].first = (const char *)problem->row;
+    known[2].first = (const char *)problem->other;
+    known[3].first = (const char *)problem->value;
+}
+
 int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
                       long *last) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
@@ -70,14 +83,9 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
     const int width = problem->width, second_width = problem->second_width;
     const redcc_int trip = problem->trip;
     void *const bases[] = {first, second};
-    redcc_extent known[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    redcc_extent known[4];
     const redcc_word key[] = {(redcc_size)start, (redcc_size)row, (redcc_size)other};
-    if (trip > 0) {
-        known[0] = (redcc_extent){(const char *)start, (const char *)(start + trip + 1)};
-        known[1].first = (const char *)row;
-        known[2].first = (const char *)other;
-        known[3].first = (const char *)value;
-    }
+    set_known(problem, known);
     redcc_call call;
     redcc_loop_make(&described->loop); /* however short it is: tests look at it */
     if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {

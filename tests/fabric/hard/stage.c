@@ -18,6 +18,22 @@ stage stage_with(collider *k) {
     return on;
 }
 
+stage stage_of_slivers(void) {
+    static pin hold = {.low = {-0.001, -1}, .high = {0.001, 1}};
+    stage on = stage_of(cloth_sheet(30, 3, 0.05, 0, 1), cloth_scene());
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.m.position[i][1] *= 5e-3;
+        on.m.material[i][1] *= 5e-3;
+    }
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    on.s.solution.max_iterations = 20;
+    on.s.surroundings.gravity[0] = 5;
+    on.s.solution.tolerance = 1e-8;
+    on.s.monitor.energy = 1;
+    return on;
+}
+
 void stage_begin(stage *on) {
     char error[256] = "";
     on->sim = simulation_new(&on->m, &on->s, error);

@@ -20,6 +20,9 @@ stage stage_of(mesh m, scene s);
 /** A small sheet at z = 0, with one collider. */
 stage stage_with(collider *k);
 
+/** Slivers on which the conjugate gradients give up: the systems are solved directly. */
+stage stage_of_slivers(void);
+
 /** Makes the simulation; the stage must stay where it is from now on. */
 void stage_begin(stage *on);
 /** Frees cloth and simulation. Where the environment has FABRIC_STAGE_BITS, a line in that file

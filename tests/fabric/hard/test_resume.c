@@ -254,19 +254,8 @@ static void test_solvers(void **state) {
 
 /* Slivers on which the conjugate gradients give up: so many systems are solved directly at once. */
 static stage slivers(int integrator) {
-    static pin hold = {.low = {-0.001, -1}, .high = {0.001, 1}};
-    stage on = stage_of(cloth_sheet(30, 3, 0.05, 0, 1), cloth_scene());
-    for (int i = 0; i < on.m.vertex_count; i++) {
-        on.m.position[i][1] *= 5e-3;
-        on.m.material[i][1] *= 5e-3;
-    }
+    stage on = stage_of_slivers();
     on.s.time.integrator = integrator;
-    on.s.pins = &hold;
-    on.s.pin_count = 1;
-    on.s.solution.max_iterations = 20;
-    on.s.surroundings.gravity[0] = 5;
-    on.s.solution.tolerance = 1e-8;
-    on.s.monitor.energy = 1;
     return on;
 }
 

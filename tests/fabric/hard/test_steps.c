@@ -180,18 +180,7 @@ static void test_bdf2_of_unequal_steps(void **state) {
 /* Cloth of slivers, on which the conjugate gradients give up: solved directly, and that is told. */
 static void test_fallback_to_direct_solution(void **state) {
     (void)state;
-    static pin hold = {.low = {-0.001, -1}, .high = {0.001, 1}};
-    stage on = stage_of(cloth_sheet(30, 3, 0.05, 0, 1), cloth_scene());
-    for (int i = 0; i < on.m.vertex_count; i++) {
-        on.m.position[i][1] *= 5e-3;
-        on.m.material[i][1] *= 5e-3;
-    }
-    on.s.pins = &hold;
-    on.s.pin_count = 1;
-    on.s.solution.max_iterations = 20;
-    on.s.surroundings.gravity[0] = 5;
-    on.s.solution.tolerance = 1e-8;
-    on.s.monitor.energy = 1;
+    stage on = stage_of_slivers();
     stage_begin(&on);
     stage_run(&on, 3);
     double left[3] = {0, 0, 0}, size = 0; /* the pins' impulses make up for what momentum lacks */
