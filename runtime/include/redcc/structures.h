@@ -164,6 +164,9 @@ enum {
     REDCC_CLASS_OTHERS = 2
 };
 
+/** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
+#define REDCC_LEAVES 0xffffffffu
+
 /** A loop, as the translator knows it; one static object for each. */
 typedef struct redcc_loop {
     const char *file;

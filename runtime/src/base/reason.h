@@ -37,6 +37,7 @@
     X(REASON_SPREAD, "spread", "subscripts lie too far apart for binning")                         \
     X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
       "memory that is updated is, or may be, mapped at two addresses")                             \
+    X(REASON_LEAVES, "leaves", "an iteration leaves the loop")                                     \
     X(REASON_UNLINKED, "unlinked",                                                                 \
       "a function of another file is not the one that was analysed: compile this file again")      \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
