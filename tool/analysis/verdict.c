@@ -140,13 +140,13 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->forwards = j->forwards.items;
     facts->forward_count = j->forwards.count;
     facts->distribution = j->distribution;
-    facts->exits = j->exits;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
     facts->variables.privates = j->privates.items;
     facts->variables.private_count = j->privates.count;
     facts->variables.captured = j->captured.items;
     facts->variables.captured_count = j->captured.count;
+    facts->slice.exits = j->exits;
     facts->slice.holds = j->slice.holds;
     const span_list spans = find_spans(j);
     facts->inspector.spans = spans.items;
@@ -261,11 +261,8 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 
 static loop_verdict analysed(const analyser *an, ir_function *function, ir_node *loop,
                              const distribution *stores, const loop_exits *exits) {
-    loop_analysis j = {.an = an,
-                       .function = function,
-                       .loop = loop,
-                       .distribution = stores,
-                       .exits = exits};
+    loop_analysis j = {
+        .an = an, .function = function, .loop = loop, .distribution = stores, .exits = exits};
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
                    add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
                    add_header_steps(&j) && add_updates(&j);

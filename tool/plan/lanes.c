@@ -15,8 +15,9 @@ static bool has_unnamed_array(const loop_facts *facts) {
 
 lane_reason plan_lanes(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    return leaves_values(facts) || facts->forward_count > 0 || facts->exits ? NO_LANES_OTHER_VALUES
-           : plan->options->order == ORDER_ANY              ? NO_LANES_ANY_ORDER
+    return leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits
+               ? NO_LANES_OTHER_VALUES
+           : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
            : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
                ? NO_LANES_COUNTER
            : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY

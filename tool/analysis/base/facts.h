@@ -284,6 +284,8 @@ typedef struct loop_variables {
 
 /** The slice: statements and control needed for rows and touched sources. */
 typedef struct loop_slice {
+    const loop_exits *exits; /* whose conditions it evaluates; NULL: no iteration leaves. Without
+                                items: a callee may end the program by an assertion */
     bool *holds; /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
                     control statements and the IR_BLOCKs in between. Control that only decides
                     whether an update happens, and is too expensive or not safe to evaluate twice,
@@ -320,8 +322,6 @@ typedef struct loop_facts {
     unsigned forward_count;
     const forwarded_store *forwards;  /* in source order */
     const distribution *distribution; /* NULL: there is none */
-    const loop_exits *exits; /* NULL: none leaves it. Not NULL without items: a callee may end the
-                                program by an assertion */
     unsigned source_count;
     const loop_source *sources; /* in the order in which the slice reads them */
     loop_variables variables;

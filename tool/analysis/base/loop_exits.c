@@ -24,11 +24,11 @@ static const ir_node *only_statement(const ir_node *block) {
 
 /* c ? (void)0 : fail(); ({ if (c) ; else fail(); }); sizeof(...), one of these. */
 const ir_node *assertion_condition(const ir_node *node) {
-    while (node && (node->kind == IR_CAST ||
-                    (node->kind == IR_BINARY && node->op == IR_OP_COMMA &&
-                     (node->children[0]->kind == IR_SIZEOF ||
-                      (node->children[0]->kind == IR_CAST &&
-                       node->children[0]->children[0]->kind == IR_SIZEOF)))))
+    while (node &&
+           (node->kind == IR_CAST || (node->kind == IR_BINARY && node->op == IR_OP_COMMA &&
+                                      (node->children[0]->kind == IR_SIZEOF ||
+                                       (node->children[0]->kind == IR_CAST &&
+                                        node->children[0]->children[0]->kind == IR_SIZEOF)))))
         node = node->children[node->child_count - 1];
     if (!node)
         return NULL;

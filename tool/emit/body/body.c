@@ -458,11 +458,11 @@ static void drop_distributed_stores(body_copy *copy) {
 }
 
 static void drop_exits(body_copy *copy) {
-    const loop_exits *exits = copy->loop->facts->exits;
+    const loop_exits *exits = copy->loop->facts->slice.exits;
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const ir_node *exit = exits->items[i].statement;
-        replace_bytes(copy, exit->range.begin,
-                      syntax_statement_end(copy->loop->unit->source, exit), "{ }");
+        replace_bytes(copy, exit->range.begin, syntax_statement_end(copy->loop->unit->source, exit),
+                      "{ }");
     }
 }
 
@@ -553,14 +553,14 @@ void write_iteration(loop_text *loop, writer *out) {
                       .loop = loop};
     declare_variables(loop, out);
     note_no_operands(loop, out);
-    loop_exits_hide(loop->facts->exits, true);
+    loop_exits_hide(loop->facts->slice.exits, true);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
     const bool continues = ir_continues(body);
-    loop_exits_hide(loop->facts->exits, false);
+    loop_exits_hide(loop->facts->slice.exits, false);
     buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");

@@ -42,14 +42,14 @@ static void write_exit(inspector *self, const loop_exit *exit) {
     if (self->is_either)
         writer_line(out, "if (%s(%s)) REDCC_LEAVE", negation, condition);
     else if (!self->probes)
-        writer_line(out, "if (%s(%s)) { redcc_iteration_leaves(&redcc__worker); goto %s; }", negation,
-                    condition, precheck_end(self->loop));
+        writer_line(out, "if (%s(%s)) { redcc_iteration_leaves(&redcc__worker); goto %s; }",
+                    negation, condition, precheck_end(self->loop));
 }
 
 static bool before_statement(printer *p, const ir_node *statement) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
-    const loop_exit *exit = loop_exit_at(facts->exits, statement);
+    const loop_exit *exit = loop_exit_at(facts->slice.exits, statement);
     if (exit) {
         write_exit(self, exit);
         return true;
