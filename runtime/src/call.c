@@ -61,6 +61,8 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
+    if (loop->flags & REDCC_MAY_ABORT && !redcc_assertions_abort())
+        return REASON_ASSERTION;
     if (is_always_planned(settings))
         return REASON_NONE;
     const bool in_bins = settings->method && settings->method->in_bins;

@@ -4,16 +4,17 @@
 // the middle, at the last, all is as the sequential loop leaves it, and messages stand where they did.
 // INTEGERS: no
 #include <assert.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "case.h"
 
-enum { N = 6000, M = 300 };
+enum { N = 2500, M = 300 };
 static int k[N + 4];
 static double h[M], w[N];
-static int limit = 1 << 30;
+static int limit = 1 << 30, most = N;
 
 __attribute__((noipa)) static int by_return(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -75,7 +76,7 @@ __attribute__((noipa)) static void by_exit(int n) {
 }
 
 static int checked(int i) {
-    assert(i < N);
+    assert(i < most);
     return i;
 }
 
@@ -101,6 +102,14 @@ static void run(const char *name) {
     fflush(stdout);
 }
 
+/* Sees the updates of the iterations before. */
+static void at_abort(int number) {
+    (void)number;
+    case_print("aborted", h, sizeof h);
+    fflush(stdout);
+    _exit(5);
+}
+
 /* What ends the process does so in a child. */
 static void run_in_child(const char *name) {
     const pid_t child = fork();
@@ -115,12 +124,12 @@ static void run_in_child(const char *name) {
 }
 
 int main(void) {
-    static const int places[] = {0, 1, N / 2, N - 1};
+    static const int places[] = {0, N / 2, N - 1};
     case_subscripts(k, N, M);
     case_values(w, N);
     run("none leaves");
     run("none leaves again");
-    for (int p = 0; p < 4; p++) {
+    for (int p = 0; p < 3; p++) {
         const int at = places[p], was = k[at];
         const double value = w[at];
         k[at] = -7;
@@ -136,6 +145,12 @@ int main(void) {
     k[N / 3] = -200;
     run_in_child("assertion");
     k[N / 3] = 0;
+    most = N / 2;
+    run_in_child("assertion in a function");
+    signal(SIGABRT, at_abort);
+    run_in_child("the same, seen by a handler");
+    signal(SIGABRT, SIG_DFL);
+    most = N;
     run("none leaves in the end");
     return 0;
 }

@@ -147,6 +147,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->variables.captured = j->captured.items;
     facts->variables.captured_count = j->captured.count;
     facts->slice.exits = j->exits;
+    facts->slice.may_abort = j->found.ends.count > 0;
     facts->slice.holds = j->slice.holds;
     const span_list spans = find_spans(j);
     facts->inspector.spans = spans.items;

@@ -149,7 +149,9 @@ enum {
     /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
     REDCC_SHORT = 32768,
     /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
-    REDCC_BY_HAND = 65536
+    REDCC_BY_HAND = 65536,
+    /** An assertion in a function that its slice calls may end the program. */
+    REDCC_MAY_ABORT = 131072
 };
 
 enum {

@@ -37,6 +37,8 @@
     X(REASON_SPREAD, "spread", "subscripts lie too far apart for binning")                         \
     X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
       "memory that is updated is, or may be, mapped at two addresses")                             \
+    X(REASON_ASSERTION, "assertion",                                                               \
+      "the program may see what an assertion that fails in a function leaves undone")              \
     X(REASON_LEAVES, "leaves", "an iteration leaves the loop")                                     \
     X(REASON_UNLINKED, "unlinked",                                                                 \
       "a function of another file is not the one that was analysed: compile this file again")      \

@@ -286,6 +286,7 @@ typedef struct loop_variables {
 typedef struct loop_slice {
     const loop_exits *exits; /* whose conditions it evaluates; NULL: no iteration leaves. Without
                                 items: a callee may end the program by an assertion */
+    bool may_abort;          /* by an assertion in a function that it calls */
     bool *holds; /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
                     control statements and the IR_BLOCKs in between. Control that only decides
                     whether an update happens, and is too expensive or not safe to evaluate twice,

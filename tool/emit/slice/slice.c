@@ -36,14 +36,8 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
 
 /** Where an iteration leaves the loop, nothing has been done, and the original loop is to run. */
 static void write_exit(inspector *self, const loop_exit *exit) {
-    writer *out = self->printer.out;
-    const char *condition = log_row_text(self, exit->condition);
-    const char *negation = exit->is_negated ? "!" : "";
-    if (self->is_either)
-        writer_line(out, "if (%s(%s)) REDCC_LEAVE", negation, condition);
-    else if (!self->probes)
-        writer_line(out, "if (%s(%s)) { redcc_iteration_leaves(&redcc__worker); goto %s; }",
-                    negation, condition, precheck_end(self->loop));
+    writer_line(self->printer.out, "if (%s(%s)) REDCC_LEAVE", exit->is_negated ? "!" : "",
+                log_row_text(self, exit->condition));
 }
 
 static bool before_statement(printer *p, const ir_node *statement) {
