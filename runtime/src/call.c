@@ -205,7 +205,9 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     const bool is_validated = call->validate && !state->temporary;
     execution->run.validated = is_validated ? &state->reported.statistics.validated : NULL;
     redcc_bins_begin(&state->binning,
-                     call->method ? redcc_bins_tuning.trial : execution->advice.trial,
+                     is_validated   ? 0
+                     : call->method ? redcc_bins_tuning.trial
+                                    : execution->advice.may_lose,
                      (struct written_witness){is_validated ? redcc_hold_written : NULL, execution});
     return true;
 }

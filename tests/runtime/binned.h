@@ -115,8 +115,10 @@ struct binned_loop {
                 redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());           \
                 while (redcc_inspect(&worker))                                                     \
                     ;                                                                              \
-                NAME##_push(p, &worker, last);                                                     \
-                NAME##_execute(p, &worker, last);                                                  \
+                do {                                                                               \
+                    NAME##_push(p, &worker, last);                                                 \
+                    NAME##_execute(p, &worker, last);                                              \
+                } while (worker.again);                                                            \
             }                                                                                      \
         }                                                                                          \
         return redcc_leave(&call);                                                                 \

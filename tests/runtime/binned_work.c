@@ -111,11 +111,13 @@ bool work_run(const struct work *w, int threads) {
             redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
             while (redcc_inspect(&worker))
                 ;
-            push(w, &worker);
-            while (redcc_next(&worker))
-                for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
-                    execute(w, worker.origin + r->begin,
-                            worker.origin + r->begin + r->count_and_guard / 2);
+            do {
+                push(w, &worker);
+                while (redcc_next(&worker))
+                    for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
+                        execute(w, worker.origin + r->begin,
+                                worker.origin + r->begin + r->count_and_guard / 2);
+            } while (worker.again);
         }
     }
     return redcc_leave(&call);

@@ -263,10 +263,12 @@ static void REDCC_THIS(_member)(redcc_worker *worker, const redcc_attempt *attem
                                 const void *context) {
     const REDCC_CONTEXT *const loop = (const REDCC_CONTEXT *)context;
     REDCC_THIS(_inspect)(worker, attempt, loop);
+    do {
 #ifdef REDCC_STREAMS
-    REDCC_THIS(_keep)(worker, attempt, loop);
+        REDCC_THIS(_keep)(worker, attempt, loop);
 #endif
-    REDCC_THIS(_chunks)(worker, attempt, loop);
+        REDCC_THIS(_chunks)(worker, attempt, loop);
+    } while (worker->again);
 #ifdef REDCC_FINISH
     if (worker->call->calls->claims_last(worker))
         REDCC_THIS(_finish)(loop);

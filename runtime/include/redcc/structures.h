@@ -270,6 +270,7 @@ typedef struct redcc_worker {
     int thread;
     redcc_manner manner; /* set by redcc_next */
     redcc_int position;
+    int again; /* set by redcc_bins_next: there are more bins after what redcc_next hands out */
 } redcc_worker;
 
 /* ---- bins (redcc/bins.h) ---- */
