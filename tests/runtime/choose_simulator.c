@@ -209,6 +209,10 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         arm[way].set_up = spent + trace->set_up[way] * trip * trace->set_up_error;
         arm[way].execution = call->execution[way] / trip * trace->execution_error;
     }
+    if (trace->guessed) {
+        arm[WAY_BINS].guessed = true;
+        arm[WAY_BINS].execution = 0.55 * call->sequential / (double)call->trip;
+    }
     if (entry.alone) {
         it->so_far.looks++;
         redcc_note_arms(it->state, call->trip, arm, spent);

@@ -163,7 +163,11 @@ enum {
     /** A class is 0 or a sum of these: something that the thread owns is touched, something else
      *  is. */
     REDCC_CLASS_OWN = 1,
-    REDCC_CLASS_OTHERS = 2
+    REDCC_CLASS_OTHERS = 2,
+    /** What redcc_bins_next gives: 0 where there are no more bins; iterations; or that some are in
+     *  between, which redcc_next hands out, before the next call. */
+    REDCC_HANDED = 1,
+    REDCC_BETWEEN = 2
 };
 
 /** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
@@ -270,7 +274,6 @@ typedef struct redcc_worker {
     int thread;
     redcc_manner manner; /* set by redcc_next */
     redcc_int position;
-    int again; /* set by redcc_bins_next: there are more bins after what redcc_next hands out */
 } redcc_worker;
 
 /* ---- bins (redcc/bins.h) ---- */
