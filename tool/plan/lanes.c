@@ -2,6 +2,7 @@
 #include "plan/lanes.h"
 
 #include "plan/lookup.h"
+#include "plan/work.h"
 
 /* ---- the loop itself ------------------------------------------------------------------------- */
 
@@ -15,8 +16,11 @@ static bool has_unnamed_array(const loop_facts *facts) {
 
 lane_reason plan_lanes(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    return leaves_values(facts) || facts->forward_count > 0 ? NO_LANES_OTHER_VALUES
-           : plan->options->order == ORDER_ANY              ? NO_LANES_ANY_ORDER
+    const bool is_asked = plan->options->lanes == LANES_OF_ALL ||
+                          (plan->options->lanes == LANES_OF_HEAVY && plan->work >= WORK_HEAVY);
+    return !is_asked                                          ? LANES_NOT_ASKED
+           : leaves_values(facts) || facts->forward_count > 0 ? NO_LANES_OTHER_VALUES
+           : plan->options->order == ORDER_ANY                ? NO_LANES_ANY_ORDER
            : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
                ? NO_LANES_COUNTER
            : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY

@@ -13,7 +13,8 @@
 
 #include "plan/lane_class.h"
 
-/** Why the loop has no such form, as far as it is known before its body is gone through. */
+/** Why the loop has no such form, or that it is not to have one, as far as it is known before its
+ * body is gone through. */
 lane_reason plan_lanes(const loop_plan *plan);
 
 /** Does the `for` give the variable its first value? */

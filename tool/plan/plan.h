@@ -69,6 +69,7 @@ typedef struct loop_plan {
     execution_plan execution;
     const char *no_functions; /* why slice and body cannot be functions of their own (outline.h), or
                                  NULL. Prefetch, bins, skips and lanes are of that form */
+    int64_t work;             /* of an iteration (work.h) */
     prefetch_plan prefetch;
     const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: there is none, */
     const char *no_bins;          /* because of this */

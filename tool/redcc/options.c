@@ -29,8 +29,8 @@ const char options_help[] =
     "  --order=ORDER        what the result may differ from: serial (default: from nothing\n"
     "                       the sequential loop gives), fixed (the same in every run and at\n"
     "                       every number of threads), any\n"
-    "  --lanes=HOW          several iterations at once in vectors, where that can be done: off\n"
-    "                       (default), auto (as many as a register holds), 2, 4, 8\n"
+    "  --lanes=HOW          four iterations at once in vectors, where that can be done: off\n"
+    "                       (default), auto (where iterations are long), 4 (everywhere)\n"
     "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
     "                       and give every thread the same\n"
     "  --assume-noalias     your word that distinct pointers do not overlap\n"
@@ -173,11 +173,11 @@ const char *options_order_word(result_order order) {
 }
 
 static const char *read_lanes(arena *a, options *o, const char *value) {
-    static const char *const words[] = {"off", "auto", "2", "4", "8"};
-    static const unsigned lanes[] = {0, 1, 2, 4, 8};
+    static const char *const words[] = {"off", "auto", "4"};
+    static const lanes_wish lanes[] = {LANES_OF_NONE, LANES_OF_HEAVY, LANES_OF_ALL};
     const int number = find_word(words, COUNT(words), value);
     if (number < 0)
-        return arena_format(a, "--lanes takes off, auto, 2, 4 or 8, not '%s'", value);
+        return arena_format(a, "--lanes takes off, auto or 4, not '%s'", value);
     o->lanes = lanes[number];
     return NULL;
 }

@@ -64,8 +64,9 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     if (loop->bins)
         return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
     if (loop->outline.done)
-        return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address,
-                            brace);
+        return arena_format(loop->arena, "{ %s(%u, %s) %s",
+                            loop->lanes.is_wanted ? "REDCC_UPDATE_OF_LANES" : "REDCC_UPDATE",
+                            update->array, address, brace);
     return arena_format(loop->arena, "{ if (!redcc__guarded || redcc_owns(&%s, &%s)) %s",
                         loop->arrays[update->array].owner, target, brace);
 }
@@ -390,7 +391,8 @@ static const char *copied_text(body_copy *copy) {
         skip_inner_iterations(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
-    unroll_loops(copy, body);
+    if (!loop->lanes.is_wanted) /* compiled once, beside what is executed by lanes */
+        unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);
 
@@ -457,7 +459,7 @@ void write_iteration(loop_text *loop, writer *out) {
                                   .rename = local_name,
                                   .context = loop,
                                   .before = print_guard,
-                                  .in_front_of_for = pragma_in_body},
+                                  .in_front_of_for = loop->lanes.is_wanted ? NULL : pragma_in_body},
                       .loop = loop};
     if (loop->outline.done)
         writer_fill(out, true);
