@@ -16,8 +16,9 @@ static bool has_unnamed_array(const loop_facts *facts) {
 
 lane_reason plan_lanes(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    const bool is_asked = plan->options->lanes == LANES_OF_ALL ||
-                          (plan->options->lanes == LANES_OF_HEAVY && plan->work >= WORK_HEAVY);
+    const bool is_asked =
+        plan->options->lanes == LANES_OF_ALL ||
+        (plan->options->lanes == LANES_OF_HEAVY && plan->execution.work >= WORK_HEAVY);
     return !is_asked                                          ? LANES_NOT_ASKED
            : leaves_values(facts) || facts->forward_count > 0 ? NO_LANES_OTHER_VALUES
            : plan->options->order == ORDER_ANY                ? NO_LANES_ANY_ORDER

@@ -16,7 +16,6 @@
 #include "plan/rewritable.h"
 #include "plan/sources.h"
 #include "plan/stand_in.h"
-#include "plan/work.h"
 
 void plan_obstacle(loop_plan *plan, ir_range range, const char *format, ...) {
     if (plan->obstacle.message)
@@ -42,7 +41,6 @@ static void plan_stand_ins(loop_plan *plan) {
 static void plan_form(loop_plan *plan) {
     plan_stand_ins(plan);
     plan_execution(plan);
-    plan->work = work_of_iteration(plan);
     plan->no_lanes = plan_lanes(plan);
     plan->no_functions = plan_outline(plan);
     if (plan->no_functions)

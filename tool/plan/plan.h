@@ -35,6 +35,7 @@ typedef struct execution_plan {
     unsigned key_count; /* words, the trip count among them */
     bool needs_order;   /* updates stay in the order of the loop, whatever the user allows */
     bool needs_every_iteration; /* also those that update nothing of a thread's */
+    int64_t work;               /* operations of an iteration (work.h) */
 } execution_plan;
 
 /** base[subscript], two variables of the loop's function. */
@@ -69,7 +70,6 @@ typedef struct loop_plan {
     execution_plan execution;
     const char *no_functions; /* why slice and body cannot be functions of their own (outline.h), or
                                  NULL. Prefetch, bins, skips and lanes are of that form */
-    int64_t work;             /* of an iteration (work.h) */
     prefetch_plan prefetch;
     const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: there is none, */
     const char *no_bins;          /* because of this */

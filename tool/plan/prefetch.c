@@ -189,7 +189,7 @@ static const char *why_not(const loop_facts *facts, int64_t work) {
 }
 
 void plan_prefetch(loop_plan *plan) {
-    const int64_t work = plan->work;
+    const int64_t work = plan->execution.work;
     prefetch_plan *const prefetch = &plan->prefetch;
     prefetch->declined = why_not(plan->facts, work);
     if (prefetch->declined)
