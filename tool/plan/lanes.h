@@ -30,6 +30,14 @@ bool lane_is_exit(const ir_node *statement);
 /** Is it an `if` that computes and updates? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
 
+/** The statement of the body that updates and holds the node; NULL: it is computed for all lanes.
+ */
+const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
+
+/** Records a problem where what each lane does beside its updates outweighs what vectors compute,
+ *  unless all loops are to have lanes. */
+void lane_check_worth(lane_scope *l);
+
 /** Records a problem where a statement that updates changes anything but elements and counters, or
  * jumps: it is executed once for each lane; */
 void lane_check_updates(lane_scope *l, const ir_node *statement);

@@ -2,6 +2,7 @@
 #include "plan/work.h"
 
 #include "analysis/base/counted.h"
+#include "plan/lookup.h"
 
 enum {
     EXPENSIVE = 8,    /* a division, a square root, a call of mathematics */
@@ -64,11 +65,47 @@ static int64_t work_of(const known_work *known, const ir_node *node, int depth) 
     return work < MOST_WORK ? work : MOST_WORK;
 }
 
-int64_t work_of_iteration(const loop_plan *plan) {
+int64_t work_of_statement(const loop_plan *plan, const ir_node *statement) {
     const unsigned count = plan->unit->function_count;
     const known_work known = {.of = arena_allocate(plan->arena, (count + 1) * sizeof *known.of)};
     for (unsigned i = 0; i < count; i++)
         for (int depth = 0; depth <= MOST_DEPTH; depth++)
             known.of[i][depth] = -1;
-    return work_of(&known, plan->facts->counted.body, 0);
+    return work_of(&known, statement, 0);
+}
+
+int64_t work_of_iteration(const loop_plan *plan) {
+    return work_of_statement(plan, plan->facts->counted.body);
+}
+
+/* ---- beside updates ------------------------------------------------------------------------- */
+
+static int64_t size_of(const ir_node *node, int depth) {
+    const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION
+                                    ? node->children[0]->function
+                                    : NULL;
+    int64_t size = ir_is_expression(node);
+    if (callee && callee->body && depth < MOST_DEPTH)
+        size += size_of(callee->body, depth + 1);
+    for (unsigned i = 0; i < node->child_count && size < MOST_WORK; i++)
+        size += size_of(node->children[i], depth);
+    if (ir_is_loop(node)) {
+        const int64_t trip = work_constant_trip(node);
+        size *= trip ? trip : SOME;
+    }
+    return size < MOST_WORK ? size : MOST_WORK;
+}
+
+int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement) {
+    const int64_t trip = ir_is_loop(statement) ? work_constant_trip(statement) : 1;
+    int64_t beside = 0;
+    if (loop_update_at(plan->facts, statement))
+        return 0;
+    if (ir_is_expression(statement) || statement->kind == IR_EXPRESSION ||
+        statement->kind == IR_DECLARATION)
+        return size_of(statement, 0);
+    /* the header of a loop over constants is unrolled */
+    for (unsigned i = ir_is_loop(statement) && trip ? 3 : 0; i < statement->child_count; i++)
+        beside += work_beside_updates(plan, statement->children[i]);
+    return beside * (trip ? trip : SOME);
 }

@@ -165,6 +165,7 @@ static const char *function_text(loop_text *loop, const char *name, bool *is_kep
                     .is_kept = is_kept,
                     .mask_count = &mask_count};
     lane_classify(&l.in);
+    lane_check_worth(&l.in);
     declare_outer(&l);
     write_block(&l, l.in.body);
     writer_line(&front,

@@ -117,6 +117,8 @@ static void declare_own(vectoriser *l, const ir_variable *variable, const ir_nod
             writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
                         lane_guarded(l, value, lane_text(l, value)));
         break;
+    case LANE_LOCAL: /* printed where it stands */
+        break;
     case LANE_UNIFORM:
         if (value)
             writer_line(l->out, "%s %s = %s;", lane_type(l, variable->type), name,
