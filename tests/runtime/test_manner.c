@@ -143,6 +143,7 @@ static void what_is_known_stays(void **unused) {
     assert_int_equal(redcc_manner_parts(&it, true, LONG), 0);
     execute(&it, false, 100, LONG, seconds, made);
     assert_int_equal(made[0], 100);
+    assert_int_equal(redcc_manner_parts(&it, true, LONG), 0);
     assert_true(redcc_manner_of(&it, true, 0));
 }
 
