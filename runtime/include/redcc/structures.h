@@ -130,9 +130,10 @@ enum {
     REDCC_BINNED = 16,
     /** Its executor can prefetch what iterations to come touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Times a set of 2, 4 and 8: so many iterations at once can be executed (lanes.h). */
+    /** Times 2 or 4: so many iterations at once are executed (lanes.h), where the processor has
+     * AVX2 or */
     REDCC_LANES_UNIT = 64,
-    /** They are compiled for the processor that all of the program is compiled for. */
+    /** whatever it is. */
     REDCC_LANES_ANYWHERE = 1024,
     /** Where the slice read by values that the loop has yet to write, it might read what is not
      *  there. So before an inspection one thread has all iterations told in order; where one would
@@ -245,7 +246,7 @@ typedef struct redcc_entry {
 /** How a chunk is executed, beside what it computes. */
 typedef struct redcc_manner {
     int prefetches; /**< is what iterations to come touch to be prefetched? */
-    int lanes; /**< iterations at once, one of those that the descriptor names; 0: one by one */
+    int lanes;      /**< iterations at once, as the descriptor has it; 0: one by one */
 } redcc_manner;
 
 /** One thread's part in an execution; lives on that thread's stack. */

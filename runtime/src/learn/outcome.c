@@ -54,7 +54,7 @@ bool redcc_is_better(const struct size_state *size, enum way way, double current
 }
 
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent) {
-    size->comparison = (struct comparison){contender, incumbent, {.arms = 2}};
+    size->comparison = (struct comparison){contender, incumbent, {0}};
     size->stand = STAND_COMPARING;
     size->rule = RULE_COMPARING;
 }
@@ -106,7 +106,7 @@ static void settle(struct size_state *size, bool contender_won) {
 }
 
 enum way redcc_turn(const struct comparison *it) {
-    return redcc_turn_of(2, it->turns.timed) == 0 ? it->contender : it->incumbent;
+    return redcc_turn_of(it->turns.timed) == 0 ? it->contender : it->incumbent;
 }
 
 /* usual: seconds an iteration of the sequential loop, as far as is known of this execution. */
