@@ -331,8 +331,8 @@ REDCC_RECORDS(float);
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
-        REDCC_JOIN(redcc_call_of_slice)                                                            \
         int redcc__handed;                                                                         \
+        REDCC_JOIN(redcc_call_of_slice)                                                            \
         do {                                                                                       \
             while (__builtin_expect((redcc__handed = redcc__worker->call->calls->bins_next(        \
                                          redcc__worker, redcc__all, 0)) == REDCC_HANDED,           \
