@@ -16,6 +16,7 @@
 #include <omp.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <unistd.h>
 
 struct binned_problem {
     redcc_int trip;
@@ -23,7 +24,13 @@ struct binned_problem {
     const void *value; /* [trip] */
     void *rows;        /* of subscript 0 */
     const double *by;
+    redcc_int slow; /* the first iterations take longer, so many; or where < 0 the last ones */
 };
+
+static inline void binned_delay(const struct binned_problem *p, redcc_int t) {
+    if (t < p->slow || t >= p->trip + (p->slow < 0 ? p->slow : 0))
+        usleep(20);
+}
 
 struct binned_loop {
     const char *name;
@@ -75,6 +82,7 @@ struct binned_loop {
             const redcc_bins to_0 = bins[0];                                                       \
             for (redcc_int t = worker->first; t < worker->last; t++) {                             \
                 const RECORD e = value[t];                                                         \
+                binned_delay(p, t);                                                                \
                 if (EXACT && REDCC_ARE_COPIED(&to_0))                                              \
                     redcc_update(&to_0, &NAME##_streams[0], p->k[t], 0, &e);                       \
                 else                                                                               \

@@ -16,6 +16,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include <cmocka.h>
 
@@ -330,6 +331,52 @@ static void small_integers_are_copied(void **unused) {
     free_data(&data);
 }
 
+/* Rows that are not seen until a round has failed, again and again: no copy is made of rows that do
+ * not exist. Behind the array there is no memory. */
+static void rows_are_found_late(void **unused) {
+    (void)unused;
+    enum { TRIP = 600000, STEP = 20000, PAGE = 4096 };
+    int *k = malloc(TRIP * sizeof *k), last;
+    uint32_t *value = calloc(TRIP, sizeof *value), *expected = calloc(PAGE / 4, 4);
+    char *pages = mmap(NULL, 2 * PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_ptr_not_equal(pages, MAP_FAILED);
+    assert_int_equal(mprotect(pages + PAGE, PAGE, PROT_NONE), 0);
+    for (int t = 0; t < TRIP; t++) {
+        const int late = t % STEP == STEP - 77 ? t / STEP + 1 : 0;
+        k[t] = -31 + late;
+        value[t] = (uint32_t)t;
+        expected[PAGE / 4 + k[t]] += value[t];
+    }
+    const struct binned_problem problem = {
+        .trip = TRIP, .k = k, .value = value, .rows = pages + PAGE, .by = &by};
+    assert_true(uint32_sum.run(&problem, 2, &last));
+    assert_memory_equal(pages, expected, PAGE);
+    free(k);
+    free(value);
+    free(expected);
+    munmap(pages, 2 * PAGE);
+    redcc_loop_forget(&uint32_sum.descriptor->loop);
+}
+
+/* All work is in the first iterations, or in the last ones: pieces are executed by whoever is free,
+ * and applied in order. */
+static void uneven_iterations(void **unused) {
+    (void)unused;
+    int stolen = 0;
+    for (int l = 0; l < LOOPS; l++) {
+        struct data data = new_data(loops[l], 301, 3000, l % KINDS, (unsigned long)(l + 1));
+        data.problem.slow = l % 2 ? 40 : -40;
+        for (int c = 1; c < COUNTS - 2; c++) {
+            compare(&data, thread_counts[c]);
+            for (int t = 0; t < thread_counts[c]; t++)
+                for (int piece = 0; piece < SHARE_PIECES; piece++)
+                    stolen += state_of(loops[l])->binning.binner[t]->share.piece[piece].thread != t;
+        }
+        free_data(&data);
+    }
+    assert_true(stolen > 0);
+}
+
 /* Whatever the descriptor says: sums of floating numbers have an order. */
 static void floats_are_never_copied(void **unused) {
     (void)unused;
@@ -364,6 +411,8 @@ int main(void) {
         cmocka_unit_test(trials),
         cmocka_unit_test(other_subscripts),
         cmocka_unit_test(small_integers_are_copied),
+        cmocka_unit_test(rows_are_found_late),
+        cmocka_unit_test(uneven_iterations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

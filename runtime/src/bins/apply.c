@@ -59,7 +59,7 @@ static void apply_records(const redcc_binned *loop, const redcc_stream *stream,
             ->apply(applied, stream->rows[0] / array->element);
 }
 
-/* All threads' records of one bin, in the order of the loop. */
+/* All records of one bin, in the order of the loop. */
 static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
                       const void *operands) {
     const redcc_stream *stream = &binning->loop->streams[s];
@@ -68,10 +68,11 @@ static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
     void *rows[REDCC_STREAM_ARRAYS];
     for (uint32_t array = 0; array < stream->array_count; array++)
         rows[array] = (void *)redcc_row_address(binning, stream, array, first);
-    for (int t = 0; t < binning->call->threads; t++) {
-        const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
+    for (struct piece_run run = {0}; redcc_pieces_next_run(binning, &run);) {
+        const struct redcc_bin_buffer *buffer = &binning->binner[run.thread]->buffer[s];
         struct records records;
-        for (uint32_t block = UINT32_MAX; redcc_bin_records(buffer, bin, &block, &records);) {
+        for (struct stretch left = redcc_bin_pieces(buffer, bin, run.first, run.end);
+             redcc_bin_records(buffer, &left, &records);) {
             const redcc_applied applied = {.rows = rows,
                                            .place = records.place,
                                            .records = records.record,

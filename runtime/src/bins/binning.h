@@ -4,10 +4,11 @@
  * subscripts change. The iterations are executed in rounds.
  *
  *     measure  where nothing is known: some iterations, to see which rows and how many records
- *     push     each thread executes its share of the round's iterations, in order, and appends a
- *              record of each update to the bin of its row; nothing of the arrays is written
+ *     push     each thread executes its share of the round's iterations, piece by piece, then
+ *              pieces of others, and appends a record of each update to the bin of its row; nothing
+ *              of the arrays is written
  *     guard    does what was read in the round overlap what it is to write? (one thread)
- *     apply    each bin is taken by one thread, which applies its records: the first thread's, the
+ *     apply    each bin is taken by one thread, which applies its records: the first piece's, the
  *              second's, ..., each as they were appended
  *
  * So each element gets its updates in the order of the loop, at every number of threads. A round of
@@ -21,7 +22,8 @@
  * A trial begins with a short round, after which as many iterations are executed sequentially: the
  * two are compared. It ends after the first round by which too much is lost.
  *
- * Rooms: window (rows and bins), buffer (records), layout (sizes, memory), guard, apply, rounds.
+ * Rooms: window (rows and bins), pieces (who executes what), buffer (records), layout (sizes,
+ * memory), guard, apply, rounds.
  */
 #ifndef REDCC_BINNING_H
 #define REDCC_BINNING_H
@@ -47,13 +49,15 @@ struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
-    bool begun;      /* its part of the phase */
-    redcc_int begin; /* its share of the round, or of the loop to be measured */
-    redcc_int end;
-    redcc_int next;                  /* handed out up to here */
-    int sample;                      /* stretches of iterations handed out to be measured */
-    redcc_int measured;              /* iterations in them */
-    redcc_extent *sources;           /* [source_count] told by redcc_read, in this round */
+    bool begun;              /* its part of the phase */
+    struct bins_share share; /* of the round */
+    int pieces;              /* it took in this round */
+    redcc_int next;          /* of its piece [next, last) is not handed out yet */
+    redcc_int last;
+    redcc_int unseen;      /* iterations since it has looked whether records are missing */
+    int sample;            /* stretches of iterations handed out to be measured */
+    redcc_int measured;    /* iterations in them */
+    redcc_extent *sources; /* [source_count] told by redcc_read, in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] */
 };
 

@@ -36,7 +36,8 @@ static struct row_range places_in(const struct binning *binning, uint32_t s, uin
     for (int t = 0; t < binning->call->threads; t++) {
         const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
         struct records records;
-        for (uint32_t block = UINT32_MAX; redcc_bin_records(buffer, bin, &block, &records);)
+        for (struct stretch left = redcc_bin_all(buffer, bin);
+             redcc_bin_records(buffer, &left, &records);)
             for (size_t k = 0; k < records.count; k++) {
                 const redcc_int row = place_of(buffer->stream, records.place[k]);
                 found = redcc_rows_union(found, (struct row_range){row, row});

@@ -10,10 +10,11 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed */
-    STRETCHES = 64, /* of each thread's share are measured, of so many iterations each at most, */
-    STRETCH = 64,
-    MEASURED = 64, /* or of that part of the share: iterations may be heavy */
+    CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed; before,
+                       more is seen of what it lacks */
+    STRETCHES = 64, /* of each thread's share are measured, */
+    STRETCH = 64,   /* so many iterations each, at most; */
+    MEASURED = 64,  /* such a part of them */
     LEAST_CHUNK = 512,
     TRIED = 16 /* the first round of a trial is that part of the loop, as is the sequential stretch
                   that it is compared with; the next is as long as all before */
@@ -44,41 +45,46 @@ static void hand_out(const struct binning *binning, struct binner *binner, redcc
         bins[s] = binner->buffer[s].push;
 }
 
-static void begin_share(const struct binning *binning, struct binner *binner, redcc_int begin,
-                        redcc_int end) {
-    binner->begun = true;
-    binner->begin = begin + redcc_share(end - begin, binner->threads, binner->thread);
-    binner->end = begin + redcc_share(end - begin, binner->threads, binner->thread + 1);
-    binner->next = binner->begin;
+static void forget_reads(const struct binning *binning, struct binner *binner) {
     memset(binner->sources, 0, binning->loop->loop.source_count * sizeof *binner->sources);
 }
 
-static redcc_int stretch_of(redcc_int share) {
-    const redcc_int part = share / STRETCHES / MEASURED;
-    return part < 1 ? 1 : part > STRETCH ? STRETCH : part;
+static void begin_measure(const struct binning *binning, struct binner *binner) {
+    binner->begun = true;
+    binner->sample = 0;
+    binner->measured = 0;
+    forget_reads(binning, binner);
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
 }
 
-/* Stretches of the thread's share, evenly spread, the first and the last iterations among them. */
+static redcc_int at_least(redcc_int number, redcc_int least) {
+    return number < least ? least : number;
+}
+
+static redcc_int at_most(redcc_int number, redcc_int most) {
+    return number < most ? number : most;
+}
+
+/* Stretches of the thread's share, evenly spread, the first and the last iterations among them. Of
+ * a small share a MEASURED-th: its iterations may be expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
-    if (!binner->begun) {
-        begin_share(binning, binner, 0, binning->call->request.trip);
-        binner->sample = 0;
-        binner->measured = 0;
-        for (uint32_t s = 0; s < stream_count(binning); s++)
-            redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
-    }
-    const redcc_int share = binner->end - binner->begin;
-    const redcc_int stretch = stretch_of(share), stretches = share < STRETCHES ? share : STRETCHES;
+    if (!binner->begun)
+        begin_measure(binning, binner);
+    const redcc_int trip = binning->call->request.trip;
+    const redcc_int begin = redcc_share(trip, binner->threads, binner->thread);
+    const redcc_int end = redcc_share(trip, binner->threads, binner->thread + 1);
+    const redcc_int share = end - begin, all = at_most(at_least(share / MEASURED, 2), share);
+    const redcc_int stretches = at_most(all, STRETCHES);
+    const redcc_int length = at_most(at_least(all / STRETCHES, 1), STRETCH);
     if (binner->sample == stretches)
         return false;
-    const bool is_last = binner->sample == stretches - 1;
-    const redcc_int apart = stretches > 1 ? (share - stretch) / (stretches - 1) : 0;
-    const redcc_int from = is_last ? binner->end - stretch : binner->begin + apart * binner->sample;
-    const redcc_int last = from + stretch;
+    const redcc_int first =
+        begin + redcc_share(share - length, (int)at_least(stretches - 1, 1), binner->sample);
     binner->sample++;
-    binner->measured += last - from;
-    hand_out(binning, binner, worker, bins, from, last);
+    binner->measured += length;
+    hand_out(binning, binner, worker, bins, first, first + length);
     return true;
 }
 
@@ -90,28 +96,32 @@ static bool has_failed(const struct binning *binning, const struct binner *binne
 }
 
 static void begin_push(struct binning *binning, struct binner *binner) {
-    begin_share(binning, binner, binning->round.begin, binning->round.end);
+    binner->begun = true;
+    binner->pieces = 0;
+    binner->next = binner->last = binner->unseen = 0;
+    forget_reads(binning, binner);
     for (uint32_t s = 0; s < stream_count(binning); s++)
         redcc_buffer_clear(&binner->buffer[s]);
     if (binning->copies)
         redcc_private_fill(binning, binner);
 }
 
-/* The next chunk of the thread's share of the round. */
+/* The next chunk of the thread's piece, or of one that it takes. */
 static bool next_chunk(struct binning *binning, struct binner *binner, redcc_worker *worker,
                        redcc_bins *bins) {
     if (!binner->begun)
         begin_push(binning, binner);
-    else if (has_failed(binning, binner))
+    else if (binner->unseen >= CHUNK && has_failed(binning, binner))
         atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
-    const redcc_int left = binner->end - binner->next;
-    if (left == 0 || atomic_load_explicit(&binning->failed, memory_order_relaxed)) {
+    if (atomic_load_explicit(&binning->failed, memory_order_relaxed) ||
+        (binner->next == binner->last && !redcc_pieces_take(binning, binner))) {
         for (uint32_t s = 0; s < stream_count(binning); s++)
             redcc_buffer_finish(&binner->buffer[s]);
         return false;
     }
-    const redcc_int first = binner->next;
+    const redcc_int first = binner->next, left = binner->last - first;
     binner->next += left < CHUNK + LEAST_CHUNK ? left : CHUNK;
+    binner->unseen = (binner->unseen < CHUNK ? binner->unseen : 0) + binner->next - first;
     hand_out(binning, binner, worker, bins, first, binner->next);
     return true;
 }
@@ -143,6 +153,7 @@ static enum bins_phase begin_round(struct binning *binning) {
     round->error_before = atomic_load_explicit(binning->effects.error, memory_order_relaxed);
     atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
     atomic_store_explicit(&binning->next_bin, 0, memory_order_relaxed);
+    redcc_pieces_cut(binning);
     return BINS_PUSH;
 }
 
@@ -210,10 +221,10 @@ static void learn(struct binning *binning) {
         struct binned_stream *it = &binning->stream[s];
         double most = 0;
         for (int t = 0; t < binning->call->threads; t++) {
-            const struct binner *binner = binning->binner[t];
-            const redcc_int share = binner->end - binner->begin;
+            const struct bins_share *share = &binning->binner[t]->share;
+            const redcc_int iterations = share->end - share->begin;
             const double rate =
-                share ? (double)redcc_buffer_count(&binner->buffer[s]) / (double)share : 0;
+                iterations ? (double)redcc_pieces_records(binning, t, s) / (double)iterations : 0;
             most = rate > most ? rate : most;
         }
         if (most > it->rate || most < kept_down_to * it->rate)
