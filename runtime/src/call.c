@@ -341,6 +341,21 @@ void redcc_sequential_end(redcc_loop *loop) {
 /* ---- enter, join, leave ----------------------------------------------------------------------
  */
 
+/* The execution has begun: the call's threads join it. */
+static int hand_over(struct execution *execution, redcc_call *call) {
+    const int threads = execution->call.asked;
+    redcc_find_plan(execution);
+    redcc_trace(TRACE_CHOICE, call->loop, "%lld iterations, %s%s%s, %d threads asked for",
+                call->trip,
+                execution->advice.action == ACTION_INSPECT ? "inspected" : "in parallel",
+                execution->call.method ? " by " : "",
+                execution->call.method ? execution->call.method->name : "", threads);
+    call->threads = threads;
+    call->decided = 1;
+    call->execution = execution;
+    return 1;
+}
+
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
@@ -395,16 +410,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
             time_original(loop, trip, known);
         return serially(state, reason);
     }
-    threads = execution->call.asked;
-    redcc_find_plan(execution);
-    redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
-                execution->advice.action == ACTION_INSPECT ? "inspected" : "in parallel",
-                execution->call.method ? " by " : "",
-                execution->call.method ? execution->call.method->name : "", threads);
-    call->threads = threads;
-    call->decided = 1;
-    call->execution = execution;
-    return 1;
+    return hand_over(execution, call);
 }
 
 static void note_node(struct thread_state *thread) {
