@@ -281,8 +281,11 @@ static void account_binned(struct execution *execution, double now) {
         return;
     const enum result result =
         execution->reason == REASON_SERIAL_FASTER ? RESULT_LEFT : RESULT_PARALLEL;
-    const struct outcome outcome = {
-        .result = result, .way = WAY_BINS, .trip = trip, .seconds = now - call->entered};
+    const struct outcome outcome = {.result = result,
+                                    .way = WAY_BINS,
+                                    .trip = trip,
+                                    .seconds = now - call->entered,
+                                    .usual = redcc_bins_usual(binning)};
     redcc_tell_auto(state, call->request.loop, &outcome, REASON_NONE);
 }
 

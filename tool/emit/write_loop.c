@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "analysis/base/distributed.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/loop_text.h"
 #include "emit/as_compiled.h"
 #include "emit/base/names.h"
@@ -212,6 +213,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
     distributed_take_out(loop.facts->distribution);
+    loop_exits_take_out(loop.facts->slice.exits);
     name_things(&loop);
     write_front(&loop, form, front);
     if (!front->text) {
@@ -228,6 +230,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
     block->text = writer_text(loop.arena, &out);
+    loop_exits_put_back(loop.facts->slice.exits);
     distributed_put_back(loop.facts->distribution);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
     return !loop.obstacle;

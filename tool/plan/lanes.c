@@ -19,9 +19,10 @@ lane_reason plan_lanes(const loop_plan *plan) {
     const bool is_asked =
         plan->options->lanes == LANES_OF_ALL ||
         (plan->options->lanes == LANES_OF_HEAVY && plan->execution.work >= WORK_HEAVY);
-    return !is_asked                                          ? LANES_NOT_ASKED
-           : leaves_values(facts) || facts->forward_count > 0 ? NO_LANES_OTHER_VALUES
-           : plan->options->order == ORDER_ANY                ? NO_LANES_ANY_ORDER
+    return !is_asked ? LANES_NOT_ASKED
+           : leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits
+               ? NO_LANES_OTHER_VALUES
+           : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
            : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
                ? NO_LANES_COUNTER
            : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY

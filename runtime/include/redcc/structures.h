@@ -150,7 +150,9 @@ enum {
     /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
     REDCC_SHORT = 32768,
     /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
-    REDCC_BY_HAND = 65536
+    REDCC_BY_HAND = 65536,
+    /** An assertion in a function that its slice calls may end the program. */
+    REDCC_MAY_ABORT = 131072
 };
 
 enum {
@@ -162,8 +164,15 @@ enum {
     /** A class is 0 or a sum of these: something that the thread owns is touched, something else
      *  is. */
     REDCC_CLASS_OWN = 1,
-    REDCC_CLASS_OTHERS = 2
+    REDCC_CLASS_OTHERS = 2,
+    /** What redcc_bins_next gives: 0 where there are no more bins; iterations; or that some are in
+     *  between, which redcc_next hands out, before the next call. */
+    REDCC_HANDED = 1,
+    REDCC_BETWEEN = 2
 };
+
+/** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
+#define REDCC_LEAVES 0xffffffffu
 
 /** A loop, as the translator knows it; one static object for each. */
 typedef struct redcc_loop {

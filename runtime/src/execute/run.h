@@ -92,6 +92,9 @@ void redcc_run_note_manner(const struct run *run, struct manners *known, const d
  *  and in place; from == trip: nothing. */
 void redcc_run_rest(redcc_worker *worker, redcc_int from);
 
+/** The same of iterations begin to before end. */
+void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end);
+
 /** Validation: has the first thread's redcc_next hand out the iterations before `end` once more,
  * from what the arrays held before; then the two are compared, and what is left of the loop
  * follows. All threads are done with these iterations. */
