@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "library.h"
 
+#include "base/safe_load.h"
 #include "execute/rows.h"
 #include "operands.h"
 #include "redcc/bins.h"
@@ -39,4 +40,6 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .settle = redcc_rows_settle,
                                    .misuse = stop_at_misuse,
                                    .operands_give = redcc_operands_give_all,
-                                   .series = &series};
+                                   .series = &series,
+                                   .may_load = redcc_may_load,
+                                   .load = redcc_load};

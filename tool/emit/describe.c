@@ -188,6 +188,8 @@ static void write_loop_object(loop_text *loop, writer *out) {
 }
 
 void write_description(loop_text *loop, writer *out) {
+    if (loop->facts->loads)
+        writer_line(out, "static redcc_word %s;", outlined_name(loop, "loaded"));
     write_arrays(loop, out);
     write_sources(loop, out);
     if (loop->bins)

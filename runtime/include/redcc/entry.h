@@ -38,7 +38,7 @@ typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, co
 extern "C" {
 #endif
 /** Executes a loop. 1: it is done. 0: nothing was written, the sequential loop must run; `version`
- *  is that of the caller. Thread-safe. */
+ *  is that of the caller. Without an attempt nothing but `calls` is set. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
 #ifdef __cplusplus

@@ -130,6 +130,23 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
     return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
 }
 
+/** Pointers that the loop reads under conditions only are read before it, where they can be read:
+ *  redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
+#define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
+    (redcc_is_known(&(redcc_site)) && (redcc_site).calls->may_load(&(redcc_loaded)))
+#define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
+    (redcc_site).calls->load(&(redcc_variable),                                                    \
+                             (const char *)((redcc_size)(redcc_through) + (redcc_offset)),         \
+                             sizeof(redcc_variable))
+REDCC_INLINE int redcc_is_known(redcc_site *site) {
+    if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
+        redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
+    {
+        const redcc_calls *const calls = __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
+        return calls && calls->bytes >= sizeof *calls; /* else of an older library */
+    }
+}
+
 /** Executes the loop in parallel: 1. 0: nothing was written, the loop must run as it was. Not
  *  expected to: what registers there are is for the loop beside it. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \

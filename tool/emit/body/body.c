@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/loop_loads.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
 #include "emit/base/step.h"
@@ -223,6 +224,8 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
 static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
+    if (node->kind == IR_VARIABLE && loop_loads_has(loop->facts->loads, node->variable))
+        return node->variable->name;
     if (array >= 0)
         return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
     if (is_known_within(loop, node)) /* text_expression writes the value */
