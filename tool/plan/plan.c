@@ -54,8 +54,7 @@ static void plan_form(loop_plan *plan) {
         plan->no_bins = "the loop leaves more than its updates of arrays";
     else
         plan_bins(plan);
-    if (!leaves_values(facts))
-        plan_inner_skips(plan);
+    plan_inner_skips(plan);
 }
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,

@@ -265,6 +265,11 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         return;                                                                                    \
     }
 
+/** Whoever owns the row that is touched next goes through all of the iteration (redcc/series.h). */
+#define REDCC_LEADER                                                                               \
+    if (redcc__probe)                                                                              \
+        redcc__probe->preferred = 1;
+
 /** All from an address to before another. */
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
@@ -342,7 +347,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0};                                           \
+                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                           \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \
@@ -441,12 +446,12 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /** Says of iterations whether they touch what the thread owns. A local array: what is stored there
  *  is none of what the slice reads, as compilers see. */
-#define REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
+#define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__told = 0;                                                           \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
         for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
-            redcc_probe redcc__seen = {0, 0, 1};                                                   \
+            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                                 \
             redcc_probe *const redcc__probe = &redcc__seen;                                        \
             redcc_call_of_slice;                                                                   \
             redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \
@@ -456,22 +461,23 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /** The next chunk to execute, in front of a block; before it, iterations are selected where the
  *  runtime asks for that. */
-#define REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+#define REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
     for (;;) {                                                                                     \
         redcc__asked = redcc__worker->call->calls->next(redcc__worker);                            \
         if (__builtin_expect(redcc__asked != REDCC_SELECT, 1))                                     \
             break;                                                                                 \
-        REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
+        REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     }
 
 /** Hands out chunks to execute, run by run, guarded or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
-    REDCC_EXECUTE_AND(0, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
+    REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
 /** The same, also once more where that is asked for in the end. */
-#define REDCC_EXECUTE_AND(redcc_again, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)       \
+#define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
+                          redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
         int redcc__asked;                                                                          \
-        REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+        REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
         if (!redcc__asked && !(redcc_again))                                                       \
             break;                                                                                 \
         {                                                                                          \
@@ -514,7 +520,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
-        REDCC_EXECUTE_AND(redcc_again, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)       \
+        REDCC_EXECUTE_AND(redcc_again, 2, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)    \
     }
 
 /** gcc inlines a static function that is called at one place only; several copies of the place are

@@ -163,7 +163,9 @@ enum {
     /** A class is 0 or a sum of these: something that the thread owns is touched, something else
      *  is. */
     REDCC_CLASS_OWN = 1,
-    REDCC_CLASS_OTHERS = 2
+    REDCC_CLASS_OTHERS = 2,
+    /** The first byte that it touches is the thread's: of all threads that execute it one leads. */
+    REDCC_CLASS_LEADS = 4
 };
 
 /** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
@@ -270,6 +272,7 @@ typedef struct redcc_worker {
     int thread;
     redcc_manner manner; /* set by redcc_next */
     redcc_int position;
+    int follows; /* of the chunk: another thread keeps what its guarded iterations add to series */
 } redcc_worker;
 
 /* ---- bins (redcc/bins.h) ---- */
