@@ -466,8 +466,10 @@ int redcc_end(redcc_call *call) {
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
         redcc_inspection_end(&execution->inspection);
-        if (plan && !(redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
-                      redcc_reuse_keep(&execution->reuse, plan)))
+        const bool is_direct = redcc_goes_directly(&execution->advice);
+        if (plan &&
+            !(!is_direct && redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
+              redcc_reuse_keep(&execution->reuse, plan)))
             redcc_plan_free(plan);
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;

@@ -11,9 +11,9 @@
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
 #include "analysis/loop/candidate.h"
-#include "analysis/loop/loads_stay.h"
 #include "analysis/loop/conflict.h"
 #include "analysis/loop/gate.h"
+#include "analysis/loop/loads_stay.h"
 #include "analysis/loop/spans.h"
 #include "analysis/overlap/sources.h"
 #include "analysis/private/induction.h"
@@ -308,8 +308,7 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     if (found.kind != VERDICT_REFUSE ||
         (found.why.id != REASON_BASE_CONDITIONAL && found.why.id != REASON_MAY_ALIAS))
         return found;
-    const loop_loads *loads =
-        loop_loads_find(an->memory, an->unit, function, ir_loop_body(loop));
+    const loop_loads *loads = loop_loads_find(an->memory, an->unit, function, ir_loop_body(loop));
     if (!loads || !loads_stay(an, loop, loads))
         return found;
     loop_loads_take_out(loads);
@@ -324,8 +323,8 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
     if (!exits)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION};
     loop_exits_take_out(exits);
-    const loop_verdict found = analysed_loading(
-        an, function, loop, exits, analysed(an, function, loop, NULL, exits, NULL));
+    const loop_verdict found = analysed_loading(an, function, loop, exits,
+                                                analysed(an, function, loop, NULL, exits, NULL));
     loop_exits_put_back(exits);
     return found;
 }
@@ -337,8 +336,8 @@ static bool is_about_leaving(reason_id why) {
 
 loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
     const analyser *an = analyser_for(whole, loop);
-    const loop_verdict found = analysed_loading(
-        an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
+    const loop_verdict found =
+        analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
     if (found.kind != VERDICT_REFUSE)
         return found;
     if (is_about_leaving(found.why.id)) {

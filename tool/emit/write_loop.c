@@ -138,7 +138,8 @@ static const char *write_loads(loop_text *loop, writer *out) {
     const char *site = outlined_name(loop, "site"), *all = "";
     if (!loads)
         return all;
-    all = arena_format(loop->arena, " && REDCC_MAY_LOAD(%s, %s)", site, outlined_name(loop, "loaded"));
+    all = arena_format(loop->arena, " && REDCC_MAY_LOAD(%s, %s)", site,
+                       outlined_name(loop, "loaded"));
     for (unsigned i = 0; i < loads->count; i++) {
         const loop_load *load = &loads->items[i];
         writer_line(out, "%s;",

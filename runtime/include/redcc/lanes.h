@@ -303,7 +303,7 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
                             redcc_arguments)                                                       \
     for (;;) {                                                                                     \
         int redcc__asked;                                                                          \
-        REDCC_NEXT_CHUNK(1, redcc_call_of_slice)                                                      \
+        REDCC_NEXT_CHUNK(1, redcc_call_of_slice)                                                   \
         if (!redcc__asked)                                                                         \
             break;                                                                                 \
         {                                                                                          \

@@ -135,9 +135,10 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) && (redcc_site).calls->may_load(&(redcc_loaded)))
 #define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
-    (redcc_site).calls->load(&(redcc_variable),                                                    \
-                             (const char *)((redcc_size)(redcc_through) + (redcc_offset)),         \
-                             sizeof(redcc_variable))
+    (redcc_site)                                                                                   \
+        .calls->load(&(redcc_variable),                                                            \
+                     (const char *)((redcc_size)(redcc_through) + (redcc_offset)),                 \
+                     sizeof(redcc_variable))
 REDCC_INLINE int redcc_is_known(redcc_site *site) {
     if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
@@ -347,7 +348,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                           \
+                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                  \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \
@@ -451,7 +452,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
         const redcc_u32 redcc__told = 0;                                                           \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
         for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
-            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                                 \
+            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                              \
             redcc_probe *const redcc__probe = &redcc__seen;                                        \
             redcc_call_of_slice;                                                                   \
             redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \

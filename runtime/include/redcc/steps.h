@@ -95,7 +95,7 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 typedef struct redcc_probe {
     int inside;
     int outside;
-    int selects; /* a constant in each use; 2: is the first byte that it touches in the window? */
+    int selects;   /* a constant in each use; 2: is the first byte that it touches in the window? */
     int preferred; /* the row that is touched next is one of those that lead where there are any */
     int rank;      /* of what has led so far: 0: nothing, 1: a row, 2: a preferred one */
     int leads;

@@ -151,7 +151,9 @@ enum {
     /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
     REDCC_BY_HAND = 65536,
     /** An assertion in a function that its slice calls may end the program. */
-    REDCC_MAY_ABORT = 131072
+    REDCC_MAY_ABORT = 131072,
+    /** Guarded iterations leave out what updates nothing of the thread's. */
+    REDCC_PARTS = 262144
 };
 
 enum {

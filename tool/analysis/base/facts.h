@@ -262,7 +262,7 @@ typedef struct loop_exits {
  *  at `offset` behind what `through` points to. */
 typedef struct loop_load {
     const ir_variable *variable; /* its stands_for is the pointer */
-    const ir_variable *through; /* the function's own, or that of an earlier load */
+    const ir_variable *through;  /* the function's own, or that of an earlier load */
     int64_t offset;
 } loop_load;
 

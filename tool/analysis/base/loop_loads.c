@@ -8,9 +8,9 @@ enum { MOST_NAMED = 32 }; /* in one function */
 /* ---- what can be read so --------------------------------------------------------------------- */
 
 static bool is_plain_pointer(const ir_type *type) {
-    return type && type->kind == IR_POINTER && !type->is_const && !type->is_volatile && !type->is_atomic &&
-           !type->is_restrict && !type->has_address_space && type->spelling && type->target &&
-           type->target->kind != IR_FUNCTION_TYPE && !type->target->is_volatile &&
+    return type && type->kind == IR_POINTER && !type->is_const && !type->is_volatile &&
+           !type->is_atomic && !type->is_restrict && !type->has_address_space && type->spelling &&
+           type->target && type->target->kind != IR_FUNCTION_TYPE && !type->target->is_volatile &&
            !type->target->is_atomic && !type->target->has_address_space;
 }
 
@@ -66,8 +66,7 @@ static void name_load(naming *n, const ir_node *node) {
     const ir_node *under = pointer_under(node, &offset);
     if (is_load(under))
         name_load(n, under);
-    if (n->count == MOST_NAMED ||
-        named(n->variables.count, n->variables.items, n->function, node))
+    if (n->count == MOST_NAMED || named(n->variables.count, n->variables.items, n->function, node))
         return;
     arena *a = n->unit->arena;
     ir_variable *variable = ARENA_NEW(a, ir_variable);
@@ -121,8 +120,7 @@ typedef struct search {
 
 static ir_variable *add_load(search *s, const ir_node *node) {
     loop_loads *found = s->found;
-    ir_variable *variable =
-        named(s->unit->variable_count, s->unit->variables, s->function, node);
+    ir_variable *variable = named(s->unit->variable_count, s->unit->variables, s->function, node);
     for (unsigned i = 0; variable && i < found->count; i++)
         if (found->items[i].variable == variable)
             return variable;

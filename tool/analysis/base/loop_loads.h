@@ -3,9 +3,9 @@
  * Pointers that a loop reads through other pointers, `s->atoms->U`, and that it leaves as they are.
  *
  * While such a loop is analysed and written, a variable of the translator's own stands for each of
- * them. Generated code gives it the pointer's value before the loop, without a fault where the memory
- * cannot be read (REDCC_LOAD): the program may read it under conditions only. Where one cannot be
- * read the original loop runs.
+ * them. Generated code gives it the pointer's value before the loop, without a fault where the
+ * memory cannot be read (REDCC_LOAD): the program may read it under conditions only. Where one
+ * cannot be read the original loop runs.
  */
 #ifndef ANALYSIS_LOOP_LOADS_H
 #define ANALYSIS_LOOP_LOADS_H

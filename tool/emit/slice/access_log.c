@@ -165,9 +165,8 @@ static unsigned loops_around_writes(const ir_node *node, const ir_variable *vari
 }
 
 static unsigned loops_around(const loop_facts *facts, const ir_node *row) {
-    unsigned most = row->kind == IR_VARIABLE
-                        ? loops_around_writes(facts->counted.body, row->variable, 0)
-                        : 0;
+    unsigned most =
+        row->kind == IR_VARIABLE ? loops_around_writes(facts->counted.body, row->variable, 0) : 0;
     for (unsigned i = 0; i < row->child_count; i++) {
         const unsigned below = loops_around(facts, row->children[i]);
         most = below > most ? below : most;
