@@ -14,6 +14,14 @@ static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
     redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
 }
 
+/* Whoever names a method, or asks for bits that the original loop does not give, gets it each time.
+ */
+static int may_load(const redcc_loop *loop, redcc_word *last) {
+    const struct settings *settings = redcc_settings_for(loop);
+    return settings->method || settings->compensated || settings->validate ||
+           redcc_is_time_to_load(last);
+}
+
 static const redcc_series_calls series = {.join = redcc_series_join,
                                           .room = redcc_series_room,
                                           .again = redcc_series_again,
@@ -41,5 +49,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .misuse = stop_at_misuse,
                                    .operands_give = redcc_operands_give_all,
                                    .series = &series,
-                                   .may_load = redcc_may_load,
+                                   .may_load = may_load,
                                    .load = redcc_load};

@@ -133,7 +133,8 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
 /** Pointers that the loop reads under conditions only are read before it, where they can be read:
  *  redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
-    (redcc_is_known(&(redcc_site)) && (redcc_site).calls->may_load(&(redcc_loaded)))
+    (redcc_is_known(&(redcc_site)) &&                                                              \
+     (redcc_site).calls->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
 #define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
     (redcc_site)                                                                                   \
         .calls->load(&(redcc_variable),                                                            \

@@ -390,7 +390,7 @@ typedef struct redcc_calls {
     void (*operands_give)(const struct redcc_attempt *attempt);
     const redcc_series_calls *series;
     /** May the loop's pointers be read before it? 0: it is executed too often for that. */
-    int (*may_load)(redcc_word *last);
+    int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from`, if they can be read: 1. Never a fault. */
     int (*load)(void *to, const char *from, redcc_size bytes);
 } redcc_calls;

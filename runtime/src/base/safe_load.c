@@ -15,7 +15,7 @@
 /* Some system calls, of 0.3 microseconds, are to be 2 % of it. */
 enum { LEAST_NANOSECONDS = 60000 };
 
-int redcc_may_load(redcc_word *last) {
+bool redcc_is_time_to_load(redcc_word *last) {
     const redcc_word now = (redcc_word)(redcc_seconds() * 1e9);
     const redcc_word before = __atomic_exchange_n(last, now, __ATOMIC_RELAXED);
     return now - before >= LEAST_NANOSECONDS;

@@ -5,8 +5,10 @@
 
 #include "redcc/structures.h"
 
-/** Is the last time, kept in *last, so long ago that some system calls do not count? 1: yes. */
-int redcc_may_load(redcc_word *last);
+#include <stdbool.h>
+
+/** Is the last time, kept in *last, so long ago that some system calls do not count? */
+bool redcc_is_time_to_load(redcc_word *last);
 
 /** Copies `bytes` bytes from `from`: 1. 0: they cannot be read, or the system does not tell. Never
  * a fault, a signal, or a read of what a device has mapped. */
