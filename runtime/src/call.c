@@ -339,6 +339,18 @@ void redcc_sequential_end(redcc_loop *loop) {
 /* ---- enter, join, leave ----------------------------------------------------------------------
  */
 
+/* Before the loop is acquired. */
+static enum reason reason_at_once(struct loop_state *state, const redcc_loop *loop,
+                                  const struct settings *settings, int threads, int nested,
+                                  bool forked) {
+    if (redcc_is_serial(settings->method))
+        return REASON_NAMED;
+    const enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
+    if (reason != REASON_NONE && !settings->method)
+        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
+    return reason;
+}
+
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
@@ -356,11 +368,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0)
         return 0;
-    if (redcc_is_serial(settings->method))
-        return serially(state, REASON_NAMED);
-    enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
-    if (reason != REASON_NONE && !settings->method)
-        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
+    enum reason reason = reason_at_once(state, loop, settings, threads, nested, forked);
     if (reason != REASON_NONE)
         return serially(state, reason);
     const bool always = is_always_planned(settings);

@@ -27,7 +27,10 @@ static const redcc_series_calls series = {.join = redcc_series_join,
                                           .again = redcc_series_again,
                                           .is_over = redcc_series_is_over,
                                           .has_any = redcc_series_has_any,
-                                          .find = redcc_series_find};
+                                          .find = redcc_series_find,
+                                          .give = redcc_operands_give_all};
+
+static const redcc_load_calls loads = {.may_load = may_load, .load = redcc_load};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
@@ -47,7 +50,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .fill = redcc_rows_fill,
                                    .settle = redcc_rows_settle,
                                    .misuse = stop_at_misuse,
-                                   .operands_give = redcc_operands_give_all,
                                    .series = &series,
-                                   .may_load = may_load,
-                                   .load = redcc_load};
+                                   .loads = &loads};

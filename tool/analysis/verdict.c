@@ -142,7 +142,6 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->forwards = j->forwards.items;
     facts->forward_count = j->forwards.count;
     facts->distribution = j->distribution;
-    facts->loads = j->loads;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
     facts->variables.privates = j->privates.items;
@@ -266,12 +265,8 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 static loop_verdict analysed(const analyser *an, ir_function *function, ir_node *loop,
                              const distribution *stores, const loop_exits *exits,
                              const loop_loads *loads) {
-    loop_analysis j = {.an = an,
-                       .function = function,
-                       .loop = loop,
-                       .distribution = stores,
-                       .exits = exits,
-                       .loads = loads};
+    loop_analysis j = {
+        .an = an, .function = function, .loop = loop, .distribution = stores, .exits = exits};
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
                    add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
                    add_header_steps(&j) && add_updates(&j);
@@ -282,11 +277,13 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
               add_slice(&j);
     if (!is_fine)
         j.arrays = arrays_of_kind(&j, CONFLICT_SHARED);
+    loop_facts *facts = finish_facts(&j);
+    facts->variables.loads = loads;
     return (loop_verdict){.kind = is_fine ? VERDICT_TRANSFORM : VERDICT_REFUSE,
                           .loop = loop,
                           .function = function,
                           .why = j.why,
-                          .facts = finish_facts(&j)};
+                          .facts = facts};
 }
 
 /* Without the stores that may be made after all iterations, where there are some. */

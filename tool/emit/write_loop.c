@@ -134,7 +134,7 @@ static void open_block(loop_text *loop, writer *out) {
 /** What pointers are read before the loop, each only where those on the way to it could be. Returns
  *  the condition under which all were. */
 static const char *write_loads(loop_text *loop, writer *out) {
-    const loop_loads *loads = loop->facts->loads;
+    const loop_loads *loads = loop->facts->variables.loads;
     const char *site = outlined_name(loop, "site"), *all = "";
     if (!loads)
         return all;
@@ -245,11 +245,11 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     writer out = {0};
     distributed_take_out(loop.facts->distribution);
     loop_exits_take_out(loop.facts->slice.exits);
-    loop_loads_take_out(loop.facts->loads);
+    loop_loads_take_out(loop.facts->variables.loads);
     name_things(&loop);
     write_front(&loop, form, front);
     if (!front->text) {
-        loop_loads_put_back(loop.facts->loads);
+        loop_loads_put_back(loop.facts->variables.loads);
         loop_exits_put_back(loop.facts->slice.exits);
         distributed_put_back(loop.facts->distribution);
         *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
@@ -264,7 +264,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
     block->text = writer_text(loop.arena, &out);
-    loop_loads_put_back(loop.facts->loads);
+    loop_loads_put_back(loop.facts->variables.loads);
     loop_exits_put_back(loop.facts->slice.exits);
     distributed_put_back(loop.facts->distribution);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};

@@ -64,7 +64,7 @@ const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
         (loop_plan){.arena = a, .whole = whole, .unit = unit, .facts = facts, .options = options};
     distributed_take_out(facts->distribution);
     loop_exits_take_out(facts->slice.exits);
-    loop_loads_take_out(facts->loads);
+    loop_loads_take_out(facts->variables.loads);
     plan_sources(plan);
     check_place(plan);
     plan_reads_ahead(plan);
@@ -72,7 +72,7 @@ const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
     check_iterations(plan);
     if (!plan->obstacle.message)
         plan_form(plan);
-    loop_loads_put_back(facts->loads);
+    loop_loads_put_back(facts->variables.loads);
     loop_exits_put_back(facts->slice.exits);
     distributed_put_back(facts->distribution);
     return plan;

@@ -26,7 +26,7 @@ typedef struct redcc_attempt {
     redcc_u32 operand_count;
     const redcc_size *operand_bytes; /* [operand_count] */
     void **operands; /* [operand_count], set before any thread begins; where the loop is done, the
-                        caller gives them back (operands_give) */
+                        caller gives them back (series->give) */
     redcc_u32 series_count;
     redcc_series **series; /* [series_count], of redcc/series.h; likewise */
 } redcc_attempt;

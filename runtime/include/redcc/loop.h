@@ -134,12 +134,12 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
  *  redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
-     (redcc_site).calls->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
+     (redcc_site).calls->loads->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
 #define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
     (redcc_site)                                                                                   \
-        .calls->load(&(redcc_variable),                                                            \
-                     (const char *)((redcc_size)(redcc_through) + (redcc_offset)),                 \
-                     sizeof(redcc_variable))
+        .calls->loads->load(&(redcc_variable),                                                     \
+                            (const char *)((redcc_size)(redcc_through) + (redcc_offset)),          \
+                            sizeof(redcc_variable))
 REDCC_INLINE int redcc_is_known(redcc_site *site) {
     if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
@@ -172,7 +172,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
 /** They are used. */
-#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->operands_give(&redcc__attempt)
+#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->give(&redcc__attempt)
 
 /** What the function for one thread is given. */
 #define REDCC_MEMBER_PARAMETERS                                                                    \

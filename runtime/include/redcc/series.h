@@ -14,7 +14,7 @@
  *                                           iterations once more, without any update, and adds up
  *     series->is_over         each thread   1: it is the first, and the loop is done
  *     REDCC_SERIES_APPLY      that thread
- *     operands_give           one thread    after the loop
+ *     series->give            one thread    after the loop
  *
  * runtime.h includes this file.
  */
@@ -53,7 +53,7 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
  *  that owns the first byte which it touches, and which goes through all of it. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at,                              \
-     (redcc_writer).follows = redcc__guarded && redcc__worker->follows)
+     (redcc_writer).follows = redcc__guarded && redcc__worker->manner.follows)
 /** Is the thread to go through all of the iteration, whatever it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 

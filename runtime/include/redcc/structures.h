@@ -245,7 +245,8 @@ typedef struct redcc_entry {
 /** How a chunk is executed, beside what it computes. */
 typedef struct redcc_manner {
     int prefetches; /**< is what iterations to come touch to be prefetched? */
-    int lanes; /**< iterations at once, one of those that the descriptor names; 0: one by one */
+    int lanes;   /**< iterations at once, one of those that the descriptor names; 0: one by one */
+    int follows; /**< another thread keeps what the guarded iterations add to series */
 } redcc_manner;
 
 /** One thread's part in an execution; lives on that thread's stack. */
@@ -274,7 +275,6 @@ typedef struct redcc_worker {
     int thread;
     redcc_manner manner; /* set by redcc_next */
     redcc_int position;
-    int follows; /* of the chunk: another thread keeps what its guarded iterations add to series */
 } redcc_worker;
 
 /* ---- bins (redcc/bins.h) ---- */
@@ -346,6 +346,8 @@ typedef struct redcc_series redcc_series;
 typedef struct redcc_series_part redcc_series_part;
 typedef struct redcc_series_writer redcc_series_writer;
 
+struct redcc_attempt;
+
 /** The same for redcc/series.h. */
 typedef struct redcc_series_calls {
     void (*join)(redcc_series_writer *writer, redcc_series *series);
@@ -354,10 +356,19 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
+    /** Gives back all that the loop's operands were kept in. */
+    void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
+/** Pointers that a loop reads under conditions only are read before it. */
+typedef struct redcc_load_calls {
+    /** 0: not in this execution, for the loop is executed too often. */
+    int (*may_load)(const redcc_loop *loop, redcc_word *last);
+    /** Reads `bytes` bytes at `from`, if they can be read: 1. Never a fault. */
+    int (*load)(void *to, const char *from, redcc_size bytes);
+} redcc_load_calls;
+
 struct redcc_kept_row;
-struct redcc_attempt;
 
 /**
  * What inline functions call while a loop is inspected and executed. A thread reaches it by its
@@ -387,12 +398,8 @@ typedef struct redcc_calls {
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
     /** Ends the program with a message: the rules of redcc/parallel.h are broken. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
-    void (*operands_give)(const struct redcc_attempt *attempt);
     const redcc_series_calls *series;
-    /** May the loop's pointers be read before it? 0: it is executed too often for that. */
-    int (*may_load)(const redcc_loop *loop, redcc_word *last);
-    /** Reads `bytes` bytes at `from`, if they can be read: 1. Never a fault. */
-    int (*load)(void *to, const char *from, redcc_size bytes);
+    const redcc_load_calls *loads;
 } redcc_calls;
 
 #endif

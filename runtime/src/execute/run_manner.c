@@ -40,7 +40,7 @@ redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, un
     const unsigned asked =
         redcc_prefetch_is_possible(plan) ? it->asked : it->asked & ~(unsigned)WITH_PREFETCH;
     const unsigned manner = asked | redcc_manner_of(it->known, open_with(run, plan), part);
-    return (redcc_manner){manner & WITH_PREFETCH, lanes_of(it, manner)};
+    return (redcc_manner){manner & WITH_PREFETCH, lanes_of(it, manner), 0};
 }
 
 enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,

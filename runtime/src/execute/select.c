@@ -53,7 +53,7 @@ static bool follows(const struct selection *selection, redcc_int iteration) {
     return class != 0 && !(class & REDCC_CLASS_LEADS);
 }
 
-size_t redcc_selection_take(struct selection *selection, redcc_worker *worker, bool hooked,
+size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations) {
     const redcc_int count = worker->last - worker->first;
     size_t runs = 0;
@@ -69,10 +69,10 @@ size_t redcc_selection_take(struct selection *selection, redcc_worker *worker, b
         if (selection->class[i] == 0 && worker->first + i >= selection->idle_begin &&
             worker->first + i < selection->idle_end)
             part = hooked ? GUARDED : PLAIN;
-        if (part != SKIPPED && runs > 0 && worker->follows != follows(selection, i))
+        if (part != SKIPPED && runs > 0 && selection->follows != follows(selection, i))
             break;
         if (part != SKIPPED)
-            worker->follows = follows(selection, i);
+            selection->follows = follows(selection, i);
         if (part != SKIPPED && part == last)
             to[runs - 1].count_and_guard += 2;
         else if (part != SKIPPED)

@@ -20,7 +20,8 @@ struct selection {
     redcc_int idle_end;   /* from one to before the other */
     redcc_int executed;   /* iterations so far */
     bool asked;           /* for classes of worker->first, ...: they are not looked at yet */
-    redcc_int taken;      /* of them, so many are handed out */
+    redcc_int taken;      /* of them, so many are handed out, */
+    bool follows;         /* the last ones so (redcc_manner) */
     unsigned char class[REDCC_SELECTED];
 };
 
@@ -35,9 +36,9 @@ bool redcc_selection_ask(struct selection *selection, redcc_worker *worker);
 
 /** Runs of the iterations that were asked for, relative to worker->first, into `to`
  *  [REDCC_SELECTED]: of all that are left, or of those that the thread leads in, or follows in
- *  (worker->follows). hooked: all guarded. Returns how many, 0: nothing is left; *iterations: in
+ *  (selection->follows). hooked: all guarded. Returns how many, 0: nothing is left; *iterations: in
  *  them. */
-size_t redcc_selection_take(struct selection *selection, redcc_worker *worker, bool hooked,
+size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations);
 
 #endif

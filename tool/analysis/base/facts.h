@@ -305,6 +305,7 @@ typedef struct loop_variables {
     const private_variable *privates; /* counter excluded; includes inner loops' counters */
     unsigned captured_count;
     ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
+    const loop_loads *loads;      /* NULL: none stands for a pointer */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */
@@ -348,7 +349,6 @@ typedef struct loop_facts {
     unsigned forward_count;
     const forwarded_store *forwards;  /* in source order */
     const distribution *distribution; /* NULL: there is none */
-    const loop_loads *loads;          /* NULL: nothing stands for a pointer */
     unsigned source_count;
     const loop_source *sources; /* in the order in which the slice reads them */
     loop_variables variables;

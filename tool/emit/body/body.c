@@ -224,7 +224,7 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
 static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
-    if (node->kind == IR_VARIABLE && loop_loads_has(loop->facts->loads, node->variable))
+    if (node->kind == IR_VARIABLE && loop_loads_has(loop->facts->variables.loads, node->variable))
         return node->variable->name;
     if (array >= 0)
         return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
