@@ -356,6 +356,18 @@ static int hand_over(struct execution *execution, redcc_call *call) {
     return 1;
 }
 
+/* Before the loop is acquired. */
+static enum reason reason_at_once(struct loop_state *state, const redcc_loop *loop,
+                                  const struct settings *settings, int threads, int nested,
+                                  bool forked) {
+    if (redcc_is_serial(settings->method))
+        return REASON_NAMED;
+    const enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
+    if (reason != REASON_NONE && !settings->method)
+        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
+    return reason;
+}
+
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
@@ -373,11 +385,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0)
         return 0;
-    if (redcc_is_serial(settings->method))
-        return serially(state, REASON_NAMED);
-    enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
-    if (reason != REASON_NONE && !settings->method)
-        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
+    enum reason reason = reason_at_once(state, loop, settings, threads, nested, forked);
     if (reason != REASON_NONE)
         return serially(state, reason);
     const bool always = is_always_planned(settings);
@@ -474,8 +482,10 @@ int redcc_end(redcc_call *call) {
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
         redcc_inspection_end(&execution->inspection);
-        if (plan && !(redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
-                      redcc_reuse_keep(&execution->reuse, plan)))
+        const bool is_direct = redcc_goes_directly(&execution->advice);
+        if (plan &&
+            !(!is_direct && redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
+              redcc_reuse_keep(&execution->reuse, plan)))
             redcc_plan_free(plan);
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;

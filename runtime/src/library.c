@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "library.h"
 
+#include "base/safe_load.h"
 #include "execute/rows.h"
 #include "operands.h"
 #include "redcc/bins.h"
@@ -13,12 +14,23 @@ static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
     redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
 }
 
+/* Whoever names a method, or asks for bits that the original loop does not give, gets it each time.
+ */
+static int may_load(const redcc_loop *loop, redcc_word *last) {
+    const struct settings *settings = redcc_settings_for(loop);
+    return settings->method || settings->compensated || settings->validate ||
+           redcc_is_time_to_load(last);
+}
+
 static const redcc_series_calls series = {.join = redcc_series_join,
                                           .room = redcc_series_room,
                                           .again = redcc_series_again,
                                           .is_over = redcc_series_is_over,
                                           .has_any = redcc_series_has_any,
-                                          .find = redcc_series_find};
+                                          .find = redcc_series_find,
+                                          .give = redcc_operands_give_all};
+
+static const redcc_load_calls loads = {.may_load = may_load, .load = redcc_load};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
@@ -38,5 +50,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .fill = redcc_rows_fill,
                                    .settle = redcc_rows_settle,
                                    .misuse = stop_at_misuse,
-                                   .operands_give = redcc_operands_give_all,
-                                   .series = &series};
+                                   .series = &series,
+                                   .loads = &loads};

@@ -56,6 +56,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         return 0;
     }
     prepare(site);
+    if (!attempt)
+        return 0;
     redcc_loop *loop = &site->binned.loop;
     if (loop->flags & REDCC_SHORT && !redcc_is_worth_entering(attempt->trip))
         return 0;

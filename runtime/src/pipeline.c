@@ -24,7 +24,8 @@ void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
     reuse->found = NULL;
-    if (!execution->call.in_bins && (execution->call.method || advice->action == ACTION_REUSE))
+    if (!execution->call.in_bins && !redcc_goes_directly(advice) &&
+        (execution->call.method || advice->action == ACTION_REUSE))
         redcc_reuse_find(reuse, execution->call.threads,
                          execution->call.method ? WAY_SEQUENTIAL : advice->way);
 }
@@ -56,15 +57,17 @@ static enum stage begin_inspection(struct execution *execution) {
     const bool named = execution->call.method != NULL;
     const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
     redcc_reuse_drop_found(&execution->reuse);
-    if (!named && execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
+    const bool is_direct = redcc_goes_directly(&execution->advice);
+    if (!named && !is_direct &&
+        execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
         return refuse(execution, REASON_CHANGED);
     if (is_dry && redcc_may_have_aliases())
         return refuse(execution, REASON_TWO_ADDRESSES);
     execution->inspected = true;
     /* The sample has none; auto sets it, after that. */
     execution->inspection.deadline =
-        is_dry && !named ? redcc_seconds() + execution->advice.deadline : 0;
-    if (!redcc_inspection_begin(&execution->inspection, !named))
+        is_dry && !named && !is_direct ? redcc_seconds() + execution->advice.deadline : 0;
+    if (!redcc_inspection_begin(&execution->inspection, !named && !is_direct))
         return refuse(execution, REASON_NO_MEMORY);
     return is_dry ? STAGE_DRY_RUN : STAGE_SAMPLE;
 }

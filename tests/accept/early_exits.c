@@ -75,6 +75,19 @@ __attribute__((noipa)) static void by_exit(int n) {
     }
 }
 
+/* What leads past a condition leads past what traps in it. */
+__attribute__((noipa)) static int by_quotient(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = k[t], d = i % 3;
+        if (i < 0 || d == 0)
+            continue;
+        if (limit / d == 7)
+            return t;
+        h[i] += w[t];
+    }
+    return n;
+}
+
 static int checked(int i) {
     assert(i < most);
     return i;
@@ -90,13 +103,14 @@ __attribute__((noipa)) static void by_assert(int n) {
 }
 
 static void run(const char *name) {
-    int results[4];
+    int results[5];
     by_assert(N);
     results[0] = by_return(N);
     results[1] = by_break(N);
     results[2] = by_goto(N);
     results[3] = from_inside(N);
     by_exit(N);
+    results[4] = by_quotient(N);
     case_print(name, results, sizeof results);
     case_print("h", h, sizeof h);
     fflush(stdout);

@@ -80,6 +80,30 @@ static void values_decide(int n) {
     }
 }
 
+/* Places around one, by a function that fills a list: as many as bounds with one unknown tell. */
+static void row_and_column(int place, int *row, int *column) {
+    *row = place / 20;
+    *column = place % 20;
+}
+
+static int around(int place, int *list) {
+    int row, column, count = 0;
+    row_and_column(place, &row, &column);
+    for (int i = row - 1; i <= row + 1; i++)
+        for (int j = column - 1; j < column + 2; ++j)
+            list[count++] = (i * 20 + j + M) % M;
+    return count;
+}
+
+static void neighbours(int n) {
+    int list[9];
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int count = around(s[t][0], list);
+        for (int q = 0; q < count; q++)
+            h[list[q]] += 0.125 * q + x[s[t][1]];
+    }
+}
+
 int main(void) {
     case_values(x, M);
     for (int round = 0; round < 3; round++) {
@@ -91,6 +115,7 @@ int main(void) {
         arrays(N);
         control(N);
         values_decide(N);
+        neighbours(N / 2);
         CASE_PRINT(kept);
         CASE_PRINT(h);
     }

@@ -159,3 +159,86 @@ void static_array(int n, const int *k, double *h, const double *v) {
         h[k[t]] += f[0];
     }
 }
+
+/* ---- a list of places around one, of which some may not be written: which the bounds do not tell ---- */
+
+static int *keep(int *to, int value) {
+    *to = value;
+    return to;
+}
+static void set(int *to, int value) {
+    *to = value;
+}
+/* The bound falls while the loop runs. */
+static int around_kept(int t, int *to) {
+    int x, count = 0;
+    int *const bound = keep(&x, t);
+    for (int i = x - 1; i <= x + 1; i++) {
+        to[count++] = i < 0 ? 0 : i;
+        *bound -= 1;
+    }
+    return count;
+}
+
+static int around_two(int t, int *to) {
+    int x, y, count = 0;
+    set(&x, t);
+    set(&y, t / 2);
+    for (int i = x - 1; i <= y + 1; i++)
+        to[count++] = i < 0 ? 0 : i;
+    return count;
+}
+
+/* Just below the largest, it ends at once. */
+static int around_unsigned(unsigned x, int *to) {
+    int count = 0;
+    for (unsigned i = x - 1; i <= x + 1; i++)
+        to[count++] = (int)(i % 8);
+    return count;
+}
+
+static int around_left(int x, int *to) {
+    int count = 0;
+    for (int i = x - 1; i <= x + 1; i++) {
+        if (i > 5)
+            break;
+        to[count++] = i < 0 ? 0 : i;
+    }
+    return 3;
+}
+
+static int around_few(int x, int *to) {
+    int count = 0;
+    for (int i = x - 1; i < x + 1; i++)
+        to[count++] = i < 0 ? 0 : i;
+    return 3;
+}
+
+void around(int n, const int *k, double *restrict h, const double *v) {
+    int list[3] = {0};
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        around_kept(k[t], list);
+        for (int q = 0; q < 3; q++)
+            h[list[q]] += v[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        around_two(k[t], list);
+        for (int q = 0; q < 3; q++)
+            h[list[q]] += v[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        around_unsigned((unsigned)k[t], list);
+        for (int q = 0; q < 3; q++)
+            h[list[q]] += v[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        around_left(k[t], list);
+        for (int q = 0; q < 3; q++)
+            h[list[q]] += v[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        around_few(k[t], list);
+        for (int q = 0; q < 3; q++)
+            h[list[q]] += v[t];
+    }
+}

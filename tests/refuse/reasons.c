@@ -9,7 +9,7 @@ void side_effect(int n, const int *restrict s, double *restrict h, const double 
 }
 
 struct holder {
-    double *b;
+    double *restrict b;
 };
 
 void base_conditional(int n, const int *restrict s, struct holder *restrict out) {

@@ -4,7 +4,7 @@
 // covers: row 46
 struct matrix {
     int *column;
-    double *value;
+    double *restrict value;
 };
 
 static int find(const struct matrix *a, int row) {

@@ -101,7 +101,7 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                     if (redcc_is_settled(&worker)) {
                         const redcc_int from = t;
                         for (; t < worker.last; t++) {
-                            redcc_probe probe = {0, 0, 0};
+                            redcc_probe probe = {0, 0, 0, 0, 0, 0};
                             INSPECT(t, PROBE_READ, PROBE_TOUCH);
                             if (!redcc_is_alike(&probe))
                                 break;
@@ -117,7 +117,7 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                 if (asked == REDCC_SELECT) {
                     unsigned char class[REDCC_SELECTED];
                     for (redcc_int t = worker.first; t < worker.last; t++) {
-                        redcc_probe probe = {0, 0, 1};
+                        redcc_probe probe = {0, 0, 1, 0, 0, 0};
                         INSPECT(t, PROBE_READ, PROBE_TOUCH);
                         class[t - worker.first] = redcc_class_of(&probe);
                     }

@@ -7,11 +7,13 @@
 #include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/loop_loads.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
 #include "analysis/loop/gate.h"
+#include "analysis/loop/loads_stay.h"
 #include "analysis/loop/spans.h"
 #include "analysis/overlap/sources.h"
 #include "analysis/private/induction.h"
@@ -261,7 +263,8 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 }
 
 static loop_verdict analysed(const analyser *an, ir_function *function, ir_node *loop,
-                             const distribution *stores, const loop_exits *exits) {
+                             const distribution *stores, const loop_exits *exits,
+                             const loop_loads *loads) {
     loop_analysis j = {
         .an = an, .function = function, .loop = loop, .distribution = stores, .exits = exits};
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
@@ -274,11 +277,13 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
               add_slice(&j);
     if (!is_fine)
         j.arrays = arrays_of_kind(&j, CONFLICT_SHARED);
+    loop_facts *facts = finish_facts(&j);
+    facts->variables.loads = loads;
     return (loop_verdict){.kind = is_fine ? VERDICT_TRANSFORM : VERDICT_REFUSE,
                           .loop = loop,
                           .function = function,
                           .why = j.why,
-                          .facts = finish_facts(&j)};
+                          .facts = facts};
 }
 
 /* Without the stores that may be made after all iterations, where there are some. */
@@ -288,9 +293,25 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     if (!stores)
         return (loop_verdict){.kind = VERDICT_REFUSE};
     distributed_take_out(stores);
-    const loop_verdict found = analysed(an, function, loop, stores, NULL);
+    const loop_verdict found = analysed(an, function, loop, stores, NULL, NULL);
     distributed_put_back(stores);
     return found;
+}
+
+/* With variables in the place of pointers that are read under conditions only, or of which it is to
+ * be known when the loop begins where they lead to. */
+static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
+                                     const loop_exits *exits, loop_verdict found) {
+    if (found.kind != VERDICT_REFUSE ||
+        (found.why.id != REASON_BASE_CONDITIONAL && found.why.id != REASON_MAY_ALIAS))
+        return found;
+    const loop_loads *loads = loop_loads_find(an->memory, an->unit, function, ir_loop_body(loop));
+    if (!loads || !loads_stay(an, loop, loads))
+        return found;
+    loop_loads_take_out(loads);
+    const loop_verdict loading = analysed(an, function, loop, NULL, exits, loads);
+    loop_loads_put_back(loads);
+    return loading.kind == VERDICT_TRANSFORM ? loading : found;
 }
 
 /* Without what leaves it: as it is where no iteration does. */
@@ -299,7 +320,8 @@ static loop_verdict analysed_staying(const analyser *an, ir_function *function, 
     if (!exits)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION};
     loop_exits_take_out(exits);
-    const loop_verdict found = analysed(an, function, loop, NULL, exits);
+    const loop_verdict found = analysed_loading(an, function, loop, exits,
+                                                analysed(an, function, loop, NULL, exits, NULL));
     loop_exits_put_back(exits);
     return found;
 }
@@ -311,7 +333,8 @@ static bool is_about_leaving(reason_id why) {
 
 loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
     const analyser *an = analyser_for(whole, loop);
-    const loop_verdict found = analysed(an, function, loop, NULL, NULL);
+    const loop_verdict found =
+        analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
     if (found.kind != VERDICT_REFUSE)
         return found;
     if (is_about_leaving(found.why.id)) {

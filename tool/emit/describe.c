@@ -8,6 +8,7 @@
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "plan/execution.h"
+#include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
@@ -142,6 +143,14 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
+/** Do guarded iterations leave out inner ones? */
+static bool leaves_out(const loop_plan *plan) {
+    for (unsigned i = 0; i < plan->skip_count; i++)
+        if (!plan->skips[i].declined)
+            return true;
+    return false;
+}
+
 static const char *flags_text(const loop_text *loop) {
     const bool prefetches = loop->plan->prefetch.ahead > 0;
     const struct {
@@ -154,7 +163,8 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->plan->precheck != PRECHECK_NONE, "REDCC_DRY_RUN"},
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->facts->slice.may_abort, "REDCC_MAY_ABORT"},
-                 {!leaves_values(loop->facts), "REDCC_SELECTS"},
+                 {true, "REDCC_SELECTS"},
+                 {leaves_out(loop->plan), "REDCC_PARTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
@@ -188,6 +198,8 @@ static void write_loop_object(loop_text *loop, writer *out) {
 }
 
 void write_description(loop_text *loop, writer *out) {
+    if (loop->facts->variables.loads)
+        writer_line(out, "static redcc_word %s;", outlined_name(loop, "loaded"));
     write_arrays(loop, out);
     write_sources(loop, out);
     if (loop->bins)

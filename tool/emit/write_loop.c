@@ -6,6 +6,7 @@
 
 #include "analysis/base/distributed.h"
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/loop_loads.h"
 #include "analysis/base/loop_text.h"
 #include "emit/as_compiled.h"
 #include "emit/base/names.h"
@@ -130,6 +131,26 @@ static void open_block(loop_text *loop, writer *out) {
     write_no_lanes(loop, out);
 }
 
+/** What pointers are read before the loop, each only where those on the way to it could be. Returns
+ *  the condition under which all were. */
+static const char *write_loads(loop_text *loop, writer *out) {
+    const loop_loads *loads = loop->facts->variables.loads;
+    const char *site = outlined_name(loop, "site"), *all = "";
+    if (!loads)
+        return all;
+    all = arena_format(loop->arena, " && REDCC_MAY_LOAD(%s, %s)", site,
+                       outlined_name(loop, "loaded"));
+    for (unsigned i = 0; i < loads->count; i++) {
+        const loop_load *load = &loads->items[i];
+        writer_line(out, "%s;",
+                    assignable_declaration_text(loop, load->variable->type, load->variable->name));
+        all = arena_format(loop->arena, "%s && REDCC_LOAD(%s, %s, %s, %lld)", all, site,
+                           load->variable->name, origin_variable(loop->arena, load->through),
+                           (long long)load->offset);
+    }
+    return all;
+}
+
 static void write_parallel_form(loop_text *loop, writer *out) {
     open_block(loop, out);
     buffer_text(&out->out, loop_condition(loop));
@@ -140,7 +161,8 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     declare_live_outs(loop, out);
     declare_conditional_live_outs(loop, out);
     writer_line(out, "int redcc__done = 0;");
-    writer_line(out, "if (%s) {", entry);
+    const char *loaded = write_loads(loop, out);
+    writer_line(out, "if (%s%s) {", entry, loaded);
     out->depth++;
     write_attempt(loop, out);
     out->depth--;
@@ -214,9 +236,12 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     writer out = {0};
     distributed_take_out(loop.facts->distribution);
     loop_exits_take_out(loop.facts->slice.exits);
+    loop_loads_take_out(loop.facts->variables.loads);
     name_things(&loop);
     write_front(&loop, form, front);
     if (!front->text) {
+        loop_loads_put_back(loop.facts->variables.loads);
+        loop_exits_put_back(loop.facts->slice.exits);
         distributed_put_back(loop.facts->distribution);
         *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
         return false;
@@ -230,6 +255,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
     block->text = writer_text(loop.arena, &out);
+    loop_loads_put_back(loop.facts->variables.loads);
     loop_exits_put_back(loop.facts->slice.exits);
     distributed_put_back(loop.facts->distribution);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};

@@ -137,6 +137,9 @@ typedef struct ir_variable {
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
     bool is_unnamed; /* of another file: no text of this one can name it. Not in the text form */
     const ir_declared *declared; /* NULL: not known. Not in the text form */
+    const ir_node *stands_for;   /* the translator's own: a pointer that loops of the function read
+                                    through others (analysis/base/loop_loads.h). Not in the text form
+                                  */
 } ir_variable;
 
 /** Where a body of another file comes from. */

@@ -18,6 +18,7 @@ typedef struct inner_rest {
     unsigned rest;        /* number of the statement that the rest of an iteration begins with */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
+    bool adds_to_series; /* does the rest? */
     unsigned sum_count;
     const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
 } inner_rest;
@@ -89,6 +90,12 @@ static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable
     return true;
 }
 
+static bool is_series_update(const inner_rest *t, const ir_node *node) {
+    const int scalar = node->kind == IR_EXPRESSION ? scalar_update_at(t->facts, node) : -1;
+    return scalar >= 0 && t->facts->scalars[scalar].is_series &&
+           expression_is_plain(t->facts->scalars[scalar].value);
+}
+
 /** Has it an effect that later iterations or statements can see, other than updates and sums?
  * `is_inside`: a loop or switch of the rest encloses it. */
 static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
@@ -106,6 +113,10 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
         break;
     default:
         break;
+    }
+    if (is_series_update(t, node)) { /* of which the thread that leads leaves nothing out */
+        t->adds_to_series = true;
+        return false;
     }
     const ir_node *written = expression_written(node);
     const ir_variable *object = written ? expression_object(written) : NULL;
@@ -368,6 +379,7 @@ static void find_skips(const loop_plan *plan, const ir_node *node, skip_list *li
         if (!skip.declined) {
             skip.before = t.block->children[t.rest];
             skip.row_count = t.row_count;
+            skip.adds_to_series = t.adds_to_series;
             for (unsigned i = 0; i < t.row_count; i++)
                 skip.rows[i] = t.rows[i];
         }

@@ -36,6 +36,8 @@ typedef struct inner_skip {
     const ir_node *loop;
     const char *declined;  /* why none is left out; NULL: */
     const ir_node *before; /* the statement of the body in front of which ownership is checked */
+    bool adds_to_series; /* what is left out; the thread that keeps the operands leaves nothing out
+                          */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;

@@ -6,6 +6,7 @@
 
 #include "analysis/base/distributed.h"
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/loop_loads.h"
 #include "plan/bins.h"
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
@@ -53,8 +54,7 @@ static void plan_form(loop_plan *plan) {
         plan->no_bins = "the loop leaves more than its updates of arrays";
     else
         plan_bins(plan);
-    if (!leaves_values(facts))
-        plan_inner_skips(plan);
+    plan_inner_skips(plan);
 }
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
@@ -64,6 +64,7 @@ const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
         (loop_plan){.arena = a, .whole = whole, .unit = unit, .facts = facts, .options = options};
     distributed_take_out(facts->distribution);
     loop_exits_take_out(facts->slice.exits);
+    loop_loads_take_out(facts->variables.loads);
     plan_sources(plan);
     check_place(plan);
     plan_reads_ahead(plan);
@@ -71,6 +72,7 @@ const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
     check_iterations(plan);
     if (!plan->obstacle.message)
         plan_form(plan);
+    loop_loads_put_back(facts->variables.loads);
     loop_exits_put_back(facts->slice.exits);
     distributed_put_back(facts->distribution);
     return plan;

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/base/loop_loads.h"
 #include "analysis/base/reason.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
@@ -261,6 +262,7 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
 /** With the functions of other files, where a loop needs them. */
 static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
                                             const project *around, const analysis_options *asked) {
+    loop_loads_name(unit);
     const analysis_result alone = analyse(a, unit, asked);
     return around && imports_add(a, unit, around, flags, &alone) ? analyse(a, unit, asked) : alone;
 }

@@ -26,7 +26,7 @@ typedef struct redcc_attempt {
     redcc_u32 operand_count;
     const redcc_size *operand_bytes; /* [operand_count] */
     void **operands; /* [operand_count], set before any thread begins; where the loop is done, the
-                        caller gives them back (operands_give) */
+                        caller gives them back (series->give) */
     redcc_u32 series_count;
     redcc_series **series; /* [series_count], of redcc/series.h; likewise */
 } redcc_attempt;
@@ -38,7 +38,7 @@ typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, co
 extern "C" {
 #endif
 /** Executes a loop. 1: it is done. 0: nothing was written, the sequential loop must run; `version`
- *  is that of the caller. Thread-safe. */
+ *  is that of the caller. Without an attempt nothing but `calls` is set. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
 #ifdef __cplusplus

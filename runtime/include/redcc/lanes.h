@@ -218,7 +218,7 @@ redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const voi
                             redcc_arguments)                                                       \
     for (;;) {                                                                                     \
         int redcc__asked;                                                                          \
-        REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+        REDCC_NEXT_CHUNK(1, redcc_call_of_slice)                                                   \
         if (!redcc__asked)                                                                         \
             break;                                                                                 \
         {                                                                                          \

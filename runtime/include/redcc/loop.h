@@ -130,6 +130,25 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
     return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
 }
 
+/** Pointers that the loop reads under conditions only are read before it, where they can be read:
+ *  redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
+#define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
+    (redcc_is_known(&(redcc_site)) &&                                                              \
+     (redcc_site).calls->loads->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
+#define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
+    (redcc_site)                                                                                   \
+        .calls->loads->load(&(redcc_variable),                                                     \
+                            (const char *)((redcc_size)(redcc_through) + (redcc_offset)),          \
+                            sizeof(redcc_variable))
+REDCC_INLINE int redcc_is_known(redcc_site *site) {
+    if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
+        redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
+    {
+        const redcc_calls *const calls = __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
+        return calls && calls->bytes >= sizeof *calls; /* else of an older library */
+    }
+}
+
 /** Executes the loop in parallel: 1. 0: nothing was written, the loop must run as it was. Not
  *  expected to: what registers there are is for the loop beside it. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \
@@ -153,7 +172,7 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
 /** They are used. */
-#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->operands_give(&redcc__attempt)
+#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->give(&redcc__attempt)
 
 /** What the function for one thread is given. */
 #define REDCC_MEMBER_PARAMETERS                                                                    \
@@ -253,6 +272,11 @@ enum { redcc__by_calls = 0 };
             redcc_iteration_leaves(redcc__worker);                                                 \
         return;                                                                                    \
     }
+
+/** Whoever owns the row that is touched next goes through all of the iteration (redcc/series.h). */
+#define REDCC_LEADER                                                                               \
+    if (redcc__probe)                                                                              \
+        redcc__probe->preferred = 1;
 
 /** All from an address to before another. */
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
@@ -370,7 +394,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
             if (redcc_is_settled(redcc__worker)) {                                                 \
                 const redcc_int redcc__from = redcc__k;                                            \
                 for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0};                                           \
+                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                  \
                     redcc_probe *const redcc__probe = &redcc__seen;                                \
                     redcc_call_of_slice;                                                           \
                     if (!redcc_is_alike(&redcc__seen))                                             \
@@ -469,12 +493,12 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /** Says of iterations whether they touch what the thread owns. A local array: what is stored there
  *  is none of what the slice reads, as compilers see. */
-#define REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
+#define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__told = 0;                                                           \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
         for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
-            redcc_probe redcc__seen = {0, 0, 1};                                                   \
+            redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                              \
             redcc_probe *const redcc__probe = &redcc__seen;                                        \
             redcc_call_of_slice;                                                                   \
             redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \
@@ -484,22 +508,23 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /** The next chunk to execute, in front of a block; before it, iterations are selected where the
  *  runtime asks for that. */
-#define REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+#define REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
     for (;;) {                                                                                     \
         redcc__asked = redcc__worker->call->calls->next(redcc__worker);                            \
         if (__builtin_expect(redcc__asked != REDCC_SELECT, 1))                                     \
             break;                                                                                 \
-        REDCC_CLASSIFY(redcc_call_of_slice)                                                        \
+        REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     }
 
 /** Hands out chunks to execute, run by run, guarded or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
-    REDCC_EXECUTE_AND(0, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
+    REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
 /** The same, also once more where that is asked for in the end. */
-#define REDCC_EXECUTE_AND(redcc_again, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)       \
+#define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
+                          redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
         int redcc__asked;                                                                          \
-        REDCC_NEXT_CHUNK(redcc_call_of_slice)                                                      \
+        REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
         if (!redcc__asked && !(redcc_again))                                                       \
             break;                                                                                 \
         {                                                                                          \
@@ -542,7 +567,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
-        REDCC_EXECUTE_AND(redcc_again, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)       \
+        REDCC_EXECUTE_AND(redcc_again, 2, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)    \
     }
 
 /** gcc inlines a static function that is called at one place only; several copies of the place are

@@ -14,7 +14,7 @@
  *                                           iterations once more, without any update, and adds up
  *     series->is_over         each thread   1: it is the first, and the loop is done
  *     REDCC_SERIES_APPLY      that thread
- *     operands_give           one thread    after the loop
+ *     series->give            one thread    after the loop
  *
  * runtime.h includes this file.
  */
@@ -37,6 +37,7 @@ struct redcc_series_writer {
     double *block_end;       /**< behind the memory that `at` leads into */
     int adds;                /**< the thread adds up by itself: there is never room */
     int begins;              /**< and has not begun yet */
+    int follows;             /**< another thread keeps the operands of the iteration at hand */
 };
 
 /** Number `number` of the loop's series is this thread's to write to. */
@@ -48,12 +49,19 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
     writers[number].calls = worker->call->calls->series;
 }
 
+/** An iteration begins: in the guarded form another thread may be to keep its operands, the one
+ *  that owns the first byte which it touches, and which goes through all of it. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
-    ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at)
+    ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at,                              \
+     (redcc_writer).follows = redcc__guarded && redcc__worker->manner.follows)
+/** Is the thread to go through all of the iteration, whatever it owns? */
+#define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
 /** Keeps an operand of iteration number k; 0: there is no room. */
 static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
                                                                    redcc_int k, double operand) {
+    if (writer->follows)
+        return 1;
     if (writer->at == writer->end && !writer->calls->room(writer, k))
         return 0;
     *writer->at++ = operand;

@@ -95,8 +95,23 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 typedef struct redcc_probe {
     int inside;
     int outside;
-    int selects; /* a constant in each use */
+    int selects;   /* a constant in each use; 2: is the first byte that it touches in the window? */
+    int preferred; /* the row that is touched next is one of those that lead where there are any */
+    int rank;      /* of what has led so far: 0: nothing, 1: a row, 2: a preferred one */
+    int leads;
 } redcc_probe;
+
+/** The first byte of the first preferred row leads, or of the first one: all threads see the same.
+ */
+static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
+                                         const void *address) {
+    const int rank = probe->preferred ? 2 : 1;
+    probe->preferred = 0;
+    if (probe->selects != 2 || probe->rank >= rank)
+        return;
+    probe->rank = rank;
+    probe->leads = (redcc_size)address - (redcc_size)window->first < window->size;
+}
 
 /** Are the last iterations told all within the window, so that the next ones are likely to be? Then
  *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read (or the same of
@@ -150,6 +165,8 @@ static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker 
                                          redcc_u32 array, const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     if (probe->selects) {
+        if (bytes > 0)
+            redcc_probe_first(probe, window, address);
         probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
         probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
         return;
@@ -162,6 +179,7 @@ static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_wor
                                              redcc_u32 array, const void *base, redcc_int row,
                                              redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
+    redcc_probe_first(probe, window, (const char *)base + row * (redcc_int)bytes);
     probe->inside |=
         !probe->selects || redcc_row_meets(window->first, window->size, base, row, bytes);
     probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
@@ -192,7 +210,8 @@ static __inline__ int redcc_is_alike(const redcc_probe *probe) {
 /** REDCC_SELECT: the class of the iteration that was probed. */
 static __inline__ unsigned char redcc_class_of(const redcc_probe *probe) {
     return (unsigned char)((probe->inside ? REDCC_CLASS_OWN : 0) |
-                           (probe->outside ? REDCC_CLASS_OTHERS : 0));
+                           (probe->outside ? REDCC_CLASS_OTHERS : 0) |
+                           (probe->leads ? REDCC_CLASS_LEADS : 0));
 }
 
 /** REDCC_SELECT: hands over the classes of the iterations that were asked for. */

@@ -152,7 +152,9 @@ enum {
     /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
     REDCC_BY_HAND = 65536,
     /** An assertion in a function that its slice calls may end the program. */
-    REDCC_MAY_ABORT = 131072
+    REDCC_MAY_ABORT = 131072,
+    /** Guarded iterations leave out what updates nothing of the thread's. */
+    REDCC_PARTS = 262144
 };
 
 enum {
@@ -165,6 +167,8 @@ enum {
      *  is. */
     REDCC_CLASS_OWN = 1,
     REDCC_CLASS_OTHERS = 2,
+    /** The first byte that it touches is the thread's: of all threads that execute it one leads. */
+    REDCC_CLASS_LEADS = 4,
     /** What redcc_bins_next gives: 0 where there are no more bins; iterations; or that some are in
      *  between, which redcc_next hands out, before the next call. */
     REDCC_HANDED = 1,
@@ -247,6 +251,7 @@ typedef struct redcc_entry {
 typedef struct redcc_manner {
     int prefetches; /**< is what iterations to come touch to be prefetched? */
     int lanes;      /**< iterations at once, as the descriptor has it; 0: one by one */
+    int follows;    /**< another thread keeps what the guarded iterations add to series */
 } redcc_manner;
 
 /** One thread's part in an execution; lives on that thread's stack. */
@@ -346,6 +351,8 @@ typedef struct redcc_series redcc_series;
 typedef struct redcc_series_part redcc_series_part;
 typedef struct redcc_series_writer redcc_series_writer;
 
+struct redcc_attempt;
+
 /** The same for redcc/series.h. */
 typedef struct redcc_series_calls {
     void (*join)(redcc_series_writer *writer, redcc_series *series);
@@ -354,10 +361,19 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
+    /** Gives back all that the loop's operands were kept in. */
+    void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
+/** Pointers that a loop reads under conditions only are read before it. */
+typedef struct redcc_load_calls {
+    /** 0: not in this execution, for the loop is executed too often. */
+    int (*may_load)(const redcc_loop *loop, redcc_word *last);
+    /** Reads `bytes` bytes at `from`, if they can be read: 1. Never a fault. */
+    int (*load)(void *to, const char *from, redcc_size bytes);
+} redcc_load_calls;
+
 struct redcc_kept_row;
-struct redcc_attempt;
 
 /**
  * What inline functions call while a loop is inspected and executed. A thread reaches it by its
@@ -387,8 +403,8 @@ typedef struct redcc_calls {
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
     /** Ends the program with a message: the rules of redcc/parallel.h are broken. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
-    void (*operands_give)(const struct redcc_attempt *attempt);
     const redcc_series_calls *series;
+    const redcc_load_calls *loads;
 } redcc_calls;
 
 #endif

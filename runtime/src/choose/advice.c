@@ -127,6 +127,8 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .dry_run = loop->flags & REDCC_DRY_RUN};
     if (loop->flags & REDCC_BINNED)
         now.kept[WAY_BINS] = KEPT_FITS;
+    if (loop->flags & REDCC_SELECTS)
+        now.kept[WAY_DIRECT] = KEPT_FITS;
     return now;
 }
 
@@ -262,6 +264,20 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
+/* Each thread evaluates all slices, after all together have evaluated them once; a dry run, by one,
+ * is that as well. What is left out of guarded iterations is more than half. */
+static double share_directly(const struct inspection *inspection, const struct findings *it) {
+    const uint32_t flags = inspection->call->request.loop->flags;
+    const double even = 1.0 / it->threads;
+    const double share = flags & REDCC_PARTS ? even + (it->share - even) / 4 : it->share;
+    const double dried =
+        flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
+    const double slice = dried > 0 ? dried : 3 * it->touches * LEARN_TOUCH;
+    return flags & REDCC_SELECTS && it->sequential > 0
+               ? share + (dried + slice * (1 + even)) / it->sequential
+               : 0;
+}
+
 /* Updates in no order; or of a small array of integers, which are made on private copies. */
 static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
                       struct findings *findings) {
@@ -300,6 +316,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.runs = estimate->changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
     findings.fetched = is_fetched(inspection, findings.runs);
+    findings.direct = share_directly(inspection, &findings);
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);
@@ -314,7 +331,8 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
                                   .awaited = entry->awaited,
                                   .steady = chooser->steady,
-                                  .verified = chooser->verified};
+                                  .verified = chooser->verified,
+                                  .kept = {[WAY_DIRECT] = KEPT_FITS}};
     return redcc_pick_way(&chooser->state, &now, arm, findings.spent);
 }
 
@@ -327,11 +345,19 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                : call->method->by_graph ? ROUTE_GRAPH
                : call->method->selects  ? ROUTE_DIRECT
                                         : ROUTE_OWNERS;
+    if (redcc_goes_directly(entry)) {
+        redcc_partition_join_stealable(partition);
+        return ROUTE_DIRECT;
+    }
     const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
     const struct decision decision = pick_way(chooser, inspection, estimate, entry);
     if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
         redcc_partition_join_stealable(partition);
     entry->way = decision.way;
+    if (decision.action == ACTION_REUSE && decision.way == WAY_DIRECT) {
+        entry->action = ACTION_REUSE;
+        return ROUTE_DIRECT;
+    }
     if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
     inspection->deadline = redcc_seconds() + decision.deadline;
@@ -362,6 +388,8 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
 const struct method *redcc_advise_swept(const struct chooser *chooser,
                                         const struct inspection *inspection, bool reusable) {
     const struct method *named = inspection->call->method;
+    if (!named && inspection->route == ROUTE_DIRECT)
+        return &redcc_method_localwrite_direct;
     if (inspection->route == ROUTE_COPIES)
         return named ? named : &redcc_method_expansion;
     if (named && !inspection->no_graph)

@@ -51,6 +51,12 @@ struct advice {
     enum rule rule;
 };
 
+/** By owners without an inspection of who executes what? It has no plan that could be used again.
+ */
+static inline bool redcc_goes_directly(const struct advice *advice) {
+    return advice->action == ACTION_REUSE && advice->way == WAY_DIRECT;
+}
+
 /** Is this a call in which the loop is left alone, since it is short or nothing served it lately?
  *  Then *advice says so, for a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);

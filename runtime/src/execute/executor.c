@@ -177,7 +177,7 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
     runner->step = begin < end ? step : STEP_END;
     runner->in_order_end = end;
     worker->position = begin;
-    worker->manner = (redcc_manner){0, 0};
+    worker->manner = (redcc_manner){0, 0, 0};
     worker->base = runner->base;
     worker->owner = runner->owner; /* not asked: nothing is guarded */
     worker->run_end = NULL;
@@ -381,15 +381,17 @@ static int hand_out_selected(redcc_worker *worker) {
     const bool hooked = is_hooked(runner->plan);
     if (hooked)
         redcc_hooks_settle(&runner->hooks);
-    if (selection->asked) {
+    if (selection->asked || selection->taken < worker->last - worker->first) {
         redcc_int iterations;
+        if (selection->asked)
+            errno = 0;
         const size_t runs =
             redcc_selection_take(selection, worker, hooked, runner->piece, &iterations);
-        errno = 0;
         worker->origin = worker->first;
         worker->run = runner->piece;
         worker->run_end = runner->piece + runs;
         turn_to_part(worker);
+        worker->manner.follows = selection->follows;
         parts->left -= parts->count > 0 ? iterations : 0;
         if (runs > 0)
             return 1;

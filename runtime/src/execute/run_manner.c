@@ -29,7 +29,7 @@ redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, un
     const struct manner_choice *it = &run->manner;
     const bool prefetches = (it->is_asked && redcc_prefetch_is_possible(plan)) ||
                             redcc_manner_of(it->known, is_open_with(run, plan), part);
-    return (redcc_manner){prefetches, it->lanes};
+    return (redcc_manner){prefetches, it->lanes, 0};
 }
 
 void redcc_run_note_manner(const struct run *run, struct manners *known, const double *seconds,

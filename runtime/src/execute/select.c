@@ -9,6 +9,7 @@ void redcc_selection_begin(struct selection *selection, redcc_worker *worker, re
     selection->trip = trip;
     selection->idle_begin = selection->idle_end = 0;
     selection->executed = 0;
+    selection->taken = 0;
     selection->asked = false;
     worker->first = worker->last = 0;
     worker->window = selection->window;
@@ -34,7 +35,7 @@ bool redcc_selection_ask(struct selection *selection, redcc_worker *worker) {
 }
 
 static int part_of(const struct selection *selection, redcc_int iteration, bool hooked) {
-    const unsigned class = selection->class[iteration];
+    const unsigned class = selection->class[iteration] & ~(unsigned)REDCC_CLASS_LEADS;
     switch (class) {
     case REDCC_CLASS_OWN:
         return hooked ? GUARDED : PLAIN;
@@ -45,19 +46,33 @@ static int part_of(const struct selection *selection, redcc_int iteration, bool 
     }
 }
 
+/* Does another thread keep what it adds to series? Iterations that touch nothing are one thread's.
+ */
+static bool follows(const struct selection *selection, redcc_int iteration) {
+    const unsigned class = selection->class[iteration];
+    return class != 0 && !(class & REDCC_CLASS_LEADS);
+}
+
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations) {
     const redcc_int count = worker->last - worker->first;
     size_t runs = 0;
     int last = SKIPPED;
-    assert(selection->asked && 0 < count && count <= REDCC_SELECTED);
+    assert(0 < count && count <= REDCC_SELECTED);
+    if (selection->asked)
+        selection->taken = 0;
     selection->asked = false;
     *iterations = 0;
-    for (redcc_int i = 0; i < count; i++) {
+    for (; selection->taken < count; selection->taken++) {
+        const redcc_int i = selection->taken;
         int part = part_of(selection, i, hooked);
         if (selection->class[i] == 0 && worker->first + i >= selection->idle_begin &&
             worker->first + i < selection->idle_end)
             part = hooked ? GUARDED : PLAIN;
+        if (part != SKIPPED && runs > 0 && selection->follows != follows(selection, i))
+            break;
+        if (part != SKIPPED)
+            selection->follows = follows(selection, i);
         if (part != SKIPPED && part == last)
             to[runs - 1].count_and_guard += 2;
         else if (part != SKIPPED)

@@ -19,7 +19,9 @@ struct selection {
     redcc_int idle_begin; /* of iterations that touch nothing, the thread executes those */
     redcc_int idle_end;   /* from one to before the other */
     redcc_int executed;   /* iterations so far */
-    bool asked;           /* classes of worker->first, ... */
+    bool asked;           /* for classes of worker->first, ...: they are not looked at yet */
+    redcc_int taken;      /* of them, so many are handed out, */
+    bool follows;         /* the last ones so (redcc_manner) */
     unsigned char class[REDCC_SELECTED];
 };
 
@@ -33,7 +35,9 @@ void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redc
 bool redcc_selection_ask(struct selection *selection, redcc_worker *worker);
 
 /** Runs of the iterations that were asked for, relative to worker->first, into `to`
- *  [REDCC_SELECTED]; hooked: all guarded. Returns how many; *iterations: in them. */
+ *  [REDCC_SELECTED]: of all that are left, or of those that the thread leads in, or follows in
+ *  (selection->follows). hooked: all guarded. Returns how many, 0: nothing is left; *iterations: in
+ *  them. */
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations);
 

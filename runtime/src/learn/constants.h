@@ -50,6 +50,10 @@
  * the share. Each time that the plan was the faster way it is half as much, three times. */
 #define LEARN_CHECK (2 / LEARN_SHARE)
 
+/** Of an execution, what a dry run is taken for until one was made, where the loop needs no plan: a
+ *  deadline ends those that take longer than the credit. In loops over blocks it was 0.05. */
+#define LEARN_DRY (1.0 / 16)
+
 /* ---- the cost model: seconds of one thread ---- */
 
 /** A look at a sample: 256 iterations of some touches. Starting threads where the machine is not

@@ -161,12 +161,16 @@ static enum way affordable_way(const struct choice *c, double current) {
     return best_plan(c, current, horizon_of(c), is_affordable);
 }
 
+/* Can the loop be executed by owners at once, whatever its subscripts are? */
+static bool goes_without_plan(const struct choice *c) {
+    return c->now->kept[WAY_DIRECT] == KEPT_FITS && !c->size->arm[WAY_DIRECT].ruled_out;
+}
+
 /* Seconds that a look takes. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
-    return c->size->look > 0
-               ? c->size->look
-               : least_of(LEARN_LOOK, LEARN_CLEAR * usual) + (c->now->dry_run ? usual : 0);
+    const double dry = c->now->dry_run ? (goes_without_plan(c) ? LEARN_DRY * usual : usual) : 0;
+    return c->size->look > 0 ? c->size->look : least_of(LEARN_LOOK, LEARN_CLEAR * usual) + dry;
 }
 
 /* ---- decisions --------------------------------------------------------------------------------
@@ -219,13 +223,17 @@ static struct decision set_up(const struct choice *c, double current) {
  * one thread, which waits for nobody: most light loops are not worth more than the look. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
-    if (credit < cost || c->size->set_ups.since < redcc_factor(&c->size->set_ups) * cost)
-        return sequentially(c, RULE_SAVING);
-    const bool is_lent = c->now->verified && credit < cost + c->now->start && may_borrow(c) &&
+    const bool is_lent = (c->now->verified || goes_without_plan(c)) &&
+                         credit < cost + c->now->start && may_borrow(c) &&
                          cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
+    if (credit < cost && !(is_lent && goes_without_plan(c)))
+        return sequentially(c, RULE_SAVING);
+    if (c->size->set_ups.since < redcc_factor(&c->size->set_ups) * cost)
+        return sequentially(c, RULE_SAVING);
     if (is_lent)
-        lend(c, c->now->start);
-    const bool alone = !are_sure(c) || credit_of(c->ledger) < cost + c->now->start;
+        lend(c, goes_without_plan(c) ? cost + c->now->start : c->now->start);
+    const bool alone =
+        !(are_sure(c) || goes_without_plan(c)) || credit_of(c->ledger) < cost + c->now->start;
     c->size->rule = RULE_LOOKING;
     return (struct decision){.action = ACTION_INSPECT,
                              .alone = alone,
@@ -436,5 +444,10 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
     redcc_note_arms(state, now->trip, arm, spent);
     const double current =
         size->stand == STAND_PARALLEL ? size->arm[size->way].execution : redcc_usual(size);
-    return set_up(&(struct choice){&state->ledger, size, &here}, current);
+    const struct choice c = {&state->ledger, size, &here};
+    const struct decision decision = set_up(&c, current);
+    const bool is_direct = decision.action != ACTION_INSPECT && size->stand == STAND_SAVING &&
+                           goes_without_plan(&c) && size->arm[WAY_DIRECT].possible &&
+                           is_clear(&c, WAY_DIRECT);
+    return is_direct ? reuse(&c, WAY_DIRECT, RULE_COMPARING) : decision;
 }

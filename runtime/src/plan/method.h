@@ -85,6 +85,8 @@ struct method {
 static inline enum way redcc_way_of(const struct method *method) {
     if (method->copies != COPY_NONE)
         return WAY_COPIES;
+    if (method->selects)
+        return WAY_DIRECT;
     return method->by_graph || method->in_levels ? WAY_GRAPH : WAY_INDEX;
 }
 

@@ -136,10 +136,16 @@ ir_variable *expression_object(const ir_node *lvalue) {
     return lvalue->kind == IR_VARIABLE ? lvalue->variable : NULL;
 }
 
+static const char *meant(const ir_node *node, void *memory) {
+    return node->kind == IR_VARIABLE && node->variable->stands_for
+               ? expression_text(memory, node->variable->stands_for)
+               : NULL;
+}
+
 const char *expression_text(arena *a, const ir_node *node) {
     buffer text = {0};
     const char *result = "...";
-    if (node && ir_is_expression(node) && ir_c_expression(&text, node, NULL, NULL) && text.length)
+    if (node && ir_is_expression(node) && ir_c_expression(&text, node, meant, a) && text.length)
         result = arena_copy(a, text.data, text.length);
     buffer_free(&text);
     return result;

@@ -9,6 +9,7 @@
 #include "analysis/base/pragma.h"
 #include "ir/ir.h"
 #include "support/map.h"
+#include "support/vector.h"
 
 /* ---- reasons ------------------------------------------------------------------------------- */
 
@@ -257,6 +258,30 @@ typedef struct loop_exits {
     loop_exit items[LOOP_MOST_EXITS];
 } loop_exits;
 
+/** A pointer that stays as it is while the loop runs, and a variable that stands for it: it is read
+ *  at `offset` behind what `through` points to. */
+typedef struct loop_load {
+    const ir_variable *variable; /* its stands_for is the pointer */
+    const ir_variable *through;  /* the function's own, or that of an earlier load */
+    int64_t offset;
+} loop_load;
+
+/** Where it stands in the tree: child number `number` of `parent`. */
+typedef struct load_use {
+    ir_node *node;
+    ir_node *stand_in;
+    ir_node *parent;
+    unsigned number;
+} load_use;
+
+enum { LOOP_MOST_LOADS = 16 };
+
+typedef struct loop_loads {
+    unsigned count;
+    loop_load items[LOOP_MOST_LOADS]; /* each behind those on the way to it */
+    VECTOR(load_use) uses;
+} loop_loads;
+
 /** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations do
  *  nothing but tell rows, perhaps in spans inside of it whose headers stay the same. Rows that
  *  mention what it steps are elements of arrays, one after the other: what its first and its last
@@ -280,6 +305,7 @@ typedef struct loop_variables {
     const private_variable *privates; /* counter excluded; includes inner loops' counters */
     unsigned captured_count;
     ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
+    const loop_loads *loads;      /* NULL: none stands for a pointer */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */

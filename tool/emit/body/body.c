@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "analysis/base/loop_exits.h"
+#include "analysis/base/loop_loads.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
 #include "emit/base/step.h"
@@ -225,6 +226,8 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
 static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
+    if (node->kind == IR_VARIABLE && loop_loads_has(loop->facts->variables.loads, node->variable))
+        return node->variable->name;
     if (array >= 0)
         return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
     if (is_known_within(loop, node)) /* text_expression writes the value */
@@ -376,7 +379,7 @@ static const char *row_question(loop_text *loop, const skip_row *skipped) {
 
 /** What asks whether the thread owns any of the rows; NULL: it cannot be spelled. */
 static const char *skip_question(loop_text *loop, const inner_skip *skip) {
-    const char *question = "";
+    const char *question = skip->adds_to_series ? "REDCC_LEADS(redcc__writers[0]) || " : "";
     for (unsigned i = 0; i < skip->row_count; i++) {
         const skip_row *skipped = &skip->rows[i];
         const char *one =

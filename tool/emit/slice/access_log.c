@@ -11,6 +11,7 @@
 #include "emit/slice/slice.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
+#include "plan/lookup.h"
 #include "plan/unconditional.h"
 
 /** The printer's hook for spellings: notes the variables. */
@@ -142,8 +143,52 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
         writer_line(out, "REDCC_RETURN_IF_STALE(%u)", number);
 }
 
+/* ---- who leads ------------------------------------------------------------------------------
+ * Of the threads that execute an iteration one goes through all of it, and keeps what it adds to
+ * series (redcc/series.h). It is the one that owns a row which stays the same for long: the others
+ * leave out more then. */
+
+/** In how many loops inside is what last gives the variable its value? */
+static unsigned loops_around_writes(const ir_node *node, const ir_variable *variable,
+                                    unsigned loops) {
+    const ir_node *written = expression_written(node);
+    unsigned most = (written && expression_object(written) == variable) ||
+                            (node->kind == IR_DECLARATOR && node->variable == variable)
+                        ? loops
+                        : 0;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const unsigned below =
+            loops_around_writes(node->children[i], variable, loops + ir_is_loop(node));
+        most = below > most ? below : most;
+    }
+    return most;
+}
+
+static unsigned loops_around(const loop_facts *facts, const ir_node *row) {
+    unsigned most =
+        row->kind == IR_VARIABLE ? loops_around_writes(facts->counted.body, row->variable, 0) : 0;
+    for (unsigned i = 0; i < row->child_count; i++) {
+        const unsigned below = loops_around(facts, row->children[i]);
+        most = below > most ? below : most;
+    }
+    return most;
+}
+
+static void log_leader(inspector *self, const ir_node *row) {
+    const loop_facts *facts = self->loop->facts;
+    if (!has_series(facts))
+        return;
+    const unsigned own = loops_around(facts, row);
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (loops_around(facts, facts->updates[i].row) < own)
+            return;
+    writer_line(self->printer.out, "REDCC_LEADER");
+}
+
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base) {
+    if (is_update)
+        log_leader(self, row);
     log_address(self, row, is_update, number, base);
     may_end_here(self, is_update, number);
 }
@@ -169,6 +214,8 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
             : arena_format(a, "(const char *)(&%s + 1)", log_row_text(self, item->row));
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
+    if (logged_is_update(item))
+        log_leader(self, item->row);
     if (logged_is_update(item))
         writer_line(out, "REDCC_TOUCH_SPAN(%u, redcc__begin_%u, %s);", number, row,
                     macro_argument(a, end));

@@ -37,7 +37,7 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
 /** Where an iteration leaves the loop, nothing has been done, and the original loop is to run. */
 static void write_exit(inspector *self, const loop_exit *exit) {
     writer_line(self->printer.out, "if (%s(%s)) REDCC_LEAVE", exit->is_negated ? "!" : "",
-                log_row_text(self, exit->condition));
+                log_row_text(self, exit->rest->children[0]));
 }
 
 static bool before_statement(printer *p, const ir_node *statement) {

@@ -24,7 +24,8 @@ static const char *marked(arena *a, origin_kind kind, const char *name, const ir
 }
 
 const char *origin_variable(arena *a, const ir_variable *variable) {
-    return marked(a, ORIGIN_NAME, variable->name, variable->declared);
+    return variable->stands_for ? variable->name /* the translator's own */
+                                : marked(a, ORIGIN_NAME, variable->name, variable->declared);
 }
 
 const char *origin_function(arena *a, const ir_function *function) {
@@ -32,7 +33,8 @@ const char *origin_function(arena *a, const ir_function *function) {
 }
 
 const char *origin_declarator(arena *a, const ir_variable *variable) {
-    return marked(a, ORIGIN_DECLARED, variable->name, variable->declared);
+    return variable->stands_for ? variable->name
+                                : marked(a, ORIGIN_DECLARED, variable->name, variable->declared);
 }
 
 const char *origin_function_declarator(arena *a, const ir_function *function) {

@@ -153,6 +153,10 @@ static const ir_node *find_address_outside(must_write *prover, const ir_node *bo
     return find.found;
 }
 
+bool address_kept_outside(must_write *prover, const ir_node *body, const ir_variable *variable) {
+    return find_address_outside(prover, body, variable) != NULL;
+}
+
 /* ---- pointers that outlive the iteration ------------------------------------------------------
  */
 

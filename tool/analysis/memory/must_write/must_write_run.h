@@ -144,5 +144,12 @@ const call_summary *summarise_call(must_write *prover, const ir_function *functi
 /** Does the function keep or pass on the address of an object of this size that its argument
  *  points into? For calls outside the analysed loop. */
 bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argument, int64_t size);
+/** May the variable's address be kept by what stands outside of `body` and is executed before or
+ *  between its executions? */
+bool address_kept_outside(must_write *prover, const ir_node *body, const ir_variable *variable);
+
+/** Of a `for` whose first value and bound are one variable plus constants: how often its body is
+ *  executed, unless it is left before. -1: not known. */
+int64_t run_known_rounds(run *r, const ir_node *loop);
 
 #endif

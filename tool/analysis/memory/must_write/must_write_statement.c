@@ -52,6 +52,7 @@ typedef struct loop_parts {
     const ir_node *condition; /* NULL: always true */
     const ir_node *increment; /* NULL: none */
     const ir_node *body;
+    const ir_node *counted; /* the loop, where it is a `for`; NULL: it is not */
 } loop_parts;
 
 /* Body and increment; the state after them. Breaks are joined into *breaks. */
@@ -101,6 +102,20 @@ static state *bindings_copy(run *r, const state *s) {
     return scratch_copy(r, &bindings);
 }
 
+/* Is it known how often the body is executed, though the condition is not? Then it has been. */
+static bool execute_known_rounds(run *r, state *s, const loop_parts *loop, state *breaks) {
+    const int64_t rounds =
+        loop->counted && run_step(r, loop->body, 64) ? run_known_rounds(r, loop->counted) : -1;
+    if (rounds < 0 || rounds > MOST_ROUNDS)
+        return false;
+    for (int64_t round = 0; round < rounds && s->is_reachable && r->unknown == NULL; round++) {
+        execute_round(r, s, loop, breaks);
+        if (s->is_reachable)
+            evaluate_condition(r, s, loop);
+    }
+    return true;
+}
+
 /* The loop from the test of its condition on, round by round as long as the condition is known. */
 static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks) {
     const bool has_effects = loop->condition != NULL && run_has_effects(r, loop->condition);
@@ -111,6 +126,9 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
             return;
         const value condition = evaluate_condition(r, s, loop);
         if (condition.kind == VALUE_INTEGER && condition.number == 0)
+            return;
+        if (condition.kind != VALUE_INTEGER && round == 0 && !has_effects &&
+            execute_known_rounds(r, s, loop, breaks))
             return;
         if (condition.kind != VALUE_INTEGER || round == MOST_ROUNDS) {
             if (has_effects)
@@ -131,7 +149,7 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
 }
 
 static void execute_loop_statement(run *r, state *s, const ir_node *node) {
-    loop_parts loop = {NULL, NULL, NULL};
+    loop_parts loop = {NULL, NULL, NULL, NULL};
     state breaks = {.is_reachable = false};
     if (node->kind == IR_FOR) {
         const ir_node *first = node->children[0];
@@ -144,6 +162,7 @@ static void execute_loop_statement(run *r, state *s, const ir_node *node) {
         if (node->children[2]->kind != IR_EMPTY)
             loop.increment = node->children[2];
         loop.body = node->children[3];
+        loop.counted = node;
     } else if (node->kind == IR_WHILE) {
         loop.condition = node->children[0];
         loop.body = node->children[1];

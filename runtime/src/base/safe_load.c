@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "base/safe_load.h"
+
+#include "base/clock.h"
+
+#include <errno.h>
+#include <stdatomic.h>
+
+#if defined(__linux__)
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <unistd.h>
+#endif
+
+/* Some system calls, of 0.3 microseconds, are to be 2 % of it. */
+enum { LEAST_NANOSECONDS = 60000 };
+
+bool redcc_is_time_to_load(redcc_word *last) {
+    const redcc_word now = (redcc_word)(redcc_seconds() * 1e9);
+    const redcc_word before = __atomic_exchange_n(last, now, __ATOMIC_RELAXED);
+    return now - before >= LEAST_NANOSECONDS;
+}
+
+int redcc_load(void *to, const char *from, redcc_size bytes) {
+#if defined(__linux__) && defined(SYS_process_vm_readv)
+    const int error = errno;
+    const struct iovec here = {to, bytes}, there = {(void *)(uintptr_t)from, bytes};
+    const long read = syscall(SYS_process_vm_readv, (long)getpid(), &here, 1L, &there, 1L, 0L);
+    errno = error;
+    return read == (long)bytes;
+#else
+    (void)to;
+    (void)from;
+    (void)bytes;
+    return 0;
+#endif
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Loops whose rounds are known though their bounds are not: for (i = x - 1; i <= x + 1; i++). */
+#include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
+#include "analysis/memory/must_write/must_write_run.h"
+
+/* variable + number */
+typedef struct offset_value {
+    const ir_variable *variable;
+    int64_t number;
+} offset_value;
+
+static bool is_wide_integer(const ir_type *type) {
+    return type && type->kind == IR_INTEGER && type->is_signed && type->size >= 4 &&
+           !type->is_volatile && !type->is_atomic;
+}
+
+/* Of signed integers that are not narrowed on the way: no sum wraps. */
+static bool offset_of(const ir_node *node, offset_value *to) {
+    int64_t number;
+    if (!is_wide_integer(node->type))
+        return false;
+    if (node->kind == IR_VARIABLE) {
+        *to = (offset_value){node->variable, 0};
+        return true;
+    }
+    if (node->kind != IR_BINARY || (node->op != IR_OP_ADD && node->op != IR_OP_SUBTRACT))
+        return false;
+    if (expression_constant(node->children[1], &number))
+        return offset_of(node->children[0], to) && number > INT32_MIN && number < INT32_MAX &&
+               !(node->op == IR_OP_ADD ? __builtin_add_overflow(to->number, number, &to->number)
+                                       : __builtin_sub_overflow(to->number, number, &to->number));
+    return node->op == IR_OP_ADD && expression_constant(node->children[0], &number) &&
+           offset_of(node->children[1], to) &&
+           !__builtin_add_overflow(to->number, number, &to->number);
+}
+
+/* Has the variable one value as long as the loop runs? By its name it is not written there, as
+ * counted_recognise has seen; other names it has none. */
+static bool stays(run *r, const ir_node *loop, const ir_variable *variable) {
+    return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
+           variable->function == r->function && variable != r->object &&
+           !variable_is_written_in(loop, variable) &&
+           (!variable->address_taken || !address_kept_outside(r->prover, loop, variable));
+}
+
+int64_t run_known_rounds(run *r, const ir_node *loop) {
+    const counted_result found = counted_recognise((ir_node *)loop);
+    const counted_loop *it = &found.loop;
+    offset_value first, bound;
+    if (!found.is_counted || !it->lower || it->stride || it->step != 1 || it->ahead ||
+        (it->comparison != IR_OP_LESS && it->comparison != IR_OP_LESS_EQUAL) ||
+        !offset_of(it->lower, &first) || !offset_of(it->bound, &bound) ||
+        first.variable != bound.variable || it->counter == first.variable ||
+        !is_wide_integer(it->counter->type) || it->counter->address_taken ||
+        it->counter->type->size < first.variable->type->size || !stays(r, loop, first.variable))
+        return -1;
+    const int64_t rounds =
+        bound.number - first.number + (it->comparison == IR_OP_LESS_EQUAL ? 1 : 0);
+    return rounds > 0 ? rounds : 0;
+}
