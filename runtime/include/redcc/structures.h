@@ -149,7 +149,10 @@ enum {
     /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
     REDCC_SHORT = 32768,
     /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
-    REDCC_BY_HAND = 65536
+    REDCC_BY_HAND = 65536,
+    /** REDCC_BINNED: before any iteration is pushed, all of them tell what they read and update,
+     * and these must not overlap. */
+    REDCC_BINS_CHECKED = 131072
 };
 
 enum {
