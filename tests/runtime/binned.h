@@ -74,10 +74,11 @@ struct binned_loop {
             STATEMENT;                                                                             \
         }                                                                                          \
     }                                                                                              \
-    static void NAME##_push(const struct binned_problem *p, redcc_worker *worker, int *last) {     \
+    static int NAME##_push(const struct binned_problem *p, redcc_worker *worker, int *last) {      \
         const RECORD *const value = p->value;                                                      \
         redcc_bins bins[1];                                                                        \
-        while (redcc_bins_next(worker, bins, p->by)) {                                             \
+        int handed;                                                                                \
+        while ((handed = redcc_bins_next(worker, bins, p->by)) == REDCC_HANDED) {                  \
             const redcc_bins to_0 = bins[0];                                                       \
             for (redcc_int t = worker->first; t < worker->last; t++) {                             \
                 const RECORD e = value[t];                                                         \
@@ -90,6 +91,7 @@ struct binned_loop {
             if (worker->last == p->trip && redcc_claims_last(worker))                              \
                 __atomic_fetch_add(last, 1, __ATOMIC_RELAXED);                                     \
         }                                                                                          \
+        return handed == REDCC_BETWEEN;                                                            \
     }                                                                                              \
     static void NAME##_execute(const struct binned_problem *p, redcc_worker *worker, int *last) {  \
         const RECORD *const value = p->value;                                                      \
@@ -123,7 +125,8 @@ struct binned_loop {
                 redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());           \
                 while (redcc_inspect(&worker))                                                     \
                     ;                                                                              \
-                NAME##_push(p, &worker, last);                                                     \
+                while (NAME##_push(p, &worker, last))                                              \
+                    NAME##_execute(p, &worker, last);                                              \
                 NAME##_execute(p, &worker, last);                                                  \
             }                                                                                      \
         }                                                                                          \

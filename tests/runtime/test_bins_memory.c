@@ -43,7 +43,8 @@ static void records_are_many_all_at_once(void **unused) {
         redcc_bins_tuning.least_budget = (size_t)8 << 20;
         assert_true(work_compare(&w, threads));
         assert_int_equal(work_state()->binning.reason, REASON_NONE);
-        assert_true(work_state()->binning.rounds > TRIP / 200);
+        /* by several threads the blocks that a failed round asks for suffice */
+        assert_true(work_state()->binning.rounds >= TRIP / 200 + (threads == 1));
         redcc_bins_tuning.least_budget = (size_t)threads * 200000; /* not enough for that one */
         redcc_loop_forget(&work_loop.loop);
         assert_true(work_compare(&w, threads));

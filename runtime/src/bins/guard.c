@@ -119,7 +119,7 @@ enum reason redcc_bins_guard(struct binning *binning) {
     if (written && read) {
         find_read(binning, read);
         reason = ask(binning, false, written, read);
-        if (reason != REASON_NONE && !binning->copies)
+        if (reason != REASON_NONE)
             reason = ask(binning, true, written, read);
     }
     redcc_memory_give(written);

@@ -33,7 +33,7 @@ static bool cut_windows(struct binning *binning) {
             continue;
         it->cut_for = records;
         it->window = binning->copies
-                         ? redcc_copied_window(it->rows)
+                         ? redcc_copied_window(it->rows, margin_of(binning, it->rows))
                          : redcc_window(stream, it->rows, margin_of(binning, it->rows),
                                         binning->call->threads, it->rate, (double)left_of(binning));
         if (it->window.rows == 0)
@@ -65,7 +65,8 @@ static bool wants_copies(const struct binning *binning) {
         return false;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
-        const struct window window = redcc_copied_window(binning->stream[s].rows);
+        const struct row_range seen = binning->stream[s].rows;
+        const struct window window = redcc_copied_window(seen, margin_of(binning, seen));
         if (!redcc_private_possible(binning, stream) || window.rows == 0)
             return false;
         rows += (double)window.rows;

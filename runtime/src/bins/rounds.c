@@ -14,10 +14,10 @@ enum {
                        more is seen of what it lacks */
     STRETCHES = 64, /* of each thread's share are measured, */
     STRETCH = 64,   /* so many iterations each, at most; */
-    MEASURED = 16,  /* such a part of them */
+    MEASURED = 64,  /* such a part of them */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is that part of the loop; the next is as long as all
-                  before */
+    TRIED = 16 /* the first round of a trial is that part of the loop, as is the sequential stretch
+                  that it is compared with; the next is as long as all before */
 };
 
 /* Than was seen may come; while a rate holds as much of what is seen, it stays, and memory with it.
@@ -29,7 +29,7 @@ static uint32_t stream_count(const struct binning *binning) {
 }
 
 static bool is_trial(const struct binning *binning) {
-    return binning->trial.terms.may_lose > 0;
+    return binning->trial.may_lose != 0;
 }
 
 /* ---- each thread's part ---------------------------------------------------------------------- */
@@ -163,8 +163,7 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    if (is_trial(binning))
-        binning->trial.began = redcc_seconds();
+    binning->trial.began = redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->stream[s].rate == 0)
             return BINS_MEASURE;
@@ -245,7 +244,10 @@ static enum bins_phase after_push(struct binning *binning) {
     }
     if (reason != REASON_NONE)
         return end_with(binning, reason);
-    if (!binning->copies)
+    if (binning->copies)
+        for (uint32_t s = 0; s < stream_count(binning); s++)
+            binning->stream[s].changed = redcc_private_rows(binning, s);
+    else
         learn(binning);
     if (binning->witness.tell)
         redcc_bins_tell_written(binning);
@@ -275,34 +277,63 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
+double redcc_bins_usual(const struct binning *binning) {
+    const struct bins_trial *it = &binning->trial;
+    return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
+}
+
 /* What was lost so far is taken from what all may lose. */
 static bool is_too_slow(const struct binning *binning) {
-    const struct trial terms = binning->trial.terms;
-    return is_trial(binning) &&
-           redcc_seconds() - binning->trial.began - terms.usual * (double)binning->round.begin >
-               terms.may_lose;
+    const struct bins_trial *it = &binning->trial;
+    const redcc_int binned = binning->round.begin - it->stretch;
+    const double seconds = redcc_seconds() - it->began - it->sequential;
+    return is_trial(binning) && seconds - redcc_bins_usual(binning) * (double)binned > it->may_lose;
+}
+
+/* As many iterations as the first round had, the next ones: how long they take says what the round
+ * has gained, whatever else changes from one execution of the loop to the other. */
+static enum bins_phase begin_stretch(struct binning *binning) {
+    struct round *round = &binning->round;
+    const redcc_int left = binning->call->request.trip - round->begin;
+    binning->trial.stretch = left < round->begin ? left : round->begin;
+    round->end = round->begin + binning->trial.stretch;
+    binning->trial.sequential = redcc_seconds();
+    return BINS_STRETCH;
+}
+
+/* On to the next round, if there is one. */
+static enum bins_phase go_on(struct binning *binning) {
+    struct round *round = &binning->round;
+    round->begin = round->end;
+    round->failures = 0;
+    if (round->begin == binning->call->request.trip)
+        return BINS_OVER;
+    if (is_trial(binning) && binning->trial.stretch == 0)
+        return begin_stretch(binning);
+    if (!is_too_slow(binning))
+        return round->shortened ? lengthen(binning) : begin_round(binning);
+    binning->reason = REASON_SERIAL_FASTER;
+    return BINS_OVER;
+}
+
+static enum bins_phase after_stretch(struct binning *binning) {
+    binning->trial.sequential = redcc_seconds() - binning->trial.sequential;
+    return go_on(binning);
 }
 
 static enum bins_phase after_apply(struct binning *binning) {
-    struct round *round = &binning->round;
     binning->rounds++;
-    round->begin = round->end;
-    round->failures = 0;
-    if (round->begin < binning->call->request.trip) {
-        if (!is_too_slow(binning))
-            return round->shortened ? lengthen(binning) : begin_round(binning);
-        binning->reason = REASON_SERIAL_FASTER;
-        return BINS_OVER;
-    }
-    if (binning->rounds == 1)
+    const enum bins_phase next = go_on(binning);
+    if (next == BINS_OVER && binning->reason == REASON_NONE && binning->rounds == 1)
         trim(binning);
-    return BINS_OVER;
+    return next;
 }
 
 static enum bins_phase (*const then[])(struct binning *) = {[BINS_START] = after_start,
                                                             [BINS_MEASURE] = after_measure,
                                                             [BINS_PUSH] = after_push,
-                                                            [BINS_APPLY] = after_apply};
+                                                            [BINS_APPLY] = after_apply,
+                                                            [BINS_STRETCH] = after_stretch};
 _Static_assert(sizeof then / sizeof *then == BINS_OVER, "what follows each phase");
 
 /* All meet; memory is taken and decisions are made by the thread that entered the loop. */
@@ -318,6 +349,10 @@ static void meet(struct binning *binning, struct binner *binner) {
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands) {
     for (; binner->phase != BINS_OVER; meet(binning, binner)) {
+        if (binner->phase == BINS_STRETCH && !binner->begun) {
+            binner->begun = true;
+            return false;
+        }
         if (binner->phase == BINS_APPLY && binning->copies)
             redcc_private_merge(binning, binner);
         else if (binner->phase == BINS_APPLY)
@@ -352,9 +387,9 @@ void redcc_binner_join(struct binner *binner, int threads) {
     binner->begun = false;
 }
 
-void redcc_bins_begin(struct binning *binning, struct trial trial, struct written_witness witness) {
+void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness) {
     binning->phase = BINS_START;
-    binning->trial.terms = trial;
+    binning->trial = (struct bins_trial){.may_lose = may_lose};
     binning->witness = witness;
     binning->round = (struct round){.most = redcc_bins_tuning.round};
     binning->reason = REASON_NONE;
