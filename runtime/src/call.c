@@ -466,7 +466,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     const bool too_few = threads == 1 && !may_be_one;
     thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
     if (in_bins) {
-        thread->stage = STAGE_BINS;
+        const bool checked = execution->call.request.loop->flags & REDCC_BINS_CHECKED;
+        thread->stage = checked ? thread->stage : STAGE_BINS;
         redcc_binner_join(thread->binner, threads);
     }
     if (number == 0 && !as_asked) {

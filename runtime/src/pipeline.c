@@ -58,7 +58,7 @@ static enum stage begin_inspection(struct execution *execution) {
     const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
     redcc_reuse_drop_found(&execution->reuse);
     const bool is_direct = redcc_goes_directly(&execution->advice);
-    if (!named && !is_direct &&
+    if (!named && !is_direct && !execution->call.in_bins &&
         execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
         return refuse(execution, REASON_CHANGED);
     if (is_dry && redcc_may_have_aliases())
@@ -126,12 +126,24 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
     }
 }
 
+/* Of a loop that is to be binned nothing is wanted but extents. */
+static enum stage look_for_extents(struct execution *execution) {
+    struct inspection *inspection = &execution->inspection;
+    inspection->route = ROUTE_DIRECT;
+    const bool possible = redcc_cut(inspection, NULL) &&
+                          (inspection->whole.cut ||
+                           redcc_partition_see_whole(&inspection->whole, &inspection->partition));
+    return possible ? STAGE_SWEEP : refuse(execution, REASON_NO_MEMORY);
+}
+
 /* To a sweep with groups that do not overlap, as far as is known, newly cut; or, as auto sees by
  * the sample, to nothing. */
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
     struct estimate estimate = {0};
+    if (call->in_bins)
+        return look_for_extents(execution);
     if (!redcc_cut(inspection, redcc_wants_estimate(inspection) ? &estimate : NULL))
         return refuse(execution, REASON_NO_MEMORY);
     if (call->started > 0 && execution->woken > 0)
@@ -156,7 +168,9 @@ static enum stage after_sample(struct execution *execution) {
 static void begin_sweep(struct thread_state *thread) {
     const struct inspection *inspection = &thread->execution->inspection;
     const size_t hashed =
-        redcc_hash_begin(&thread->hasher, &inspection->call->request, inspection->sources);
+        inspection->call->in_bins
+            ? 0
+            : redcc_hash_begin(&thread->hasher, &inspection->call->request, inspection->sources);
     redcc_sweep_start(inspection, &thread->inspector, hashed);
 }
 
@@ -168,7 +182,8 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
     } else {
         redcc_flush(worker);
         const double told = redcc_sweep_close(inspection, inspector);
-        redcc_hash_some(&thread->hasher, inspection->call->request.loop, told);
+        if (!inspection->call->in_bins)
+            redcc_hash_some(&thread->hasher, inspection->call->request.loop, told);
     }
     if (redcc_sweep_hand_out(inspection, inspector, worker))
         return PROGRESS_TELL;
@@ -254,6 +269,8 @@ static enum stage after_sweep(struct execution *execution) {
     const enum reason reason = redcc_sweep_finish(inspection);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
+    if (execution->call.in_bins) /* arrays that overlap each other its own guard sees */
+        return STAGE_BINS;
     switch (redcc_partition_merge(&inspection->partition, inspection->touched)) {
     case MERGE_REFUSED:
         return refuse(execution, REASON_OUT_OF_STEP);
@@ -391,8 +408,10 @@ int redcc_inspect(redcc_worker *worker) {
             return 1;
         thread->stage = progress == PROGRESS_PASS ? stage->passed : meet(thread, stage->then);
     }
-    if (thread->stage == STAGE_BINS)
+    if (thread->stage == STAGE_BINS) {
+        worker->last = 0;
         return 0;
+    }
     if (thread->stage == STAGE_OVER) {
         thread->runner.step = STEP_END;
         return 0;

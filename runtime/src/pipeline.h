@@ -16,7 +16,8 @@
  *                    partition  of the graph      -> struct divide or struct levels
  *                    join       without stealable blocks after all
  *                    plan       who executes what -> struct plan                  plan/
- *     redcc_bins_next  bins     instead of all that: records, by bins             bins/
+ *     redcc_bins_next  bins     instead of all that, or after a sweep for
+ *                               extents (REDCC_BINS_CHECKED): records, by bins    bins/
  *     redcc_next     run        chunks, copies and their merge, hooks             execute/
  *     ------------------------------------------------------------------------------------------
  *     redcc_leave    counts for the report, tells auto, keeps the plan            account.c

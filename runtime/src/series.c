@@ -119,6 +119,13 @@ int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
     return 1;
 }
 
+/* By a plan, or in bins; of which all threads know the same. */
+static bool is_executed(const struct thread_state *thread) {
+    return thread &&
+           (thread->stage == STAGE_RUN ||
+            (thread->stage == STAGE_BINS && thread->execution->state->binning.round.begin > 0));
+}
+
 static bool any_is_lost(const redcc_series_writer *writers, redcc_u32 count) {
     for (redcc_u32 i = 0; i < count; i++)
         if (atomic_load_explicit(&writers[i].series->lost, memory_order_relaxed))
@@ -128,7 +135,7 @@ static bool any_is_lost(const redcc_series_writer *writers, redcc_u32 count) {
 
 int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
     struct thread_state *thread = worker->execution;
-    if (!thread || thread->stage != STAGE_RUN)
+    if (!is_executed(thread))
         return 0;
     if (writers[0].adds)
         return redcc_run_again(worker);
@@ -145,7 +152,7 @@ int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc
 
 int redcc_series_is_over(const redcc_worker *worker) {
     const struct thread_state *thread = worker->execution;
-    return thread && thread->stage == STAGE_RUN && thread->thread == 0;
+    return is_executed(thread) && thread->thread == 0;
 }
 
 const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k) {

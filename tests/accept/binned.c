@@ -69,7 +69,7 @@ static void stale_condition(int n, const int *at, const int *deep, const double 
 static void stale_divisor(int n, const int *at, const long *w, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += t / w[t];
-} // NOT-BINNED: 70
+} // CHECKED: 70
 
 static void stale_bound(int n, const int *at, const long *w, long *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -78,7 +78,7 @@ static void stale_bound(int n, const int *at, const long *w, long *to) {
             sum += i;
         to[at[t]] += sum;
     }
-} // NOT-BINNED: 75
+} // CHECKED: 75
 
 static void show(const char *what, const void *bytes, size_t size) {
     unsigned long hash = 5381;

@@ -1,5 +1,5 @@
-// Binning executes a body before what it reads is compared with what the loop writes: values that may
-// be stale then must decide nothing that could do harm. `w` may overlap `to`; int is no long.
+// Binning executes a body before what it reads is compared with what the loop writes; where stale values
+// could do harm, it is compared before. `w` may overlap `to`; int is no long.
 // INTEGERS: no
 #include <stdio.h>
 
@@ -12,7 +12,7 @@ static long values[N], table[N];
 static void subscript(int n, const int *at, const long *w, const long *restrict deep, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += deep[w[t] & 7];
-} // NOT-BINNED: 13
+} // CHECKED: 13
 
 static void chosen(int n, const int *at, const long *w, const long *deep, long *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -21,7 +21,7 @@ static void chosen(int n, const int *at, const long *w, const long *deep, long *
             i = 1;
         to[at[t]] += deep[i];
     }
-} // NOT-BINNED: 18
+} // CHECKED: 18
 
 static void in_turns(int n, const int *at, const long *w, const long *deep, long *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -33,7 +33,7 @@ static void in_turns(int n, const int *at, const long *w, const long *deep, long
         }
         to[at[t]] += sum;
     }
-} // NOT-BINNED: 27
+} // CHECKED: 27
 
 static void length(int n, const int *at, const long *w, long *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -43,7 +43,7 @@ static void length(int n, const int *at, const long *w, long *to) {
             sum += i;
         to[at[t]] += sum;
     }
-} // NOT-BINNED: 39
+} // CHECKED: 39
 
 static void divided(int n, const int *at, const long *w, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -61,7 +61,7 @@ static void passed_by(int n, const int *at, const long *w, long *to) {
             continue;
         to[i] += 1;
     }
-} // NOT-BINNED: 58
+} // CHECKED: 58
 
 static void after_jump(int n, const int *at, const long *w, const long *deep, long *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -72,7 +72,7 @@ static void after_jump(int n, const int *at, const long *w, const long *deep, lo
         if (w[t] > 0)
             to[i] += deep[t];
     }
-} // NOT-BINNED: 67
+} // CHECKED: 67
 
 static void read_anyway(int n, const int *at, const long *w, long *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -80,14 +80,14 @@ static void read_anyway(int n, const int *at, const long *w, long *to) {
         if (w[t] > 40)
             to[i] += w[t];
     }
-} // NOT-BINNED: 78
+} // CHECKED: 78
 
 static void alternative(int n, const int *at, const long *w, const long *deep, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += w[t] > 40 ? deep[t] : 0;
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += w[t] > 40 && deep[t] > 40;
-} // NOT-BINNED: 86 88
+} // CHECKED: 86 88
 
 static long shared[N], numbers[8];
 static long pick(int i) {
@@ -111,8 +111,8 @@ static void by_functions(int n, const int *at, const long *w, long *to) {
         to[at[t]] += w[t] > 40 ? pick(t) : 0;
 } // BINNED: 104
 
-// NOT-BINNED: 51 53 106 108 110
-// NOT-BINNED: 122
+// CHECKED: 51 53 106 108 110
+// CHECKED: 122
 static long *either[2];
 static long at_either(int which, int i) {
     return table[either[which][i] & 7] + numbers[0];

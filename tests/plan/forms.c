@@ -49,6 +49,31 @@ void decided(int n, const int *restrict s, const double *w, double *h) {
             h[s[t]] += w[t];
 }
 
+/* Or repeat without end; and the sum beside keeps what it is given. Its reads are compared before. */
+void repeated(int n, const int *restrict s, const double *w, double *h) {
+    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; checked
+        double d = w[t];
+        while (d > 1)
+            d -= 1;
+        h[s[t]] += d;
+    }
+}
+
+double summed(int n, const int *restrict s, const double *w, double *h) {
+    double sum = 0;
+    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; checked
+        h[s[t]] += w[t];
+        sum += w[t];
+    }
+    return sum;
+}
+
+/* Without a sum it is compared afterwards. */
+void unsummed(int n, const int *restrict s, const double *w, double *h) {
+    for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; unchecked
+        h[s[t]] += w[t];
+}
+
 /* The same, where w is no part of h. */
 void decided_apart(int n, const int *restrict s, const double *restrict w, double *restrict h) {
     for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; precheck: none

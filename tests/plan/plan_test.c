@@ -23,8 +23,9 @@ static void describe_bins(buffer *out, const loop_plan *plan) {
         values += stream_value_count(&plan->bins->streams[i]);
         tags += plan->bins->streams[i].tag_count;
     }
-    buffer_format(out, "bins: %u records of %u values, %u tags in %u streams; ",
-                  plan->bins->record_count, values, tags, plan->bins->stream_count);
+    buffer_format(out, "bins: %u records of %u values, %u tags in %u streams; %s; ",
+                  plan->bins->record_count, values, tags, plan->bins->stream_count,
+                  plan->bins->is_checked ? "checked" : "unchecked");
 }
 
 static const char *describe(arena *a, const loop_plan *plan) {

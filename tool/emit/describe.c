@@ -7,6 +7,7 @@
 #include "emit/call.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
+#include "plan/bins.h"
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
@@ -166,6 +167,7 @@ static const char *flags_text(const loop_text *loop) {
                  {true, "REDCC_SELECTS"},
                  {leaves_out(loop->plan), "REDCC_PARTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
+                 {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},

@@ -8,10 +8,9 @@
 
 void write_region(loop_text *loop, writer *out) {
     const char *kind = loop->bins ? "_BINNED" : loop->lanes.name ? "_LANES" : "";
-    if (has_series(loop->facts))
-        kind = "_SERIES";
+    const char *series = has_series(loop->facts) ? "_SERIES" : "";
     join_series(loop, out);
-    writer_line(out, "REDCC_PARALLEL%s(%sREDCC_CHUNK_%u,%s%s%s", kind,
+    writer_line(out, "REDCC_PARALLEL%s%s(%sREDCC_CHUNK_%u,%s%s%s", kind, series,
                 loop->bins ? streams_argument(loop) : "", loop->facts->array_count,
                 loop->bins ? " " : "", loop->bins ? bins_phase(loop) : "", loop->bins ? "," : "");
     if (has_series(loop->facts))

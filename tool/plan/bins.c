@@ -257,6 +257,13 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
+/** Must the body see verified values only? What it keeps of scalars in an execution that is thrown
+ * away stays where the next one keeps nothing. */
+static bool needs_check(const loop_plan *plan) {
+    return !is_harmless_when_unverified(plan) ||
+           (plan->facts->scalar_count > 0 && unverified_has_suspects(plan, guarded_sources(plan)));
+}
+
 /** Why updates may not be made later, whatever they are; NULL: they may. */
 static const char *why_not_later(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
@@ -264,11 +271,9 @@ static const char *why_not_later(const loop_plan *plan) {
         return "a sanitizer would see values that the program does not compute";
     if (facts->forward_count > 0 || is_read_elsewhere(facts, facts->counted.body))
         return "an iteration reads what it updates";
-    if (facts->scalar_count > 0)
-        return "scalars are updated besides the arrays";
     if (plan->source_count > MOST_SOURCES)
         return "it reads too many arrays that may overlap those it updates";
-    if (!is_harmless_when_unverified(plan))
+    if (needs_check(plan) && (!facts->inspector.exists || plan->precheck != PRECHECK_NONE))
         return "its body may fail with values that are not verified";
     if (facts->slice.exits)
         return "an iteration may leave the loop";
@@ -288,7 +293,9 @@ void plan_bins(loop_plan *plan) {
     bins->streams = ARENA_ARRAY(plan->arena, bins_stream, facts->array_count + 1);
     bins->row_bytes = ARENA_ARRAY(plan->arena, int64_t, facts->array_count + 1);
     bins->nests = ARENA_ARRAY(plan->arena, bins_nest, facts->update_count + 1);
-    find_guarded_sources(plan, bins);
+    bins->is_checked = needs_check(plan);
+    if (!bins->is_checked)
+        find_guarded_sources(plan, bins);
     if (choose_records(plan, bins))
         plan->bins = bins;
     else

@@ -9,8 +9,13 @@
  * made later; the records of an element are applied in the order of the loop; and a record holds
  * the values that the update would have read, because an operand reads nothing that the loop writes
  * and is evaluated where the update stands. It is declined where an update cannot be taken apart
- * so, or where the body may fail when it is executed before its reads are compared with what it
- * writes (unverified.h).
+ * so.
+ *
+ * The body executes before its reads are compared with what it writes. Where it may then fail
+ * (unverified.h), or keeps operands of scalars, the inspector tells all reads and touches first, by
+ * equal shares, and the overlap guard compares them, as for a plan: no iteration reads what another
+ * one writes, so that each has the sequential loop's values whenever it executes, and as often as
+ * it does.
  */
 #ifndef PLAN_BINS_H
 #define PLAN_BINS_H
@@ -75,7 +80,9 @@ typedef struct bins_plan {
     int64_t *row_bytes; /* of each array, by number: of an element, or of several side by side */
     bool has_nests;
     bins_nest *nests;         /* of each update, by number, where it has any */
-    uint32_t guarded_sources; /* bits, by number: their reads are logged */
+    uint32_t guarded_sources; /* bits, by number: their reads are logged as iterations execute */
+    bool is_checked; /* extents of all that is read and written are found and compared before any
+                        iteration executes: the body must not see unverified values */
 } bins_plan;
 
 /** Sets bins, or no_bins. */

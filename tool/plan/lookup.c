@@ -115,11 +115,15 @@ bool has_conditional_live_outs(const loop_facts *facts) {
     return false;
 }
 
-bool leaves_values(const loop_facts *facts) {
+bool leaves_variables(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped)
             return true;
-    return facts->scalar_count > 0 || has_live_outs(facts) || has_conditional_live_outs(facts);
+    return has_live_outs(facts) || has_conditional_live_outs(facts);
+}
+
+bool leaves_values(const loop_facts *facts) {
+    return facts->scalar_count > 0 || leaves_variables(facts);
 }
 
 int conditional_live_out_of(const loop_facts *facts, const ir_node *statement) {

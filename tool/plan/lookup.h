@@ -35,7 +35,9 @@ bool counter_outlives(const loop_facts *facts);
  * those that only some do? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
-/** Does it leave more than its updates of arrays? */
+/** Does it leave variables that it assigns or steps? */
+bool leaves_variables(const loop_facts *facts);
+/** Does it leave more than its updates of arrays: such variables, or scalars? */
 bool leaves_values(const loop_facts *facts);
 /** The number of the private variable, assigned by some iterations only and wanted after the loop,
  * that this statement assigns; or -1. */

@@ -50,8 +50,8 @@ static void plan_form(loop_plan *plan) {
     if (obstacle)
         plan_obstacle(plan, facts->loop->range, "%s", obstacle);
     plan_prefetch(plan);
-    if (leaves_values(facts))
-        plan->no_bins = "the loop leaves more than its updates of arrays";
+    if (leaves_variables(facts))
+        plan->no_bins = "the loop leaves variables besides its updates";
     else
         plan_bins(plan);
     plan_inner_skips(plan);

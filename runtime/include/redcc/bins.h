@@ -16,7 +16,8 @@
  * So a loop has this form only if its body leaves the same whether it is executed once or twice,
  * and may be executed before its reads are compared with what is written: no address that it reads
  * or stores at, no divisor and no bound of a loop inside comes from memory that is not proved apart
- * from the reduction arrays. All that it reads beside is in the loop's sources.
+ * from the reduction arrays. All that it reads beside is in the loop's sources. Any other body has
+ * its loop marked REDCC_BINS_CHECKED.
  *
  * As runtime.h, this header includes no other of the system and compiles as C89 with GNU
  * extensions.
@@ -328,6 +329,12 @@ REDCC_RECORDS(float);
  *    redcc_all_exact    may the updates be made on private copies? */
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
+    REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,        \
+                                 redcc_all_exact, 0, redcc_call_of_slice, redcc_call_of_body)
+/** The same where iterations may be handed out once more (redcc/series.h). */
+#define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
+                                     redcc_all_exact, redcc_again, redcc_call_of_slice,            \
+                                     redcc_call_of_body)                                           \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
@@ -347,7 +354,8 @@ REDCC_RECORDS(float);
             }                                                                                      \
             {                                                                                      \
                 redcc_bins_n##_OF(REDCC_NO_BINS_OF)                                                \
-                    REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)            \
+                    REDCC_EXECUTE_AND(redcc__handed != REDCC_BETWEEN && (redcc_again),             \
+                                      redcc_chunk, redcc_call_of_slice, redcc_call_of_body)        \
             }                                                                                      \
         } while (redcc__handed == REDCC_BETWEEN);                                                  \
     }

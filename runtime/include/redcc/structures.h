@@ -154,7 +154,10 @@ enum {
     /** An assertion in a function that its slice calls may end the program. */
     REDCC_MAY_ABORT = 131072,
     /** Guarded iterations leave out what updates nothing of the thread's. */
-    REDCC_PARTS = 262144
+    REDCC_PARTS = 262144,
+    /** REDCC_BINNED: before any iteration is pushed, all of them tell what they read and update,
+     * and these must not overlap. */
+    REDCC_BINS_CHECKED = 524288
 };
 
 enum {
