@@ -20,7 +20,8 @@ void trapping(int n, const int *k, int *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse no-return
         if (k[t] < 0)
             __builtin_trap();
-        h[k[t]] += 1;
+        else
+            h[k[t]] += 1;
     }
 }
 

@@ -71,7 +71,7 @@ void window_moves(int n, int reach) {
 }
 
 void window_by_break(int n, int reach) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse break
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         for (int x = s[t]; x < s[t] + reach; x++)
             h[x] += e[t];
         if (h[t] > 4)
@@ -112,7 +112,7 @@ void pairs_are_read(int n) {
 }
 
 void pairs_with_stop(int n) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse return
+    for (int i = 0; i < n; i++) // EXPECT: refuse text
         for (int j = i + 1; j < n; j++) {
             if (e[i] > e[j])
                 return;

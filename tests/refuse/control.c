@@ -5,9 +5,11 @@
 #include <limits.h>
 #include <stdlib.h>
 
+int next(int);
+
 void broken_off(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse break
-        if (k[t] < 0)
+        if (next(t) < 0)
             break;
         h[k[t]] += 1.0;
     }
@@ -15,7 +17,7 @@ void broken_off(int n, const int *k, double *h) {
 
 int returned(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse return
-        if (k[t] < 0)
+        if (next(t) < 0)
             return t;
         h[k[t]] += 1.0;
     }
@@ -24,7 +26,7 @@ int returned(int n, const int *k, double *h) {
 
 void jumped_out(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse goto
-        if (k[t] < 0)
+        if (next(t) < 0)
             goto out;
         h[k[t]] += 1.0;
     }
@@ -130,7 +132,7 @@ void endless(const int *k, double *h) {
 
 void ended(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
-        if (k[t] < 0)
+        if (next(t) < 0)
             exit(1);
         h[k[t]] += 1.0;
     }

@@ -33,8 +33,8 @@ void goes_on_without_a_step(int n) {
 }
 
 void ends_before(int n) {
-    do { // EXPECT: refuse break
-        if (s[n] > 3)
+    do { // EXPECT: refuse array-read
+        if (h[s[n]] > 3)
             break;
         h[s[n]] += e[n];
     } while (--n);

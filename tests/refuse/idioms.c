@@ -202,7 +202,7 @@ void subscript_with_effect(int n, double *h) {
 
 void asserted(int n, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse no-return
-        assert(s[t] >= 0);
+        assert(++e[t] >= 0);
         h[s[t]] += 1.0;
     }
 }

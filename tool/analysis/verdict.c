@@ -6,6 +6,7 @@
 
 #include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
 #include "analysis/loop/candidate.h"
@@ -145,6 +146,8 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->variables.private_count = j->privates.count;
     facts->variables.captured = j->captured.items;
     facts->variables.captured_count = j->captured.count;
+    facts->slice.exits = j->exits;
+    facts->slice.may_abort = j->found.ends.count > 0;
     facts->slice.holds = j->slice.holds;
     const span_list spans = find_spans(j);
     facts->inspector.spans = spans.items;
@@ -258,8 +261,9 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 }
 
 static loop_verdict analysed(const analyser *an, ir_function *function, ir_node *loop,
-                             const distribution *stores) {
-    loop_analysis j = {.an = an, .function = function, .loop = loop, .distribution = stores};
+                             const distribution *stores, const loop_exits *exits) {
+    loop_analysis j = {
+        .an = an, .function = function, .loop = loop, .distribution = stores, .exits = exits};
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
                    add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
                    add_header_steps(&j) && add_updates(&j);
@@ -284,16 +288,40 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     if (!stores)
         return (loop_verdict){.kind = VERDICT_REFUSE};
     distributed_take_out(stores);
-    const loop_verdict found = analysed(an, function, loop, stores);
+    const loop_verdict found = analysed(an, function, loop, stores, NULL);
     distributed_put_back(stores);
     return found;
 }
 
+/* Without what leaves it: as it is where no iteration does. */
+static loop_verdict analysed_staying(const analyser *an, ir_function *function, ir_node *loop) {
+    const loop_exits *exits = loop_exits_find(an->memory, ir_loop_body(loop));
+    if (!exits)
+        return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION};
+    loop_exits_take_out(exits);
+    const loop_verdict found = analysed(an, function, loop, NULL, exits);
+    loop_exits_put_back(exits);
+    return found;
+}
+
+static bool is_about_leaving(reason_id why) {
+    return why == REASON_BREAK || why == REASON_RETURN || why == REASON_GOTO ||
+           why == REASON_NO_RETURN || why == REASON_IMPURE_CALL || why == REASON_OPAQUE;
+}
+
 loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
     const analyser *an = analyser_for(whole, loop);
-    const loop_verdict found = analysed(an, function, loop, NULL);
+    const loop_verdict found = analysed(an, function, loop, NULL, NULL);
     if (found.kind != VERDICT_REFUSE)
         return found;
+    if (is_about_leaving(found.why.id)) {
+        const loop_verdict staying = analysed_staying(an, function, loop);
+        if (staying.kind != VERDICT_NOT_A_REDUCTION)
+            return staying.kind == VERDICT_TRANSFORM ||
+                           (staying.facts->counted.counter && !is_about_leaving(staying.why.id))
+                       ? staying
+                       : found;
+    }
     const loop_verdict rest = analysed_without(an, function, loop);
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }

@@ -153,6 +153,7 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->plan->execution.needs_every_iteration, "REDCC_EVERY_ITERATION"},
                  {loop->plan->precheck != PRECHECK_NONE, "REDCC_DRY_RUN"},
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
+                 {loop->facts->slice.may_abort, "REDCC_MAY_ABORT"},
                  {!leaves_values(loop->facts), "REDCC_SELECTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "analysis/base/distributed.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/loop_text.h"
 #include "emit/as_compiled.h"
 #include "emit/base/names.h"
@@ -184,22 +185,13 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
 }
 
-/** Sets the outcome, as far as the plan knows it. */
-static bool may_have_lanes(const loop_text *loop) {
-    const lane_reason why = leaves_values(loop->facts) && loop->plan->no_lanes == LANES_WRITTEN
-                                ? NO_LANES_PLACE
-                                : loop->plan->no_lanes;
-    *loop->lanes.outcome = (lanes_outcome){why, loop->facts->loop->range};
-    return why == LANES_WRITTEN;
-}
-
 /** What goes in front of the function, in the first form from *form on that is possible. */
 static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
     for (;; (*form)++) {
         loop->lanes =
             (lanes_text){.is_wanted = *form == FORM_LANES, .outcome = loop->lanes.outcome};
         loop->bins = NULL;
-        if (*form == FORM_LANES && !may_have_lanes(loop))
+        if (*form == FORM_LANES && loop->plan->no_lanes != LANES_WRITTEN)
             continue;
         if (*form == FORM_BINNED)
             loop->bins = loop->plan->bins;
@@ -221,6 +213,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
     distributed_take_out(loop.facts->distribution);
+    loop_exits_take_out(loop.facts->slice.exits);
     name_things(&loop);
     write_front(&loop, form, front);
     if (!front->text) {
@@ -237,6 +230,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
     block->text = writer_text(loop.arena, &out);
+    loop_exits_put_back(loop.facts->slice.exits);
     distributed_put_back(loop.facts->distribution);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
     return !loop.obstacle;

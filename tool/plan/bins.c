@@ -270,6 +270,8 @@ static const char *why_not_later(const loop_plan *plan) {
         return "it reads too many arrays that may overlap those it updates";
     if (!is_harmless_when_unverified(plan))
         return "its body may fail with values that are not verified";
+    if (facts->slice.exits)
+        return "an iteration may leave the loop";
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!can_be_stream(facts, i))
             return "an updated element is no integer or floating value of at most 8 bytes";

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "analysis/base/distributed.h"
+#include "analysis/base/loop_exits.h"
 #include "plan/bins.h"
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
@@ -62,6 +63,7 @@ const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
     *plan =
         (loop_plan){.arena = a, .whole = whole, .unit = unit, .facts = facts, .options = options};
     distributed_take_out(facts->distribution);
+    loop_exits_take_out(facts->slice.exits);
     plan_sources(plan);
     check_place(plan);
     plan_reads_ahead(plan);
@@ -69,6 +71,7 @@ const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
     check_iterations(plan);
     if (!plan->obstacle.message)
         plan_form(plan);
+    loop_exits_put_back(facts->slice.exits);
     distributed_put_back(facts->distribution);
     return plan;
 }

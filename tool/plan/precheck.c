@@ -156,6 +156,8 @@ static void refuse(loop_plan *plan, const bool *is_suspect) {
 void plan_precheck(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     bool *is_suspect = guarded_sources(plan);
+    if (facts->slice.exits)
+        plan->precheck = PRECHECK_OF_UPDATES;
     if (!unverified_has_suspects(plan, is_suspect))
         return;
     if (harms_ahead(plan, is_suspect)) {

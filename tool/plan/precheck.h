@@ -14,6 +14,9 @@
  * what the loop reads, as far as that is known, or at the first read of what the loop has updated.
  * Up to there each value is that of the sequential loop. What is read before the first iteration
  * has no such check; such a loop is left alone.
+ *
+ * Where an iteration may leave the loop (loop_exits.h), the same run finds it: it ends at the first
+ * iteration that does, and no later one is looked at.
  */
 #ifndef PLAN_PRECHECK_H
 #define PLAN_PRECHECK_H

@@ -28,8 +28,8 @@ const char options_help[] =
     "  --report-file=FILE   file for the report\n"
     "  --order=ORDER        order of the updates: serial (default: the sequential bits), fixed\n"
     "                       (the same bits in every run and at every number of threads), any\n"
-    "  --lanes=HOW          several iterations at once in vectors, where that can be done: off\n"
-    "                       (default), auto (as many as a register holds), 2, 4, 8\n"
+    "  --lanes=HOW          four iterations at once in vectors, where possible: auto (default:\n"
+    "                       in heavy loops), off, 4 (everywhere)\n"
     "  --pure=NAME[,NAME]   assert that these functions have no side effects and return the\n"
     "                       same value in every thread\n"
     "  --assume-noalias     assert that distinct pointers do not overlap\n"
@@ -186,8 +186,8 @@ const char *options_order_word(result_order order) {
 }
 
 static const char *read_lanes(arena *a, options *o, const char *value) {
-    static const char *const words[] = {"off", "auto", "2", "4", "8"};
-    static const unsigned lanes[] = {0, 1, 2, 4, 8};
+    static const char *const words[] = {"off", "auto", "4"};
+    static const lanes_wish lanes[] = {LANES_OF_NONE, LANES_OF_HEAVY, LANES_OF_ALL};
     int number;
     const char *wrong = read_word(a, "--lanes", words, COUNT(words), value, &number);
     if (!wrong)
@@ -428,7 +428,7 @@ static const char *check_together(arena *a, const options *o) {
 }
 
 const char *options_read(arena *a, int argc, char **argv, options *result) {
-    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL};
+    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL, .lanes = LANES_OF_HEAVY};
     words w = {argc, argv, 1};
     bool only_flags = false;
     while (w.next < w.count) {

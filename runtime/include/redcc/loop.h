@@ -48,7 +48,9 @@
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
         _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
             _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"")                        \
-                _Pragma("GCC diagnostic ignored \"-Wc++-compat\"") REDCC_QUIET_GCC
+                _Pragma("GCC diagnostic ignored \"-Wunused-variable\"")                            \
+                    _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")                       \
+                        _Pragma("GCC diagnostic ignored \"-Wc++-compat\"") REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** What compilers must not take for a variable without a value: it may have no members that matter.
@@ -237,6 +239,14 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
     if (redcc__worker && !redcc__probe && !redcc__told &&                                          \
         redcc_is_over(redcc__worker, redcc_source))                                                \
         return;
+
+/** An iteration leaves the loop. */
+#define REDCC_LEAVE                                                                                \
+    {                                                                                              \
+        if (redcc__worker && !redcc__probe && !redcc__told)                                        \
+            redcc_iteration_leaves(redcc__worker);                                                 \
+        return;                                                                                    \
+    }
 
 /** All from an address to before another. */
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \

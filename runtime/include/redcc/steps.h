@@ -66,6 +66,13 @@ static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
            worker->call->calls->is_stale(worker, source);
 }
 
+/** Inspector: this iteration leaves the loop. In a dry run (worker->alike < 0), which is over then,
+ *  it is found before anything is done; without one it is not to be met. */
+static __inline__ void redcc_iteration_leaves(redcc_worker *worker) {
+    if (worker->alike < 0)
+        worker->call->calls->is_stale(worker, REDCC_LEAVES);
+}
+
 /** Inspector: the addresses of one iteration are told. */
 static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     if (worker->inside && !worker->outside) {

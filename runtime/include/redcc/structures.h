@@ -130,9 +130,10 @@ enum {
     REDCC_BINNED = 16,
     /** Its executor can prefetch what iterations to come touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Times a set of 2, 4 and 8: so many iterations at once can be executed (lanes.h). */
+    /** Times 2 or 4: so many iterations at once are executed (lanes.h), where the processor has
+     * AVX2 or */
     REDCC_LANES_UNIT = 64,
-    /** They are compiled for the processor that all of the program is compiled for. */
+    /** whatever it is. */
     REDCC_LANES_ANYWHERE = 1024,
     /** Where the slice read by values that the loop has yet to write, it might read what is not
      *  there. So before an inspection one thread has all iterations told in order; where one would
@@ -149,7 +150,9 @@ enum {
     /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
     REDCC_SHORT = 32768,
     /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
-    REDCC_BY_HAND = 65536
+    REDCC_BY_HAND = 65536,
+    /** An assertion in a function that its slice calls may end the program. */
+    REDCC_MAY_ABORT = 131072
 };
 
 enum {
@@ -161,8 +164,15 @@ enum {
     /** A class is 0 or a sum of these: something that the thread owns is touched, something else
      *  is. */
     REDCC_CLASS_OWN = 1,
-    REDCC_CLASS_OTHERS = 2
+    REDCC_CLASS_OTHERS = 2,
+    /** What redcc_bins_next gives: 0 where there are no more bins; iterations; or that some are in
+     *  between, which redcc_next hands out, before the next call. */
+    REDCC_HANDED = 1,
+    REDCC_BETWEEN = 2
 };
+
+/** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
+#define REDCC_LEAVES 0xffffffffu
 
 /** A loop, as the translator knows it; one static object for each. */
 typedef struct redcc_loop {
@@ -236,7 +246,7 @@ typedef struct redcc_entry {
 /** How a chunk is executed, beside what it computes. */
 typedef struct redcc_manner {
     int prefetches; /**< is what iterations to come touch to be prefetched? */
-    int lanes; /**< iterations at once, one of those that the descriptor names; 0: one by one */
+    int lanes;      /**< iterations at once, as the descriptor has it; 0: one by one */
 } redcc_manner;
 
 /** One thread's part in an execution; lives on that thread's stack. */

@@ -9,8 +9,10 @@
  */
 #include "base/escapes.h"
 
+#include "base/signals.h"
 #include "base/system.h"
 
+#include <signal.h>
 #include <stdatomic.h>
 
 #if defined(__linux__) && defined(__GLIBC__) && defined(__LP64__)
@@ -120,6 +122,15 @@ static bool refers(const struct link_map *map, bool (*is_meant)(const char *name
     return does && !openmp;
 }
 
+static bool defines(const struct link_map *map, const char *name) {
+    const struct object object = object_of(map);
+    for (const Elf64_Sym *symbol = object.symbol; object.end && symbol < object.end; symbol++)
+        if (symbol->st_shndx != SHN_UNDEF && symbol->st_name < object.text_bytes &&
+            is_called(object.text + symbol->st_name, name))
+            return true;
+    return false;
+}
+
 enum { FREE = 1, ALIGNED = 2 + 4 + 8 };
 
 /* Bits of the functions of these that the object defines. */
@@ -143,6 +154,19 @@ static bool look_for_split(void) {
             return (defined & ALIGNED) != ALIGNED;
     }
     return false;
+}
+
+/* Does the C library, which defines abort, alone define what assert calls where it fails? */
+static bool look_for_assertions(void) {
+    bool are_there = false;
+    for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
+        if (!defines(map, "__assert_fail"))
+            continue;
+        if (!defines(map, "abort"))
+            return false;
+        are_there = true;
+    }
+    return are_there;
 }
 
 static bool some_object_refers(bool (*is_meant)(const char *name)) {
@@ -176,6 +200,10 @@ static bool look_for_split(void) {
     return false;
 }
 
+static bool look_for_assertions(void) {
+    return false;
+}
+
 #endif
 
 /* The answer of the first call holds for good. */
@@ -202,4 +230,9 @@ bool redcc_may_map(void) {
 bool redcc_allocator_is_split(void) {
     static atomic_int known;
     return answer(&known, look_for_split);
+}
+
+bool redcc_assertions_abort(void) {
+    static atomic_int known;
+    return answer(&known, look_for_assertions) && redcc_signal_is_default(SIGABRT);
 }

@@ -20,4 +20,8 @@ bool redcc_may_map(void);
  * number of threads changes. The answer of the first call holds for good. */
 bool redcc_allocator_is_split(void);
 
+/** Does an assertion that fails end the process without another function of the program's: by the
+ *  C library's own report, with no handler of SIGABRT? */
+bool redcc_assertions_abort(void);
+
 #endif

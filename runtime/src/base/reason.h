@@ -37,6 +37,9 @@
     X(REASON_SPREAD, "spread", "the range of the subscripts is too large for binning")             \
     X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
       "memory that is updated is, or may be, mapped at two addresses")                             \
+    X(REASON_ASSERTION, "assertion",                                                               \
+      "the program may see what an assertion that fails in a function leaves undone")              \
+    X(REASON_LEAVES, "leaves", "an iteration leaves the loop")                                     \
     X(REASON_UNLINKED, "unlinked",                                                                 \
       "a linked function of another file differs from the analysed one: compile this file again")  \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")

@@ -192,6 +192,11 @@ static void take_touch(struct inspection *inspection, struct inspector *inspecto
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source) {
     struct dry_run *run = &inspector->dry_run;
+    if (source == REDCC_LEAVES) {
+        run->leaves = true;
+        end_run(inspection, inspector, worker, (struct overlap){0, 0});
+        return true;
+    }
     struct gap gap = gap_around(range_read(inspection, inspector, source));
     for (uint32_t array = 0; array < inspection->partition.array_count; array++) {
         const struct range window = range_of_window(&run->window[array]);
@@ -230,5 +235,7 @@ enum reason redcc_dry_run_finish(struct inspection *inspection) {
         return REASON_NO_MEMORY;
     if (inspector->late)
         return REASON_DEADLINE;
+    if (inspector->dry_run.leaves)
+        return REASON_LEAVES;
     return inspector->dry_run.stands ? REASON_NONE : REASON_OVERLAP;
 }

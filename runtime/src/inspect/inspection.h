@@ -35,7 +35,8 @@ struct dry_run {
     redcc_owner *clear;   /* [source_count] a read in it is of nothing that a window holds */
     bool has_margins;     /* windows hold more than what was touched */
     bool ended_in_margin; /* by a read, perhaps of nothing that was touched */
-    bool stands;          /* nothing updated was found to be read */
+    bool stands;          /* nothing updated was found to be read, */
+    bool leaves;          /* or an iteration was found to leave the loop */
     double seconds;       /* what it took, in the end */
 };
 

@@ -103,7 +103,8 @@ void no_return(int n, const int *s, double *h) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse no-return
         if (s[i] < 0)
             abort();
-        h[s[i]] += 1.0;
+        else
+            h[s[i]] += 1.0;
     }
 }
 

@@ -78,19 +78,21 @@ void wraps(unsigned n, long m, const int *s, double *h) {
         h[s[i]] += 1.0;
 }
 
+const int *next(const int *);
+
 void leaves(int n, const int *s, double *h) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse break
-        if (s[i] < 0)
+        if (*next(s) < 0)
             break;
         h[s[i]] += 1.0;
     }
     for (int i = 0; i < n; i++) { // EXPECT: refuse return
-        if (s[i] < 0)
+        if (*next(s) < 0)
             return;
         h[s[i]] += 1.0;
     }
     for (int i = 0; i < n; i++) { // EXPECT: refuse goto
-        if (s[i] < 0)
+        if (*next(s) < 0)
             goto out;
         h[s[i]] += 1.0;
     }

@@ -238,6 +238,25 @@ typedef struct distribution {
 
 enum { MOST_STEPPED = 4 };
 
+/** A statement that leaves the loop for good where its condition holds (loop_exits.h). While the
+ *  loop is analysed, and while it is written, `rest` stands in its place: the iteration goes no
+ *  further. */
+typedef struct loop_exit {
+    ir_node *statement;
+    ir_node *rest;
+    const ir_node *condition;
+    ir_node *holder; /* the condition's parent in the statement */
+    ir_node *parent; /* the statement's block */
+    bool is_negated; /* it leaves where the condition does not hold */
+} loop_exit;
+
+enum { LOOP_MOST_EXITS = 8 };
+
+typedef struct loop_exits {
+    unsigned count;
+    loop_exit items[LOOP_MOST_EXITS];
+} loop_exits;
+
 /** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations do
  *  nothing but tell rows, perhaps in spans inside of it whose headers stay the same. Rows that
  *  mention what it steps are elements of arrays, one after the other: what its first and its last
@@ -265,6 +284,9 @@ typedef struct loop_variables {
 
 /** The slice: statements and control needed for rows and touched sources. */
 typedef struct loop_slice {
+    const loop_exits *exits; /* whose conditions it evaluates; NULL: no iteration leaves. Without
+                                items: a callee may end the program by an assertion */
+    bool may_abort;          /* by an assertion in a function that it calls */
     bool *holds; /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
                     control statements and the IR_BLOCKs in between. Control that only decides
                     whether an update happens, and is too expensive or not safe to evaluate twice,

@@ -368,6 +368,11 @@ static bool find_slice(loop_analysis *j) {
         is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
+    if (j->exits) { /* before a plan were used again, all would be read that an iteration may never
+                       come to */
+        j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
+        j->slice.is_verifiable = false;
+    }
     j->slice.is_verifiable = j->slice.is_verifiable && is_settled;
     if (!are_scalars_apart(j))
         return false;

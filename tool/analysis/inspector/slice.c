@@ -482,12 +482,27 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
     return is_safe_behind(s, body, jump, loop == s->j->loop ? NULL : body);
 }
 
+/* Does it lead past something that may end the loop or the program? */
+static bool skips_exit(const slicer *s, const ir_node *loop, const ir_node *jump) {
+    const loop_exits *exits = s->j->exits;
+    for (unsigned i = 0; exits && i < exits->count; i++)
+        if (exits->items[i].rest->id > jump->id && ir_contains(loop, exits->items[i].rest))
+            return true;
+    for (unsigned i = 0; exits && i < s->j->found.ends.count; i++)
+        if (s->j->found.ends.items[i]->id > jump->id &&
+            ir_contains(loop, s->j->found.ends.items[i]))
+            return true;
+    return false;
+}
+
 static void keep_continues(slicer *s, const ir_node *loop, const ir_node *node,
                            unsigned touch_count, const slice_touch *touches) {
-    const bool is_free = node->kind == IR_CONTINUE && is_in_block(s, node) &&
+    const bool is_free = node->kind == IR_CONTINUE && !skips_exit(s, loop, node) &&
+                         is_in_block(s, node) &&
                          is_safe_without(s, loop, node, touch_count, touches);
     if (node->kind == IR_CONTINUE && !is_free && !try_to_keep(s, node, true) &&
-        !is_safe_without(s, loop, node, touch_count, touches) && !try_to_keep(s, node, false))
+        (skips_exit(s, loop, node) || !is_safe_without(s, loop, node, touch_count, touches)) &&
+        !try_to_keep(s, node, false))
         fail(s, node);
     if (ir_is_loop(node) && !s->keep[node->id])
         return;
@@ -514,6 +529,17 @@ static void need_touch(slicer *s, const slice_touch *touch) {
     }
 }
 
+/* What decides whether an iteration leaves the loop, or the program, is computed exactly, in the
+ * iterations that come to it alone. */
+static void keep_exits(slicer *s) {
+    const loop_exits *exits = s->j->exits;
+    for (unsigned i = 0; exits && i < exits->count && !s->obstacle; i++)
+        keep_statement(s, exits->items[i].rest, NULL);
+    for (unsigned i = 0; exits && i < s->j->found.ends.count && !s->obstacle; i++)
+        if (ir_contains(s->j->counted.body, s->j->found.ends.items[i]))
+            keep_statement(s, expression_place(s->j->found.ends.items[i]), NULL);
+}
+
 slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_touch *touches) {
     slicer s = {.j = j,
                 .touch_count = touch_count,
@@ -522,6 +548,7 @@ slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_to
     for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
         need_touch(&s, &touches[i]);
     unsigned before = 0;
+    keep_exits(&s);
     do {
         before = kept_count(&s);
         for (unsigned i = 0; i < touch_count && !s.obstacle; i++)

@@ -76,6 +76,7 @@ typedef struct loop_analysis {
     scalar_list scalars;
     forward_list forwards;
     const distribution *distribution; /* NULL: there is none */
+    const loop_exits *exits;          /* as of loop_slice */
     private_list privates;
     variable_list captured;
     source_list sources;

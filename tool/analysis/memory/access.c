@@ -5,6 +5,7 @@
 
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/memory/access_walk.h"
 
 void access_add(access_walk *w, access item) {
@@ -227,6 +228,17 @@ static bool holds_assertion(const ir_node *node) {
     return false;
 }
 
+/* In a function that is called: where it does not fail, nothing but its condition is evaluated. */
+static bool walk_assertion(access_walk *w, const ir_node *node) {
+    const ir_node *condition = w->in_callee ? assertion_condition(node) : NULL;
+    if (!condition)
+        return false;
+    access_walk_node(w, condition);
+    VECTOR_PUSH(w->memory, &w->list->ends, node);
+    w->condition_depth++; /* what follows may not be executed; never taken back */
+    return true;
+}
+
 void access_walk_node(access_walk *w, const ir_node *node) {
     if (expression_is_floating_work(node))
         w->list->has_floating_work = true;
@@ -252,6 +264,8 @@ void access_walk_node(access_walk *w, const ir_node *node) {
             access_walk_node(w, node->children[1]);
         return;
     case IR_CONDITIONAL:
+        if (walk_assertion(w, node))
+            return;
         access_walk_node(w, node->children[0]);
         walk_conditionally(w, node->children[1]);
         walk_conditionally(w, node->children[2]);
@@ -260,6 +274,8 @@ void access_walk_node(access_walk *w, const ir_node *node) {
         access_walk_call(w, node);
         return;
     case IR_OPAQUE:
+        if (walk_assertion(w, node))
+            return;
         if (holds_assertion(node))
             access_problem_add(w, REASON_NO_RETURN, node, "assert");
         else

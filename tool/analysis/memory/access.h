@@ -46,6 +46,7 @@ typedef struct access_list {
                                    function without a body, or that approximates */
     bool may_set_errno;         /* a mathematical function is called that sets it */
     const char *errno_setter;
+    VECTOR(const ir_node *) ends; /* calls of functions that may end the program by an assertion */
 } access_list;
 
 typedef struct effects effects; /* all summaries of one unit */

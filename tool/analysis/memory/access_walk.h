@@ -11,6 +11,7 @@ typedef struct access_walk {
     effects *all;
     access_list *list;
     unsigned condition_depth; /* > 0: what follows may not be executed */
+    bool in_callee;           /* assertions are noted, and no problem */
 } access_walk;
 
 void access_walk_node(access_walk *w, const ir_node *node);

@@ -95,8 +95,9 @@ static void summarise_access(effects *all, const ir_function *function, const ac
 
 static void summarise(effects *all, const ir_function *function, access_list *result) {
     access_list raw = {0};
-    access_walk walk = {all->memory, all, &raw, 0};
+    access_walk walk = {all->memory, all, &raw, 0, true};
     access_walk_node(&walk, function->body);
+    result->ends = (typeof(result->ends)){raw.ends.items, raw.ends.count, raw.ends.count};
     result->has_floating_work = raw.has_floating_work;
     result->has_unrepeatable_work =
         raw.has_unrepeatable_work || (raw.has_floating_work && function->has_other_attributes);
@@ -266,6 +267,10 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         }
         access_add(w, item);
     }
+    if (known->ends.count) {
+        VECTOR_PUSH(all->memory, &w->list->ends, call);
+        w->condition_depth++; /* what follows may not be executed; never taken back */
+    }
 }
 
 static void walk_library_call(access_walk *w, const ir_node *call, const library_function *found) {
@@ -323,6 +328,6 @@ void access_walk_call(access_walk *w, const ir_node *call) {
 }
 
 void access_collect(effects *all, const ir_node *node, access_list *list) {
-    access_walk walk = {all->memory, all, list, 0};
+    access_walk walk = {all->memory, all, list, 0, false};
     access_walk_node(&walk, node);
 }

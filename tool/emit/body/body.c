@@ -9,6 +9,7 @@
 
 #include <string.h>
 
+#include "analysis/base/loop_exits.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
 #include "emit/base/step.h"
@@ -68,7 +69,9 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *brace = needs_braces(update) ? "{ " : "";
     if (loop->bins)
         return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
-    return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
+    return arena_format(loop->arena, "{ %s(%u, %s) %s",
+                        loop->lanes.is_wanted ? "REDCC_UPDATE_OF_LANES" : "REDCC_UPDATE",
+                        update->array, address, brace);
 }
 
 static const char *guard_end(const reduction_update *update) {
@@ -456,6 +459,15 @@ static void drop_distributed_stores(body_copy *copy) {
     }
 }
 
+static void drop_exits(body_copy *copy) {
+    const loop_exits *exits = copy->loop->facts->slice.exits;
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        const ir_node *exit = exits->items[i].statement;
+        replace_bytes(copy, exit->range.begin, syntax_statement_end(copy->loop->unit->source, exit),
+                      "{ }");
+    }
+}
+
 /** The body's text, what of it is the user's marked. */
 static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
@@ -477,12 +489,14 @@ static const char *copied_text(body_copy *copy) {
     skip_inner_iterations(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
-    unroll_loops(copy, body);
+    if (!loop->lanes.is_wanted) /* compiled once, beside what is executed by lanes */
+        unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);
 
     drop_increment(copy);
     drop_distributed_stores(copy);
+    drop_exits(copy);
     for (unsigned i = 0; i < copy->printed.count; i++) {
         const ir_node *statement = copy->printed.items[i];
         replace_bytes(copy, statement->range.begin, syntax_statement_end(text, statement),
@@ -538,16 +552,18 @@ void write_iteration(loop_text *loop, writer *out) {
                                   .rename = local_name,
                                   .context = loop,
                                   .before = print_guard,
-                                  .in_front_of_for = pragma_in_body},
+                                  .in_front_of_for = loop->lanes.is_wanted ? NULL : pragma_in_body},
                       .loop = loop};
     declare_variables(loop, out);
     note_no_operands(loop, out);
+    loop_exits_hide(loop->facts->slice.exits, true);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
     const bool continues = ir_continues(body);
+    loop_exits_hide(loop->facts->slice.exits, false);
     buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");

@@ -7,6 +7,7 @@
 #include "emit/slice/slice.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_exits.h"
 #include "analysis/base/row_steps.h"
 #include "analysis/base/stepped.h"
 #include "emit/base/forward.h"
@@ -33,9 +34,20 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
     return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
+/** Where an iteration leaves the loop, nothing has been done, and the original loop is to run. */
+static void write_exit(inspector *self, const loop_exit *exit) {
+    writer_line(self->printer.out, "if (%s(%s)) REDCC_LEAVE", exit->is_negated ? "!" : "",
+                log_row_text(self, exit->condition));
+}
+
 static bool before_statement(printer *p, const ir_node *statement) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
+    const loop_exit *exit = loop_exit_at(facts->slice.exits, statement);
+    if (exit) {
+        write_exit(self, exit);
+        return true;
+    }
     for (unsigned i = 0; i < facts->source_count; i++) {
         const int number = self->loop->plan->source_number[i];
         if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_LOGGED &&

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Iterations that may leave the loop: by return, break, goto, exit, an assertion, from the loop itself and
+// from one inside. Where none does the loop runs in parallel; where one does, at the first iteration, in
+// the middle, at the last, all is as the sequential loop leaves it, and messages stand where they did.
+// INTEGERS: no
+#include <assert.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "case.h"
+
+enum { N = 2500, M = 300 };
+static int k[N + 4];
+static double h[M], w[N];
+static int limit = 1 << 30, most = N;
+
+__attribute__((noipa)) static int by_return(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int i = k[t];
+        if (i < 0)
+            return -t;
+        h[i] += w[t];
+    }
+    return 1;
+}
+
+__attribute__((noipa)) static int by_break(int n) {
+    int t;
+    for (t = 0; t < n; t++) { // EXPECT: transformed
+        if (k[t] < 0)
+            break;
+        h[k[t]] += w[t] * 2;
+    }
+    return t;
+}
+
+__attribute__((noipa)) static int by_goto(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        double v = w[t];
+        if (v > 1e9) {
+            printf("iteration %d: %g\n", t, v);
+            goto fail;
+        }
+        h[k[t] < 0 ? 0 : k[t]] += v;
+    }
+    return 0;
+fail:
+    return 7;
+}
+
+__attribute__((noipa)) static int from_inside(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int c = 0; c < 3; c++) {
+            int i = k[t + c];
+            if (i == -7)
+                return t;
+            h[i < 0 ? 1 : i] += w[t];
+        }
+    return -1;
+}
+
+__attribute__((noipa)) static void by_exit(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int i = k[t];
+        if (i > limit) {
+            printf("iteration %d: %d\n", t, i);
+            case_print("exit", h, sizeof h);
+            exit(3);
+        }
+        if (i < 0)
+            continue;
+        h[i] += w[t];
+    }
+}
+
+static int checked(int i) {
+    assert(i < most);
+    return i;
+}
+
+__attribute__((noipa)) static void by_assert(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int i = k[t];
+        assert(i > -100);
+        int j = checked(t);
+        h[i < 0 ? 2 : i] += w[j];
+    }
+}
+
+static void run(const char *name) {
+    int results[4];
+    by_assert(N);
+    results[0] = by_return(N);
+    results[1] = by_break(N);
+    results[2] = by_goto(N);
+    results[3] = from_inside(N);
+    by_exit(N);
+    case_print(name, results, sizeof results);
+    case_print("h", h, sizeof h);
+    fflush(stdout);
+}
+
+/* Sees the updates of the iterations before. */
+static void at_abort(int number) {
+    (void)number;
+    case_print("aborted", h, sizeof h);
+    fflush(stdout);
+    _exit(5);
+}
+
+/* What ends the process does so in a child. */
+static void run_in_child(const char *name) {
+    const pid_t child = fork();
+    int status = 0;
+    if (child == 0) {
+        run(name);
+        _exit(0);
+    }
+    waitpid(child, &status, 0);
+    printf("%s: %d\n", name, status);
+    fflush(stdout);
+}
+
+int main(void) {
+    static const int places[] = {0, N / 2, N - 1};
+    case_subscripts(k, N, M);
+    case_values(w, N);
+    run("none leaves");
+    run("none leaves again");
+    for (int p = 0; p < 3; p++) {
+        const int at = places[p], was = k[at];
+        const double value = w[at];
+        k[at] = -7;
+        run("one leaves");
+        k[at] = was;
+        w[at] = 2e9;
+        run("one prints");
+        w[at] = value;
+    }
+    limit = M - 2;
+    run_in_child("exit");
+    limit = 1 << 30;
+    k[N / 3] = -200;
+    run_in_child("assertion");
+    k[N / 3] = 0;
+    most = N / 2;
+    run_in_child("assertion in a function");
+    signal(SIGABRT, at_abort);
+    run_in_child("the same, seen by a handler");
+    signal(SIGABRT, SIG_DFL);
+    most = N;
+    run("none leaves in the end");
+    return 0;
+}

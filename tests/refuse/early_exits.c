@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Iterations that leave the loop where that cannot be found out before: by what the loop updates, by a
+// condition with effects, by a message that is no end, by a sum.
+#include <stdio.h>
+#include <stdlib.h>
+
+void by_update(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        if (h[k[t]] > 1e9)
+            return;
+        h[k[t]] += v[t];
+    }
+}
+
+int next(int);
+
+void by_effect(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse break
+        if (next(t))
+            break;
+        h[k[t]] += v[t];
+    }
+}
+
+void goes_on(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
+        if (v[t] < 0)
+            fprintf(stderr, "iteration %d\n", t);
+        h[k[t]] += v[t];
+    }
+}
+
+int counts(int n, const int *k, double *h, const double *v) {
+    int errors = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        if (v[t] < 0)
+            errors++;
+        if (errors > 10)
+            return errors;
+        h[k[t]] += v[t];
+    }
+    return 0;
+}
+
+void in_a_switch(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse return
+        switch (k[t]) {
+        case 1:
+            return;
+        default:
+            h[k[t]] += v[t];
+        }
+}
+
+/* The pointer is read only where the first iteration does not leave. */
+struct system { double *h; };
+void before_a_pointer(int n, const int *k, const struct system *s, const double *v, int skip) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse base-conditional
+        if (skip)
+            break;
+        s->h[k[t]] += v[t];
+    }
+}

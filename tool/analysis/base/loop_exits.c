@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/loop_exits.h"
+
+#include <string.h>
+
+#include "analysis/base/expression.h"
+
+/* ---- assertions ------------------------------------------------------------------------------ */
+
+static bool is_failure(const ir_node *node) {
+    while (node && node->kind == IR_CAST)
+        node = ir_child(node, 0);
+    return node && node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+           node->children[0]->function->is_noreturn &&
+           strncmp(node->children[0]->function->name, "__assert", 8) == 0;
+}
+
+static const ir_node *only_statement(const ir_node *block) {
+    while (block && (block->kind == IR_BLOCK || block->kind == IR_EXPRESSION) &&
+           block->child_count == 1)
+        block = block->children[0];
+    return block;
+}
+
+/* c ? (void)0 : fail(); ({ if (c) ; else fail(); }); sizeof(...), one of these. */
+const ir_node *assertion_condition(const ir_node *node) {
+    while (node &&
+           (node->kind == IR_CAST || (node->kind == IR_BINARY && node->op == IR_OP_COMMA &&
+                                      (node->children[0]->kind == IR_SIZEOF ||
+                                       (node->children[0]->kind == IR_CAST &&
+                                        node->children[0]->children[0]->kind == IR_SIZEOF)))))
+        node = node->children[node->child_count - 1];
+    if (!node)
+        return NULL;
+    if (node->kind == IR_CONDITIONAL)
+        return is_failure(node->children[2]) && !ir_has_effect(node->children[1])
+                   ? node->children[0]
+                   : NULL;
+    if (!ir_is_statement_expression(node))
+        return NULL;
+    const ir_node *inner = only_statement(node->children[0]);
+    return inner && inner->kind == IR_IF && inner->child_count == 3 &&
+                   inner->children[1]->kind == IR_EMPTY &&
+                   is_failure(only_statement(inner->children[2]))
+               ? inner->children[0]
+               : NULL;
+}
+
+/* ---- branches that leave --------------------------------------------------------------------- */
+
+/* Does control never come to what follows the statement, in the loop? */
+static bool always_leaves(const ir_node *node, bool break_leaves) {
+    switch (node->kind) {
+    case IR_RETURN:
+    case IR_GOTO:
+        return true;
+    case IR_BREAK:
+        return break_leaves;
+    case IR_EXPRESSION: {
+        const ir_node *call = node->children[0];
+        return call->kind == IR_CALL && call->children[0]->kind == IR_FUNCTION &&
+               call->children[0]->function->is_noreturn;
+    }
+    case IR_BLOCK:
+        return node->child_count > 0 &&
+               always_leaves(node->children[node->child_count - 1], break_leaves);
+    default:
+        return false;
+    }
+}
+
+/* Something in the branch that the loop goes on after, or a label that other text jumps to. */
+static bool goes_on(const ir_node *node) {
+    if (node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
+        node->kind == IR_DEFAULT || node->kind == IR_BREAK)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (goes_on(node->children[i]))
+            return true;
+    return false;
+}
+
+static bool branch_leaves(const ir_node *branch, bool break_leaves) {
+    if (!always_leaves(branch, break_leaves))
+        return false;
+    if (branch->kind != IR_BLOCK)
+        return true;
+    for (unsigned i = 0; i + 1 < branch->child_count; i++)
+        if (goes_on(branch->children[i]))
+            return false;
+    return true;
+}
+
+/* ---- the loop's ------------------------------------------------------------------------------ */
+
+typedef struct search {
+    arena *memory;
+    loop_exits *found;
+    bool is_over; /* more than fit, or one that cannot be taken out */
+} search;
+
+static unsigned last_id(const ir_node *node) {
+    while (node->child_count)
+        node = node->children[node->child_count - 1];
+    return node->id;
+}
+
+/* May its bytes be replaced? Other statements that one macro makes with it have the same. */
+static bool has_own_bytes(const ir_node *statement) {
+    const ir_node *block = statement->parent;
+    if (statement->range.begin >= statement->range.end || block->kind != IR_BLOCK ||
+        block->flags & IR_FROM_MACRO)
+        return false;
+    for (unsigned i = 0; i < block->child_count; i++) {
+        const ir_node *other = block->children[i];
+        if (other != statement && other->range.begin < statement->range.end &&
+            statement->range.begin < other->range.end)
+            return false;
+    }
+    return true;
+}
+
+static void add(search *s, ir_node *statement, const ir_node *condition, bool is_negated) {
+    loop_exits *found = s->found;
+    if (found->count == LOOP_MOST_EXITS || !expression_is_plain(condition) ||
+        !has_own_bytes(statement)) {
+        s->is_over = true;
+        return;
+    }
+    ir_node *rest = ir_new(s->memory, IR_IF, NULL, 2);
+    ir_node *end = ir_new(s->memory, IR_CONTINUE, NULL, 0);
+    rest->id = statement->id;
+    rest->parent = statement->parent;
+    rest->range = end->range = (ir_range){statement->range.begin, statement->range.begin};
+    rest->children[0] = (ir_node *)condition;
+    rest->children[1] = end;
+    end->parent = rest;
+    end->id = last_id(condition) + 1;
+    found->items[found->count++] = (loop_exit){.statement = statement,
+                                               .rest = rest,
+                                               .condition = condition,
+                                               .holder = condition->parent,
+                                               .parent = statement->parent,
+                                               .is_negated = is_negated};
+}
+
+/* As a statement: an expression, or a sequence whose other parts do nothing. */
+static const ir_node *asserted_by(const ir_node *statement) {
+    if (statement->kind == IR_EXPRESSION)
+        return assertion_condition(statement->children[0]);
+    if (statement->kind == IR_OPAQUE)
+        return assertion_condition(statement);
+    if (statement->kind != IR_BLOCK || !(statement->flags & IR_SEQUENCE) || !statement->child_count)
+        return NULL;
+    for (unsigned i = 0; i + 1 < statement->child_count; i++)
+        if (ir_has_effect(statement->children[i]))
+            return NULL;
+    return asserted_by(statement->children[statement->child_count - 1]);
+}
+
+static void look(search *s, ir_node *node, bool break_leaves) {
+    const ir_node *condition = ir_is_loop(node) ? NULL : asserted_by(node);
+    if (condition) {
+        add(s, node, condition, true);
+        return;
+    }
+    if (node->kind == IR_IF && node->child_count == 2 &&
+        branch_leaves(node->children[1], break_leaves)) {
+        add(s, node, node->children[0], false);
+        return;
+    }
+    if (ir_is_loop(node) || node->kind == IR_SWITCH)
+        break_leaves = false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!ir_is_expression(node->children[i]))
+            look(s, node->children[i], break_leaves);
+}
+
+loop_exits *loop_exits_find(arena *a, const ir_node *body) {
+    search s = {.memory = a, .found = ARENA_NEW(a, loop_exits)};
+    look(&s, (ir_node *)body, true);
+    return s.is_over ? NULL : s.found;
+}
+
+static void exchange(ir_node *parent, const ir_node *old, ir_node *new) {
+    for (unsigned i = 0; i < parent->child_count; i++)
+        if (parent->children[i] == old)
+            parent->children[i] = new;
+}
+
+void loop_exits_take_out(const loop_exits *exits) {
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        const loop_exit *it = &exits->items[i];
+        exchange(it->parent, it->statement, it->rest);
+        it->statement->parent = NULL;
+        ((ir_node *)it->condition)->parent = it->rest;
+    }
+}
+
+void loop_exits_put_back(const loop_exits *exits) {
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        const loop_exit *it = &exits->items[i];
+        exchange(it->parent, it->rest, it->statement);
+        it->statement->parent = it->parent;
+        ((ir_node *)it->condition)->parent = it->holder;
+    }
+}
+
+void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
+    for (unsigned i = 0; exits && i < exits->count; i++) {
+        exits->items[i].rest->kind = are_hidden ? IR_BLOCK : IR_IF;
+        exits->items[i].rest->child_count = are_hidden ? 0 : 2;
+    }
+}
+
+const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement) {
+    for (unsigned i = 0; exits && i < exits->count; i++)
+        if (exits->items[i].rest == statement)
+            return &exits->items[i];
+    return NULL;
+}
