@@ -329,12 +329,17 @@ REDCC_RECORDS(float);
  *    redcc_all_exact    may the updates be made on private copies? */
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
-    REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,        \
-                                 redcc_all_exact, 0, redcc_call_of_slice, redcc_call_of_body)
+    REDCC_BINNED_AND(0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,              \
+                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
 /** The same where iterations may be handed out once more (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \
+    REDCC_BINNED_AND(redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
+                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
+#define REDCC_BINNED_AND(redcc_again, redcc_selects, redcc_streams, redcc_chunk, redcc_bins_n,     \
+                         redcc_told_bits, redcc_all_exact, redcc_call_of_slice,                    \
+                         redcc_call_of_body)                                                       \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
@@ -353,9 +358,9 @@ REDCC_RECORDS(float);
                                      redcc_call_of_body)                                           \
             }                                                                                      \
             {                                                                                      \
-                redcc_bins_n##_OF(REDCC_NO_BINS_OF)                                                \
-                    REDCC_EXECUTE_AND(redcc__handed != REDCC_BETWEEN && (redcc_again),             \
-                                      redcc_chunk, redcc_call_of_slice, redcc_call_of_body)        \
+                redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE_AND(                             \
+                    redcc__handed != REDCC_BETWEEN && (redcc_again), redcc_selects, redcc_chunk,   \
+                    redcc_call_of_slice, redcc_call_of_body)                                       \
             }                                                                                      \
         } while (redcc__handed == REDCC_BETWEEN);                                                  \
     }
