@@ -59,6 +59,8 @@
 /** A look at a sample: 256 iterations of some touches. Starting threads where the machine is not
  *  busy takes as long (0.1 to 0.4 ms), ten times as long where it is (2 to 6). */
 #define LEARN_LOOK 0.4e-3
+/** Iterations of that sample. */
+#define LEARN_LOOKED_AT 256
 /** Telling a touch of an iteration that follows alike. A run of iterations begins in three times
  *  that, and keeping a touch takes seven. */
 #define LEARN_TOUCH 1e-9

@@ -259,6 +259,22 @@ static struct decision decide_set_up(const struct choice *c) {
     return set_up(c, redcc_usual(c->size));
 }
 
+/* Are iterations so heavy that a look may take longer than a trial of bins may lose? They have
+ * loops inside, and it tells all that those touch. */
+static bool tries_first(const struct choice *c) {
+    const struct arm *bins = &c->size->arm[WAY_BINS];
+    return !c->size->looked && !bins->measured && !bins->ruled_out &&
+           c->now->kept[WAY_BINS] == KEPT_FITS &&
+           redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK;
+}
+
+static struct decision try_first(const struct choice *c) {
+    const double least = LEARN_CONTENDED / c->now->threads * redcc_usual(c->size);
+    c->size->arm[WAY_BINS] = (struct arm){.possible = true, .guessed = true, .execution = least};
+    const bool may = fits(c, WAY_BINS) && may_execute(c, WAY_BINS);
+    return may ? take_up(c, WAY_BINS) : sequentially(c, RULE_SAVING);
+}
+
 /* What only a trial can tell of is tried where nothing else may be had. */
 static struct decision decide_saving(const struct choice *c) {
     const double usual = redcc_usual(c->size);
@@ -266,7 +282,7 @@ static struct decision decide_saving(const struct choice *c) {
     if (ready != WAY_SEQUENTIAL && may_execute(c, ready))
         return take_up(c, ready);
     if (!c->size->looked)
-        return look(c);
+        return tries_first(c) && c->now->threads > 1 ? try_first(c) : look(c);
     const struct decision decision = decide_set_up(c);
     const enum way guessed = ready_way(c, usual, true);
     return decision.action == ACTION_SEQUENTIAL && guessed != WAY_SEQUENTIAL &&
