@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Processor time of compiling translated files, as a multiple of the untouched file's: without lanes, with one
-# width and with all of them. In every round each is compiled once; medians, and the quartiles of the ratios.
+# Processor time of compiling translated files, as a multiple of the untouched file's: without lanes, with
+# them in heavy loops and in all. In every round each is compiled once; medians, and the quartiles of the ratios.
 #   ROUNDS=9 CC=gcc FILES="bench/lanes_kernels.c" FLAGS="-O2;-O3 -march=native" script/bench compile
 . bench/common.sh
 compiler=${CC:-gcc}
@@ -11,15 +11,15 @@ seconds() { # COMMAND...: of the processor
   local TIMEFORMAT='%U %S'
   { time "$@" 2>/dev/null; } 2>&1 | awk '{print $1 + $2}'
 }
-echo "file,flags,untouched_seconds,off,off_low,off_high,two,two_low,two_high,auto,auto_low,auto_high" | tee "$csv"
+echo "file,flags,untouched_seconds,off,off_low,off_high,auto,auto_low,auto_high,all,all_low,all_high" | tee "$csv"
 for file in ${FILES:-bench/lanes_kernels.c}; do
-  for lanes in off 2 auto; do
+  for lanes in off auto 4; do
     "$build/tool/redcc" --lanes=$lanes "$file" -o "$work/$lanes.c" -Ibench -Iexamples/fabric 2>/dev/null
   done
   while IFS= read -r flags; do
     rm -f "$work"/times.*
     for ((round = 0; round < ${ROUNDS:-9}; round++)); do
-      for form in serial off 2 auto; do
+      for form in serial off auto 4; do
         source=$work/$form.c
         [ $form != serial ] || source=$file
         # shellcheck disable=SC2086
@@ -28,7 +28,7 @@ for file in ${FILES:-bench/lanes_kernels.c}; do
       done
     done
     line=$file,$flags,$(median <"$work/times.serial")
-    for form in off 2 auto; do
+    for form in off auto 4; do
       line+=$(paste "$work/times.$form" "$work/times.serial" | awk '{print $1 / $2}' | sort -g |
         awk '{v[NR] = $1} END {printf ",%.2f,%.2f,%.2f", v[int((NR + 1) / 2)], v[int((NR + 3) / 4)], v[int((3 * NR + 3) / 4)]}')
     done

@@ -5,11 +5,11 @@
  * one after the other in each round. Of two executions in a row the second is timed; the bits are
  * compared each time.
  *
- *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [WIDTH [KERNEL]]]]
+ *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [KERNEL]]]
  *
  * By LOCALWRITE with owners by index on data in order, and by the access graph on shuffled data,
  * as auto would, or by what REDCC_METHOD names.
- * SIDE: of the square mesh, in nodes. WIDTH: 2, 4 or 8 lanes at most. KERNEL: this one alone.
+ * SIDE: of the square mesh, in nodes. KERNEL: this one alone.
  * Prints lines: kernel,order,threads,serial_seconds, then of each manner speed-up,low,high -
  * against the untouched loop, median and the 5th and 95th percentile of the rounds' own.
  */
@@ -92,17 +92,13 @@ static double run(enum kernel kernel, int translated, const struct mesh *m, stru
     return omp_get_wtime() - began;
 }
 
-static enum lanes_setting widest = LANES_EIGHT;
-
 static double timed(enum course course, enum kernel kernel, const struct mesh *m,
                     struct arrays to) {
     struct settings *settings = (struct settings *)redcc_settings();
     settings->prefetch = course == AUTO                         ? PREFETCH_AUTO
                          : course == PREFETCH || course == BOTH ? PREFETCH_ON
                                                                 : PREFETCH_OFF;
-    settings->lanes = course < LANES                            ? LANES_OFF
-                      : course == AUTO && widest == LANES_EIGHT ? LANES_AUTO
-                                                                : widest;
+    settings->lanes = course < LANES ? LANES_OFF : LANES_AUTO;
     double seconds = 0;
     for (int i = 0; i < 2; i++) {
         memset(to.b, 0, to.b_bytes);
@@ -177,9 +173,8 @@ static int measure_in_child(enum kernel kernel, const char *order, const struct 
 
 int main(int argc, char **argv) {
     int rounds = argc > 1 ? atoi(argv[1]) : 15, differ = 0;
-    const int side = argc > 2 ? atoi(argv[2]) : 467, width = argc > 3 ? atoi(argv[3]) : 8;
+    const int side = argc > 2 ? atoi(argv[2]) : 467;
     rounds = rounds < 1 ? 1 : rounds > MOST_ROUNDS ? MOST_ROUNDS : rounds;
-    widest = width == 2 ? LANES_TWO : width == 4 ? LANES_FOUR : LANES_EIGHT;
     struct settings *settings = (struct settings *)redcc_settings();
     const int is_named = settings->method != NULL;
     for (int shuffled = 0; shuffled < 2; shuffled++) {
@@ -187,7 +182,7 @@ int main(int argc, char **argv) {
             settings->method = shuffled ? &redcc_method_graph_localwrite : &redcc_method_localwrite;
         struct mesh m = make_mesh(side < 3 ? 3 : side, shuffled);
         for (enum kernel kernel = 0; kernel < KERNELS; kernel++)
-            if (argc <= 4 || strcmp(argv[4], names[kernel]) == 0)
+            if (argc <= 3 || strcmp(argv[3], names[kernel]) == 0)
                 differ |= measure_in_child(kernel, shuffled ? "shuffled" : "sorted", &m, rounds);
         free_mesh(&m);
     }

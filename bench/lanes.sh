@@ -2,21 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Lanes and prefetches in the executors of LOCALWRITE: the untouched loops (bench/lanes_kernels.c)
 # against the translated ones with neither, with each, with both and as the runtime finds to be the
-# fastest, as compiled for this machine, by -O2 alone with the widths picked at run time, and so with
-# two lanes at most (SSE2); bits compared in every round. Below the table: what was not written for
+# fastest, as compiled for this machine and by -O2 alone; bits compared in every round. Below the table: what was not written for
 # vectors, and why.
-#   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native
+#   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native LANES=4 (auto: of heavy loops alone)
 # For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only makes the programs
 # there, which need nothing but the C library and libgomp. Each is run by
-#   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive folder/lanes-O2 ROUNDS SIDE WIDTH KERNEL
-# where all arguments may be left out: 15 rounds, a mesh of 467 x 467, 8 lanes at most, all kernels.
+#   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive folder/lanes-O2 ROUNDS SIDE KERNEL
+# where all arguments may be left out: 15 rounds, a mesh of 467 x 467, all kernels.
 . bench/common.sh
 compiler=${CC:-gcc}
 csv=$results/lanes.csv
 programs=${PROGRAMS:-$work}
 mkdir -p "$programs"
 export OMP_WAIT_POLICY=passive
-"$build/tool/redcc" --require --lanes=auto bench/lanes_kernels.c -o "$work/translated.c" -Ibench 2>/dev/null
+"$build/tool/redcc" --require "--lanes=${LANES:-4}" bench/lanes_kernels.c -o "$work/translated.c" -Ibench 2>/dev/null
 runtime=$(find "$build" -name libredcc_rt.a)
 make_program() { # NAME FLAGS...
   local name=$1 kernel
@@ -38,19 +37,15 @@ if [ -n "${PROGRAMS:-}" ]; then
   exit 0
 fi
 load_note
-head=build,most_lanes,kernel,order,threads,serial_seconds
+head=build,kernel,order,threads,serial_seconds
 for manner in plain prefetch lanes both auto; do head+=,$manner,${manner}_low,${manner}_high; done
 echo "$head" | tee "$csv"
 for threads in ${THREADS:-1 2}; do
-  while read -r name width; do
+  for name in lanes-native lanes-O2; do
     # shellcheck disable=SC2086
-    OMP_NUM_THREADS=$threads "$programs/$name" "${ROUNDS:-15}" "${SIDE:-467}" "$width" ${KERNEL:-} |
-      sed "s/^/${name#lanes-},$width,/" | tee -a "$csv"
-  done <<'RUNS'
-lanes-native 8
-lanes-O2 8
-lanes-O2 2
-RUNS
+    OMP_NUM_THREADS=$threads "$programs/$name" "${ROUNDS:-15}" "${SIDE:-467}" ${KERNEL:-} |
+      sed "s/^/${name#lanes-},/" | tee -a "$csv"
+  done
 done
 awk '/^void / {name = $2; sub(/\(.*/, "", name)}
   sub(/.*redcc: one iteration at a time: /, "") {sub(/ \*\/$/, ""); print name ": not for vectors: " $0}' "$work/translated.c"

@@ -199,8 +199,9 @@ static void note_manner(const struct execution *execution, struct statistics *st
     double seconds[MANNER_PARTS] = {0}, iterations[MANNER_PARTS] = {0};
     for (int t = 0; t < execution->call.threads; t++)
         redcc_parts_add(&execution->state->thread[t]->runner.parts, seconds, iterations);
-    statistics->last.lanes_reason = redcc_run_note_manner(
-        &execution->run, &execution->state->manners, seconds, iterations, &statistics->last.lanes);
+    redcc_run_note_manner(&execution->run, &execution->state->manners, seconds, iterations);
+    statistics->last.lanes = execution->run.manner.lanes;
+    statistics->last.lanes_reason = execution->run.manner.why;
 }
 
 /* Threads that found their iterations while they executed them know how many there were. */
@@ -280,8 +281,11 @@ static void account_binned(struct execution *execution, double now) {
         return;
     const enum result result =
         execution->reason == REASON_SERIAL_FASTER ? RESULT_LEFT : RESULT_PARALLEL;
-    const struct outcome outcome = {
-        .result = result, .way = WAY_BINS, .trip = trip, .seconds = now - call->entered};
+    const struct outcome outcome = {.result = result,
+                                    .way = WAY_BINS,
+                                    .trip = trip,
+                                    .seconds = now - call->entered,
+                                    .usual = redcc_bins_usual(binning)};
     redcc_tell_auto(state, call->request.loop, &outcome, REASON_NONE);
 }
 

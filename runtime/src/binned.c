@@ -29,13 +29,31 @@ void redcc_hold_written(void *execution, uint32_t array, struct range written) {
     redcc_validation_grow(&it->run.validation, it->call.request.loop->array_count, array, written);
 }
 
+/* The first thread executes what is between two rounds; the others wait for it in the next one. */
+static void stretch(struct thread_state *thread, redcc_worker *worker) {
+    const struct round *round = &thread->execution->state->binning.round;
+    const redcc_int begin = thread->thread == 0 ? round->begin : round->end;
+    redcc_run_stretch(worker, begin, round->end);
+}
+
+/* What redcc_next has handed out between two rounds is done, and has left the thread as it was. */
+static void resume(struct thread_state *thread) {
+    thread->runner.step = STEP_BEGIN;
+    redcc_float_control_take(thread->execution->call.float_control);
+}
+
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands) {
     struct thread_state *thread = worker->execution;
-    if (!thread || thread->stage != STAGE_BINS || thread->runner.step != STEP_BEGIN)
+    if (!thread || thread->stage != STAGE_BINS)
+        return 0;
+    const bool resumes = thread->binner->phase == BINS_STRETCH;
+    if (resumes)
+        resume(thread);
+    if (thread->runner.step != STEP_BEGIN)
         return 0;
     struct execution *execution = thread->execution;
     struct run *run = &execution->run;
-    if (worker->last == 0) { /* for the first time */
+    if (worker->last == 0 && !resumes) { /* for the first time */
         errno = 0;
         if (thread->thread == 0)
             run->ready = redcc_seconds();
@@ -45,8 +63,12 @@ int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands
     if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands)) {
         for (uint32_t s = 0; s < execution->state->binning.loop->stream_count; s++)
             bins[s].calls = worker->call->calls;
-        return 1;
+        return REDCC_HANDED;
     }
-    end(thread, worker);
-    return 0;
+    if (thread->binner->phase != BINS_STRETCH) {
+        end(thread, worker);
+        return 0;
+    }
+    stretch(thread, worker);
+    return REDCC_BETWEEN;
 }

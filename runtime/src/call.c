@@ -205,7 +205,9 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     const bool is_validated = call->validate && !state->temporary;
     execution->run.validated = is_validated ? &state->reported.statistics.validated : NULL;
     redcc_bins_begin(&state->binning,
-                     call->method ? redcc_bins_tuning.trial : execution->advice.trial,
+                     is_validated   ? 0
+                     : call->method ? redcc_bins_tuning.trial
+                                    : execution->advice.may_lose,
                      (struct written_witness){is_validated ? redcc_hold_written : NULL, execution});
     return true;
 }
@@ -351,6 +353,21 @@ static enum reason reason_at_once(struct loop_state *state, const redcc_loop *lo
     return reason;
 }
 
+/* The execution has begun: the call's threads join it. */
+static int hand_over(struct execution *execution, redcc_call *call) {
+    const int threads = execution->call.asked;
+    redcc_find_plan(execution);
+    redcc_trace(TRACE_CHOICE, call->loop, "%lld iterations, %s%s%s, %d threads asked for",
+                call->trip,
+                execution->advice.action == ACTION_INSPECT ? "inspected" : "in parallel",
+                execution->call.method ? " by " : "",
+                execution->call.method ? execution->call.method->name : "", threads);
+    call->threads = threads;
+    call->decided = 1;
+    call->execution = execution;
+    return 1;
+}
+
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
@@ -401,16 +418,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
             time_original(loop, trip, known);
         return serially(state, reason);
     }
-    threads = execution->call.asked;
-    redcc_find_plan(execution);
-    redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
-                execution->advice.action == ACTION_INSPECT ? "inspected" : "in parallel",
-                execution->call.method ? " by " : "",
-                execution->call.method ? execution->call.method->name : "", threads);
-    call->threads = threads;
-    call->decided = 1;
-    call->execution = execution;
-    return 1;
+    return hand_over(execution, call);
 }
 
 static void note_node(struct thread_state *thread) {

@@ -137,6 +137,7 @@ int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc
         return 0;
     for (redcc_u32 i = 0; i < count; i++) {
         writers[i].adds = writers[i].begins = 1;
+        writers[i].in_front = 0;
         writers[i].at = writers[i].end = writers[i].block_end = NULL;
     }
     redcc_run_own_nothing(worker);

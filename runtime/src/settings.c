@@ -131,8 +131,8 @@ static void read_prefetch(const char *value) {
 }
 
 static void read_lanes(const char *value) {
-    static const char *const names[] = {"off", "auto", "2", "4", "8"};
-    settings.lanes = (enum lanes_setting)read_named("REDCC_LANES", value, names, 5, LANES_AUTO);
+    static const char *const names[] = {"off", "auto"};
+    settings.lanes = (enum lanes_setting)read_named("REDCC_LANES", value, names, 2, LANES_AUTO);
 }
 
 /* Names with commas between them. */

@@ -228,12 +228,7 @@ expect_no_file "$RECORD"
 expect_match shown "bin/redcc' x.c -o "
 expect_match shown "-ffp-contract=off"
 expect_no_match shown "fopenmp"
-expect_match shown "falign-loops=64"
-for own in -falign-loops -falign-loops=16 -fno-align-loops; do
-  "$redcc_cc" --redcc-show -O2 $own -c x.c >shown || fail "$case_name"
-  expect_match shown "$own"
-  expect_no_match shown "falign-loops=64"
-done
+expect_no_match shown "falign"
 echo redcc_run | tr '\n' '\0' >y.o
 "$redcc_cc" --redcc-show x.o y.o -o p >shown || fail "$case_name"
 expect_match shown "-Wl,-u,redcc_run.*libredcc_rt.a'"

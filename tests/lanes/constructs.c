@@ -492,6 +492,82 @@ static void lifted_counter_set_by_all(int n, int often, const struct element *re
     }
 }
 
+/* ---- beside updates: each lane by itself ---- */
+
+static double weight(double v) {
+    return v < 0 ? -v : v * 0.75;
+}
+
+static void lifted_computed_between_updates(int n, const struct element *restrict e,
+                                            const double (*restrict p)[3],
+                                            double (*restrict b)[3][3]) {
+    int m;
+    double w;
+    for (int t = 0; t < n; t++) {
+        double d[3][3];
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < 3; c++)
+                d[r][c] = p[e[t].node[r]][c] * (r == c ? 2.0 : e[t].area);
+        for (int q = 0; q < 3; q++) {
+            m = e[t].node[q];
+            w = q == 1 ? 0.5 : p[m][q];
+            double(*const row)[3] = b[m];
+            for (int r = 0; r < 3; r++)
+                for (int c = 0; c < 3; c++)
+                    row[r][c] += w * d[r][c];
+        }
+    }
+}
+
+/* Loops that do not go alike, are left and gone on with; a function; an array of the updates' own.
+ */
+static void lifted_searches_between_updates(int n, const struct element *restrict e,
+                                            const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double r = p[e[t].node[0]][0] * 0.5 + e[t].area;
+        for (int q = 0; q < 3; q++) {
+            int at = e[t].node[q] % 5, steps[2] = {0, 1};
+            const int is_close = r < 0.5;
+            if (is_close && q == 1)
+                continue;
+            while (at < NODES - 4) {
+                at += 3 + steps[q % 2];
+                steps[0]++;
+                if (at % 7 == e[t].kind % 7)
+                    break;
+            }
+            b[at] += weight(r) * (q + is_close);
+        }
+    }
+}
+
+/* What updates change is not for the next iteration, nor for what is computed for all lanes. */
+static void lifted_changed_beside_updates(int n, const struct element *restrict e,
+                                          const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int k = 0;
+        double v = p[e[t].node[0]][1];
+        for (int q = 0; q < 3; q++) {
+            b[(e[t].node[q] + k) % NODES] += v;
+            k += 1 + e[t].kind % 2;
+            v *= 0.5;
+        }
+    }
+}
+
+static void plain_changed_beside_and_used_below(int n, const struct element *restrict e,
+                                                const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int k = 0;
+        for (int q = 0; q < 3; q++) {
+            b[(e[t].node[q] + k) % NODES] += p[e[t].node[0]][1];
+            k += 1 + e[t].kind % 2;
+        }
+        const double v = p[(e[t].node[1] + k) % NODES][2];
+        b[e[t].node[2]] += v;
+    }
+}
+
 #define P (const double(*)[3]) x
 
 int main(void) {
@@ -538,6 +614,10 @@ int main(void) {
             EACH(plain_length_of_loop(n, element, P, single), single);
             EACH(lifted_comparisons_of_all_types(n, element, P, single), single);
             EACH(plain_counter_set_inside(n, element, P, single), single);
+            EACH(lifted_computed_between_updates(n, element, P, block), block);
+            EACH(lifted_searches_between_updates(n, element, P, single), single);
+            EACH(lifted_changed_beside_updates(n, element, P, single), single);
+            EACH(plain_changed_beside_and_used_below(n, element, P, single), single);
             EACH(lifted_counter_set_by_all(n, round, element, P, single), single);
         }
     }

@@ -190,10 +190,16 @@ void calls_in_an_update(int n, elements e, points p, double *restrict b) {
 void computes_between(int n, elements e, points p, double *restrict b) {
     for (int t = 0; t < n; t++) {
         const int i = e[t].node[0];
-        double half;
+        const double half = 0.5 * p[i][0];
         for (int c = 0; c < 3; c++) {
-            half = 0.5 * p[i][c]; /* lanes: beside-update */
-            b[e[t].node[c]] += half;
+            switch (c) { /* lanes: beside-update */
+            case 0:
+                b[e[t].node[c]] += half;
+                break;
+            default:
+                b[e[t].node[c]] -= half;
+                break;
+            }
         }
     }
 }

@@ -75,7 +75,7 @@ static bool has_clauses(arena *a, const char *description, const char *clauses) 
 }
 
 static unsigned check_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict) {
-    static const plan_options options = {.lanes = 1};
+    static const plan_options options = {.lanes = LANES_OF_ALL};
     const char *expected = expected_at(a, unit->source, verdict->loop->range.begin);
     const char *found = describe(a, plan_loop(a, unit, unit, verdict->facts, &options));
     if (expected && has_clauses(a, found, expected))

@@ -16,6 +16,7 @@
 #include <omp.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <unistd.h>
 
 struct binned_problem {
     redcc_int trip;
@@ -23,7 +24,13 @@ struct binned_problem {
     const void *value; /* [trip] */
     void *rows;        /* of subscript 0 */
     const double *by;
+    redcc_int slow; /* the first iterations take longer, so many; or where < 0 the last ones */
 };
+
+static inline void binned_delay(const struct binned_problem *p, redcc_int t) {
+    if (t < p->slow || t >= p->trip + (p->slow < 0 ? p->slow : 0))
+        usleep(20);
+}
 
 struct binned_loop {
     const char *name;
@@ -67,13 +74,15 @@ struct binned_loop {
             STATEMENT;                                                                             \
         }                                                                                          \
     }                                                                                              \
-    static void NAME##_push(const struct binned_problem *p, redcc_worker *worker, int *last) {     \
+    static int NAME##_push(const struct binned_problem *p, redcc_worker *worker, int *last) {      \
         const RECORD *const value = p->value;                                                      \
         redcc_bins bins[1];                                                                        \
-        while (redcc_bins_next(worker, bins, p->by)) {                                             \
+        int handed;                                                                                \
+        while ((handed = redcc_bins_next(worker, bins, p->by)) == REDCC_HANDED) {                  \
             const redcc_bins to_0 = bins[0];                                                       \
             for (redcc_int t = worker->first; t < worker->last; t++) {                             \
                 const RECORD e = value[t];                                                         \
+                binned_delay(p, t);                                                                \
                 if (EXACT && REDCC_ARE_COPIED(&to_0))                                              \
                     redcc_update(&to_0, &NAME##_streams[0], p->k[t], 0, &e);                       \
                 else                                                                               \
@@ -82,6 +91,7 @@ struct binned_loop {
             if (worker->last == p->trip && redcc_claims_last(worker))                              \
                 __atomic_fetch_add(last, 1, __ATOMIC_RELAXED);                                     \
         }                                                                                          \
+        return handed == REDCC_BETWEEN;                                                            \
     }                                                                                              \
     static void NAME##_execute(const struct binned_problem *p, redcc_worker *worker, int *last) {  \
         const RECORD *const value = p->value;                                                      \
@@ -115,7 +125,8 @@ struct binned_loop {
                 redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());           \
                 while (redcc_inspect(&worker))                                                     \
                     ;                                                                              \
-                NAME##_push(p, &worker, last);                                                     \
+                while (NAME##_push(p, &worker, last))                                              \
+                    NAME##_execute(p, &worker, last);                                              \
                 NAME##_execute(p, &worker, last);                                                  \
             }                                                                                      \
         }                                                                                          \

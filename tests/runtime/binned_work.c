@@ -80,9 +80,10 @@ redcc_binned work_loop = {{"binned_work.c", 20, "work", REDCC_ORDER_SERIAL,
                           2,
                           streams};
 
-static void push(const struct work *w, redcc_worker *worker) {
+static int push(const struct work *w, redcc_worker *worker) {
     redcc_bins bins[2];
-    while (redcc_bins_next(worker, bins, &half)) {
+    int handed;
+    while ((handed = redcc_bins_next(worker, bins, &half)) == REDCC_HANDED) {
         const redcc_bins means = bins[0], others = bins[1];
         for (redcc_int t = worker->first; t < worker->last; t++)
             for (int n = w->start[t]; n < w->start[t + 1]; n++) {
@@ -95,6 +96,7 @@ static void push(const struct work *w, redcc_worker *worker) {
                 redcc_push(&others, &streams[1], w->j[n] + 1, 1, &e);
             }
     }
+    return handed;
 }
 
 bool work_run(const struct work *w, int threads) {
@@ -111,11 +113,14 @@ bool work_run(const struct work *w, int threads) {
             redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
             while (redcc_inspect(&worker))
                 ;
-            push(w, &worker);
-            while (redcc_next(&worker))
-                for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
-                    execute(w, worker.origin + r->begin,
-                            worker.origin + r->begin + r->count_and_guard / 2);
+            int more;
+            do {
+                more = push(w, &worker);
+                while (redcc_next(&worker))
+                    for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
+                        execute(w, worker.origin + r->begin,
+                                worker.origin + r->begin + r->count_and_guard / 2);
+            } while (more == REDCC_BETWEEN);
         }
     }
     return redcc_leave(&call);

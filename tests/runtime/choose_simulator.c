@@ -113,18 +113,21 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
         it->so_far.total += call->sequential;
 }
 
-/* A trial in bins: rounds of a 16th of the loop, of as much again, ... */
+/* A trial in bins: a round of a 16th of the loop, as much sequentially, then rounds as long as all
+ * before. */
 static void try_bins(struct simulation *it, const struct simulated_call *call, double may_lose) {
     const double more = call->execution[WAY_BINS] - call->sequential, start = start_left(it);
-    double done = 1.0 / 16;
-    while (done < 1 && done * more <= may_lose)
-        done *= 2;
+    double done = 1.0 / 8, binned = done / 2;
+    for (; done < 1 && binned * more <= may_lose; done *= 2)
+        binned += done;
     const enum result result = done < 1 ? RESULT_LEFT : RESULT_PARALLEL;
-    const double seconds = call->sequential + fmin(done, 1) * more + start;
+    const double seconds = call->sequential + binned * more + start;
     it->started = true;
     it->so_far.parallel += result == RESULT_PARALLEL;
     it->so_far.left += result == RESULT_LEFT;
-    tell(it, outcome_of(result, WAY_BINS, call, seconds));
+    struct outcome outcome = outcome_of(result, WAY_BINS, call, seconds);
+    outcome.usual = call->sequential / (double)call->trip;
+    tell(it, outcome);
 }
 
 static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
@@ -206,6 +209,10 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         arm[way].set_up = spent + trace->set_up[way] * trip * trace->set_up_error;
         arm[way].execution = call->execution[way] / trip * trace->execution_error;
     }
+    if (trace->guessed) {
+        arm[WAY_BINS].guessed = true;
+        arm[WAY_BINS].execution = 0.55 * call->sequential / (double)call->trip;
+    }
     if (entry.alone) {
         it->so_far.looks++;
         redcc_note_arms(it->state, call->trip, arm, spent);
@@ -252,8 +259,8 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
         inspect(it, call, &now, decision);
         break;
     case ACTION_REUSE:
-        if (decision.trial.may_lose > 0)
-            try_bins(it, call, decision.trial.may_lose);
+        if (decision.may_lose > 0)
+            try_bins(it, call, decision.may_lose);
         else
             run_by_plan(it, call, decision.way);
         break;

@@ -23,6 +23,7 @@ struct trace {
     int count;
     struct simulated_call call[SIMULATED_CALLS];
     bool possible[WAY_COUNT];
+    bool guessed;             /**< of bins nothing is known before they are tried */
     double set_up[WAY_COUNT]; /**< seconds an iteration, in truth */
     double set_up_error;      /**< estimated over true */
     double execution_error;   /**< the same, of executions */

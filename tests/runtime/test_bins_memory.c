@@ -35,19 +35,21 @@ static void memory_does_not_suffice(void **unused) {
 static void records_are_many_all_at_once(void **unused) {
     (void)unused;
     struct work w = work_new(78, 15);
-    for (int t = TRIP / 2 + 1; t < TRIP; t++)
+    const int heavy = TRIP / 2 + 37; /* it is not measured */
+    for (int t = heavy + 1; t < TRIP; t++)
         w.start[t] = w.start[TRIP];
     for (int threads = 1; threads <= 3; threads++) {
         redcc_bins_tuning.round = 200;
         redcc_bins_tuning.least_budget = (size_t)8 << 20;
         assert_true(work_compare(&w, threads));
         assert_int_equal(work_state()->binning.reason, REASON_NONE);
-        assert_true(work_state()->binning.rounds > TRIP / 200);
+        /* by several threads the blocks that a failed round asks for suffice */
+        assert_true(work_state()->binning.rounds >= TRIP / 200 + (threads == 1));
         redcc_bins_tuning.least_budget = (size_t)threads * 200000; /* not enough for that one */
         redcc_loop_forget(&work_loop.loop);
         assert_true(work_compare(&w, threads));
         assert_int_equal(work_state()->binning.reason, REASON_NO_MEMORY);
-        assert_in_range(work_state()->binning.round.begin, 1, TRIP / 2);
+        assert_in_range(work_state()->binning.round.begin, 1, heavy);
         redcc_loop_forget(&work_loop.loop);
     }
     redcc_bins_tuning = usual;

@@ -131,6 +131,42 @@ static struct trace *in_bins(int count, double execution) {
     return trace;
 }
 
+/* No estimate speaks for bins: they are tried where no plan may be had, and only there. */
+static void bins_without_an_estimate(void **unused) {
+    (void)unused;
+    struct trace *trace = in_bins(10, 0.6);
+    trace->guessed = true;
+    check_gain(trace, "bins without an estimate", 1.35);
+    trace = heavy(10, 0.03, 1.9);
+    const double without = simulate(trace).total;
+    trace->possible[WAY_BINS] = trace->guessed = true;
+    for (int c = 0; c < trace->count; c++)
+        trace->call[c].execution[WAY_BINS] = 1.6 * trace->call[c].sequential;
+    const struct simulated it = simulate(trace);
+    assert_int_equal(it.left, 0);
+    assert_true(it.total <= without);
+    free(trace);
+}
+
+/* What iterations take differs from call to call: a trial compares an execution with itself. */
+static void bins_of_uneven_calls(void **unused) {
+    (void)unused;
+    struct trace *trace = in_bins(12, 0.7);
+    for (int c = 0; c < trace->count; c += 2) {
+        trace->call[c].sequential *= 2;
+        trace->call[c].execution[WAY_BINS] *= 2;
+    }
+    check_gain(trace, "bins, every other call twice as long", 1.25);
+    trace = in_bins(12, 1.5);
+    for (int c = 0; c < 2; c++) {
+        trace->call[c].sequential *= 2;
+        trace->call[c].execution[WAY_BINS] *= 2;
+    }
+    const struct simulated it = simulate(trace);
+    assert_int_equal(it.parallel, 0);
+    free(trace);
+}
+
 /* Bins need no set-up: they are tried when two executions and a look were sequential. Where they
  * are slower, what is lost is part of one execution. */
 static void bins_on_trial(void **unused) {
@@ -503,6 +539,8 @@ int main(void) {
         cmocka_unit_test(heavy_loops),
         cmocka_unit_test(first_executions_take_longer),
         cmocka_unit_test(bins_on_trial),
+        cmocka_unit_test(bins_without_an_estimate),
+        cmocka_unit_test(bins_of_uneven_calls),
         cmocka_unit_test(without_a_set_up),
         cmocka_unit_test(what_has_failed_is_not_tried_again),
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),

@@ -11,11 +11,10 @@
 
 #include <cmocka.h>
 
-enum { ALL = WITH_PREFETCH | WITH_LANES };
-
-/* Of `executions`, of so many iterations a thread each, how many parts were executed in each
- * manner, where an iteration takes seconds[manner]; every third part takes half as long again. */
-static void execute(struct manners *it, unsigned open, int executions, redcc_int iterations,
+/* Of `executions`, of so many iterations a thread each, how many parts were executed without and
+ * with prefetches, where an iteration takes seconds[with]; every third part takes half as long
+ * again. */
+static void execute(struct manners *it, bool open, int executions, redcc_int iterations,
                     const double seconds[MANNERS], int made[MANNERS]) {
     memset(made, 0, MANNERS * sizeof *made);
     for (int i = 0; i < executions; i++) {
@@ -23,7 +22,7 @@ static void execute(struct manners *it, unsigned open, int executions, redcc_int
         double each[MANNER_PARTS];
         assert_in_range(parts, 0, MANNER_PARTS);
         for (unsigned part = 0; part < parts; part++) {
-            const unsigned manner = redcc_manner_of(it, open, part);
+            const bool manner = redcc_manner_of(it, open, part);
             made[manner]++;
             each[part] = seconds[manner] * (1 + 0.5 * (((unsigned)i + part) % 3 == 0));
         }
@@ -39,98 +38,78 @@ static void nothing_is_tried_where_nothing_is_open(void **unused) {
     (void)unused;
     struct manners it = {0};
     int made[MANNERS];
-    assert_int_equal(redcc_manner_parts(&it, 0, LONG), 0);
-    execute(&it, 0, 50, LONG, (const double[MANNERS]){1, 1, 1, 1}, made);
+    assert_int_equal(redcc_manner_parts(&it, false, LONG), 0);
+    execute(&it, false, 50, LONG, (const double[MANNERS]){1, 1}, made);
     assert_int_equal(made[0], 50);
 }
 
 /* Of short executions each is a part. */
-static void the_faster_of_two_is_kept(void **unused) {
+static void the_faster_one_is_kept(void **unused) {
     (void)unused;
     const double gains[MANNERS] = {1.0, 0.9}, loses[MANNERS] = {0.9, 1.0};
     struct manners it = {0}, other = {0};
     int made[MANNERS];
-    assert_int_equal(redcc_manner_of(&it, WITH_PREFETCH, 0), WITH_PREFETCH);
-    execute(&it, WITH_PREFETCH, 6, SHORT, gains, made);
-    assert_int_equal(made[WITH_PREFETCH], 3);
-    execute(&it, WITH_PREFETCH, 64, SHORT, gains, made);
-    assert_int_equal(made[WITH_PREFETCH], 64);
-    execute(&it, WITH_PREFETCH, 6, SHORT, loses, made); /* the data changed */
-    assert_int_equal(made[WITH_PREFETCH], 3);
-    execute(&it, WITH_PREFETCH, 128, SHORT, loses, made);
-    assert_int_equal(made[WITH_PREFETCH], 0);
-    execute(&other, WITH_PREFETCH, 6 + 64 + 6 + 128 + 6, SHORT, loses, made);
-    assert_int_equal(made[WITH_PREFETCH], 9);
-}
-
-static void the_fastest_of_four_is_kept(void **unused) {
-    (void)unused;
-    int made[MANNERS];
-    for (unsigned best = 0; best < TURN_ARMS; best++) {
-        double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
-        struct manners it = {0};
-        seconds[best] = 0.9;
-        assert_int_equal(redcc_manner_of(&it, ALL, 0), ALL);
-        execute(&it, ALL, 16, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < TURN_ARMS; manner++)
-            assert_int_equal(made[manner], 4);
-        execute(&it, ALL, 64, SHORT, seconds, made);
-        assert_int_equal(made[best], 64);
-    }
+    assert_true(redcc_manner_of(&it, true, 0));
+    execute(&it, true, 6, SHORT, gains, made);
+    assert_int_equal(made[true], 3);
+    execute(&it, true, 64, SHORT, gains, made);
+    assert_int_equal(made[true], 64);
+    execute(&it, true, 6, SHORT, loses, made); /* the data changed */
+    assert_int_equal(made[true], 3);
+    execute(&it, true, 128, SHORT, loses, made);
+    assert_int_equal(made[true], 0);
+    execute(&other, true, 6 + 64 + 6 + 128 + 6, SHORT, loses, made);
+    assert_int_equal(made[true], 9);
 }
 
 static void one_long_execution_does_for_a_trial(void **unused) {
     (void)unused;
-    const unsigned open[] = {WITH_PREFETCH, WITH_LANES, ALL};
     int made[MANNERS];
-    for (int o = 0; o < 3; o++)
-        for (unsigned best = 0; best < TURN_ARMS; best++) {
-            double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
-            struct manners it = {0};
-            if ((best & open[o]) != best)
-                continue;
-            seconds[best] = 0.9;
-            execute(&it, open[o], 1, LONG, seconds, made);
-            for (unsigned manner = 0; manner < TURN_ARMS; manner++)
-                assert_int_equal(made[manner], (manner & open[o]) == manner ? MANNER_ROUNDS : 0);
-            execute(&it, open[o], 64, LONG, seconds, made);
-            assert_int_equal(made[best], 64);
-            execute(&it, open[o], 1, LONG, seconds, made);
-            assert_int_equal(made[best], MANNER_ROUNDS);
-        }
+    for (unsigned best = 0; best < MANNERS; best++) {
+        double seconds[MANNERS] = {1.0, 1.1};
+        struct manners it = {0};
+        seconds[best] = 0.9;
+        execute(&it, true, 1, LONG, seconds, made);
+        for (unsigned manner = 0; manner < MANNERS; manner++)
+            assert_int_equal(made[manner], MANNER_ROUNDS);
+        execute(&it, true, 64, LONG, seconds, made);
+        assert_int_equal(made[best], 64);
+        execute(&it, true, 1, LONG, seconds, made);
+        assert_int_equal(made[best], MANNER_ROUNDS);
+    }
 }
 
-/* Five parts an execution: two rounds of four manners take two, and the last one has what lacks. */
+/* Five parts an execution: three rounds take two. */
 static void executions_in_between_have_some_parts(void **unused) {
     (void)unused;
-    const double close[MANNERS] = {1.0, 1.1, 1.2, 1.3}, clear[MANNERS] = {3.0, 3.0, 3.0, 1.0};
+    const double close[MANNERS] = {1.0, 1.1}, clear[MANNERS] = {3.0, 1.0};
     struct manners it = {0}, other = {0};
     int made[MANNERS];
-    assert_int_equal(redcc_manner_parts(&it, ALL, 5 * 512 + 511), 5);
-    execute(&it, ALL, 4, 5 * 512, close, made);
-    assert_int_equal(made[0] + made[1] + made[2] + made[3], 20);
-    assert_int_equal(redcc_manner_parts(&it, ALL, 5 * 512), 0);
-    execute(&other, ALL, 2, 5 * 512, clear, made);
-    assert_int_equal(redcc_manner_parts(&other, ALL, 5 * 512), 0);
-    assert_int_equal(redcc_manner_of(&other, ALL, 0), ALL);
+    assert_int_equal(redcc_manner_parts(&it, true, 5 * 512 + 511), 5);
+    execute(&it, true, 2, 5 * 512, close, made);
+    assert_int_equal(made[0] + made[1], 10);
+    assert_int_equal(redcc_manner_parts(&it, true, 5 * 512), 0);
+    execute(&other, true, 1, 5 * 512, clear, made);
+    assert_int_equal(redcc_manner_parts(&other, true, 5 * 512), 0);
+    assert_true(redcc_manner_of(&other, true, 0));
 }
 
 /* One execution, whose parts take longer from one to the next, or of which one is interrupted. */
-static unsigned best_where(unsigned best, double drift, unsigned interrupted) {
+static bool best_where(bool best, double drift, unsigned interrupted) {
     struct manners it = {0};
     double each[MANNER_PARTS];
-    assert_int_equal(redcc_manner_parts(&it, ALL, LONG), MANNER_PARTS);
+    assert_int_equal(redcc_manner_parts(&it, true, LONG), MANNER_PARTS);
     for (unsigned part = 0; part < MANNER_PARTS; part++)
-        each[part] = (redcc_manner_of(&it, ALL, part) == best ? 0.9 : 1.0) + drift * part +
+        each[part] = (redcc_manner_of(&it, true, part) == best ? 0.9 : 1.0) + drift * part +
                      10 * (part == interrupted);
-    redcc_manner_note(&it, ALL, MANNER_PARTS, each);
-    return redcc_manner_of(&it, ALL, 0);
+    redcc_manner_note(&it, true, MANNER_PARTS, each);
+    return redcc_manner_of(&it, true, 0);
 }
 
 static void neither_order_nor_one_part_decides(void **unused) {
     (void)unused;
-    for (unsigned best = 0; best < TURN_ARMS; best++) {
-        assert_int_equal(best_where(best, 0.1, MANNER_PARTS), best);
+    for (int best = 0; best < MANNERS; best++) {
+        assert_int_equal(best_where(best, 0.05, MANNER_PARTS), best);
         for (unsigned interrupted = 0; interrupted < MANNER_PARTS; interrupted++)
             assert_int_equal(best_where(best, 0, interrupted), best);
     }
@@ -139,78 +118,33 @@ static void neither_order_nor_one_part_decides(void **unused) {
 static void two_rounds_do_where_the_best_is_evident(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < TURN_ARMS; best++) {
-        double seconds[MANNERS] = {1.0, 1.0, 1.0, 1.0};
+    for (int best = 0; best < MANNERS; best++) {
+        double seconds[MANNERS] = {1.0, 1.0};
         struct manners it = {0}, close = {0};
         seconds[best] = 0.3;
-        execute(&it, ALL, 8, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < TURN_ARMS; manner++)
-            assert_int_equal(made[manner], 2);
-        execute(&it, ALL, 64, SHORT, seconds, made);
+        execute(&it, true, 4, SHORT, seconds, made);
+        assert_int_equal(made[0], 2);
+        assert_int_equal(made[1], 2);
+        execute(&it, true, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
-        seconds[best] = 0.8;
-        execute(&close, ALL, 16, SHORT, seconds, made);
-        assert_int_equal(made[best], 4);
+        seconds[best] = 0.95;
+        execute(&close, true, 6, SHORT, seconds, made);
+        assert_int_equal(made[best], 3);
     }
 }
 
-/* A plan with which prefetches make no difference comes: what is known was of another question. */
-static void another_question_is_asked_anew(void **unused) {
+/* Executions with which prefetches make no difference come in between: what is known stays. */
+static void what_is_known_stays(void **unused) {
     (void)unused;
-    const double seconds[MANNERS] = {1.0, 0.5, 0.4, 0.3},
-                 lanes_lose[MANNERS] = {1.0, 1.0, 2.0, 2.0};
+    const double seconds[MANNERS] = {1.0, 0.5};
     struct manners it = {0};
     int made[MANNERS];
-    execute(&it, ALL, 1, LONG, seconds, made);
-    assert_int_equal(redcc_manner_parts(&it, ALL, LONG), 0);
-    assert_int_equal(redcc_manner_parts(&it, WITH_LANES, LONG), 2 * MANNER_ROUNDS);
-    execute(&it, WITH_LANES, 1, LONG, lanes_lose, made);
-    assert_int_equal(made[0], MANNER_ROUNDS);
-    assert_int_equal(made[WITH_LANES], MANNER_ROUNDS);
-    execute(&it, WITH_LANES, 64, LONG, lanes_lose, made);
-    assert_int_equal(made[0], 64);
-    assert_int_equal(redcc_manner_of(&it, 0, 0), 0);
-}
-
-/* Where lanes are best half as many are tried as well, beside what else is best; not elsewhere. */
-static void half_the_lanes_are_tried_where_lanes_are_best(void **unused) {
-    (void)unused;
-    const unsigned open = ALL | WITH_HALF;
-    int made[MANNERS];
-    for (unsigned best = 0; best < TURN_ARMS; best++)
-        for (int is_half_faster = 0; is_half_faster < 2; is_half_faster++) {
-            double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3, 0, 0, 1.4, 1.4};
-            struct manners it = {0};
-            const bool second = best & WITH_LANES;
-            const unsigned kept = second && is_half_faster ? best | WITH_HALF : best;
-            seconds[best] = 0.9;
-            seconds[best | WITH_HALF] = is_half_faster ? 0.8 : 1.0;
-            assert_int_equal(redcc_manner_of(&it, open, 0), ALL);
-            execute(&it, open, 1, LONG, seconds, made);
-            assert_int_equal(redcc_manner_parts(&it, open, LONG), second ? 2 * MANNER_ROUNDS : 0);
-            execute(&it, open, second, LONG, seconds, made);
-            assert_int_equal(made[best], second ? MANNER_ROUNDS : 0);
-            assert_int_equal(made[best | WITH_HALF], second ? MANNER_ROUNDS : 0);
-            execute(&it, open, 64, LONG, seconds, made);
-            assert_int_equal(made[kept], 64);
-            execute(&it, open, 1 + second, LONG, seconds, made); /* both trials again */
-            execute(&it, open, 128, LONG, seconds, made);
-            assert_int_equal(made[kept], 128);
-        }
-}
-
-/* Another question comes between the two trials: what was settled is not taken over. */
-static void a_second_trial_is_of_its_question(void **unused) {
-    (void)unused;
-    const double seconds[MANNERS] = {1.0, 1.1, 1.2, 0.9, 0, 0, 1.0, 0.8};
-    struct manners it = {0};
-    int made[MANNERS];
-    execute(&it, ALL | WITH_HALF, 1, LONG, seconds, made);
-    execute(&it, WITH_LANES | WITH_HALF, 1, LONG, seconds, made);
-    assert_int_equal(made[0], MANNER_ROUNDS);
-    assert_int_equal(made[WITH_LANES], MANNER_ROUNDS);
-    execute(&it, WITH_LANES | WITH_HALF, 64, LONG, seconds, made); /* lanes alone are slower */
-    assert_int_equal(made[0], 64);
+    execute(&it, true, 1, LONG, seconds, made);
+    assert_int_equal(redcc_manner_parts(&it, true, LONG), 0);
+    execute(&it, false, 100, LONG, seconds, made);
+    assert_int_equal(made[0], 100);
+    assert_int_equal(redcc_manner_parts(&it, true, LONG), 0);
+    assert_true(redcc_manner_of(&it, true, 0));
 }
 
 /* Parts of 10 iterations of which 33 are executed in four: what is handed out is cut there. */
@@ -240,11 +174,11 @@ static void iterations_are_cut_into_parts(void **unused) {
     redcc_parts_end(&it);
     assert_int_equal(it.part[0].iterations, 5);
     assert_int_equal(it.part[1].iterations, 28);
-    redcc_parts_begin(&it, 24, 0);
+    redcc_parts_begin(&it, MANNER_PARTS, 0);
     redcc_parts_end(&it);
     memset(iterations, 0, sizeof iterations);
     redcc_parts_add(&it, seconds, iterations);
-    for (int part = 0; part < 24; part++)
+    for (int part = 0; part < MANNER_PARTS; part++)
         assert_true(iterations[part] == 0); /* NOLINT */
     redcc_parts_begin(&it, 0, 10);
     redcc_parts_end(&it);
@@ -328,66 +262,44 @@ static void light_iterations_prefetch_where_they_come_in_no_order(void **unused)
     assert_false(prefetches(0, PREFETCH_ON, 2));
 }
 
-static const unsigned all_widths = REDCC_LANES_UNIT * (2 + 4 + 8);
-
 static void expect(unsigned flags, enum lanes_setting setting, int width, enum lanes_reason why) {
     enum lanes_reason found;
     assert_int_equal(redcc_lanes_width(flags, setting, &found), width);
     assert_int_equal(found, why);
 }
 
-static void widths_that_are_asked_for(void **unused) {
+static void lanes_that_are_written_are_used(void **unused) {
     (void)unused;
-    const unsigned anywhere = REDCC_LANES_ANYWHERE;
-    expect(REDCC_PREFETCHES, LANES_AUTO, 0, LANES_NOT_WRITTEN);
-    expect(all_widths | anywhere, LANES_OFF, 0, LANES_SAID_OFF);
-    expect(all_widths | anywhere, LANES_AUTO, 8, LANES_TRYING);
-    expect(all_widths | anywhere, LANES_TWO, 2, LANES_SAID);
-    expect(all_widths | anywhere, LANES_FOUR, 4, LANES_SAID);
-    expect(all_widths | anywhere, LANES_EIGHT, 8, LANES_SAID);
-    expect(REDCC_LANES_UNIT * 4 | anywhere, LANES_EIGHT, 4, LANES_SAID);
-    expect(REDCC_LANES_UNIT * 4 | anywhere, LANES_TWO, 0, LANES_NO_WIDTH);
+    const unsigned anywhere = REDCC_LANES_ANYWHERE | REDCC_DRY_RUN;
+    expect(REDCC_PREFETCHES | REDCC_DRY_RUN, LANES_AUTO, 0, LANES_NOT_WRITTEN);
+    expect(4 * REDCC_LANES_UNIT | anywhere, LANES_OFF, 0, LANES_SAID_OFF);
+    expect(4 * REDCC_LANES_UNIT | anywhere, LANES_AUTO, 4, LANES_USED);
+    expect(2 * REDCC_LANES_UNIT | anywhere, LANES_AUTO, 2, LANES_USED);
 }
 
-static void half_of_eight_lanes_where_it_is_written(void **unused) {
+static void none_that_the_processor_does_not_know(void **unused) {
     (void)unused;
-    assert_true(redcc_lanes_half(all_widths, 8));
-    assert_true(redcc_lanes_half(REDCC_LANES_UNIT * (4 + 8) | REDCC_LANES_ANYWHERE, 8));
-    assert_false(redcc_lanes_half(REDCC_LANES_UNIT * 8, 8));
-    assert_false(redcc_lanes_half(all_widths, 4));
-    assert_false(redcc_lanes_half(all_widths, 0));
-}
-
-static void no_width_that_the_processor_does_not_know(void **unused) {
-    (void)unused;
-    int most = 2;
+    bool can = false;
 #ifdef __x86_64__
-    most = __builtin_cpu_supports("avx512f") ? 8 : __builtin_cpu_supports("avx2") ? 4 : 2;
+    can = __builtin_cpu_supports("avx2");
 #endif
-    expect(all_widths, LANES_EIGHT, most, LANES_SAID);
-    expect(all_widths, LANES_AUTO, most, LANES_TRYING);
-    if (most < 8)
-        expect(REDCC_LANES_UNIT * 8, LANES_AUTO, 0, LANES_NO_WIDTH);
+    expect(4 * REDCC_LANES_UNIT, LANES_AUTO, can ? 4 : 0, can ? LANES_USED : LANES_NO_PROCESSOR);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_tried_where_nothing_is_open),
-        cmocka_unit_test(the_faster_of_two_is_kept),
-        cmocka_unit_test(the_fastest_of_four_is_kept),
+        cmocka_unit_test(the_faster_one_is_kept),
         cmocka_unit_test(one_long_execution_does_for_a_trial),
         cmocka_unit_test(executions_in_between_have_some_parts),
-        cmocka_unit_test(half_the_lanes_are_tried_where_lanes_are_best),
-        cmocka_unit_test(a_second_trial_is_of_its_question),
         cmocka_unit_test(neither_order_nor_one_part_decides),
         cmocka_unit_test(two_rounds_do_where_the_best_is_evident),
-        cmocka_unit_test(another_question_is_asked_anew),
+        cmocka_unit_test(what_is_known_stays),
         cmocka_unit_test(iterations_are_cut_into_parts),
         cmocka_unit_test(runs_are_read_in_parts),
         cmocka_unit_test(light_iterations_prefetch_where_they_come_in_no_order),
-        cmocka_unit_test(widths_that_are_asked_for),
-        cmocka_unit_test(half_of_eight_lanes_where_it_is_written),
-        cmocka_unit_test(no_width_that_the_processor_does_not_know),
+        cmocka_unit_test(lanes_that_are_written_are_used),
+        cmocka_unit_test(none_that_the_processor_does_not_know),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,11 +26,11 @@ static const char depth_variable[] = "REDCC_CC_DEPTH";
 
 static const char help_text[] =
     "Usage: redcc-cc [COMPILER] ARGUMENTS...\n"
-    "Compiles C as COMPILER does ($REDCC_CC, else cc), irregular reduction loops made parallel.\n"
+    "Compiles C as COMPILER does ($REDCC_CC, else cc), and makes irregular reductions parallel.\n"
     "ARGUMENTS are the compiler's. Alone, --help and --version print the compiler's text first.\n"
-    "  --redcc-show          print the commands that would run, run nothing\n"
-    "  --redcc-report        translate and write the build's report, compile nothing\n"
-    "  --redcc-summary FILE  print what the build's report in FILE comes to\n"
+    "  --redcc-show          print the commands without running them\n"
+    "  --redcc-report        translate and write the build's report without compiling\n"
+    "  --redcc-summary FILE  add up the build's report in FILE\n"
     "  --redcc-html DIR [FILE...]\n"
     "                        write the reports of a build and its runs as pages to DIR\n"
     "  --redcc-help          print this\n"

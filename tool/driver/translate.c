@@ -347,25 +347,7 @@ static const char *quote_folder(session *s, const translation *t) {
     return s->real.is_clang ? "." : "./.";
 }
 
-/* Where loops begin is the user's own choice. */
-static bool places_loops(const command *c) {
-    for (unsigned i = 0; i < c->count; i++)
-        if (strncmp(c->items[i].text, "-falign-loops", 13) == 0 ||
-            strncmp(c->items[i].text, "-fno-align-loops", 16) == 0)
-            return true;
-    return false;
-}
-
-/* The original loop stands behind calls that the source does not have, and so at another place. One
- * that fits a line of code but lies across two takes up to 1.4 times as long, and which loops do is
- * luck: here none does. */
-static void add_placement(session *s, word_list *list) {
-    if (!places_loops(&s->command))
-        words_add(s->memory, list, "-falign-loops=64");
-}
-
 void translation_add_before(session *s, word_list *list, const translation *t) {
-    add_placement(s, list);
     if (t->is_input)
         return; /* compiled as standard input again: headers are looked for where they were */
     words_add(s->memory, list, "-iquote");

@@ -26,14 +26,9 @@ static bool has_crlf(const source *s) {
 
 /** The head of the file. */
 static const char *prelude(arena *a, const ir_unit *unit, contraction where,
-                           const plan_options *options) {
-    const unsigned lanes = options->lanes;
-    const char *width = lanes > 1 ? arena_format(a, "#define REDCC_ONLY_WIDTH %u\n", lanes) : "";
-    const char *vectors = lanes ? arena_format(a,
-                                               "#ifdef REDCC_RUNTIME_H\n%s"
-                                               "#include <redcc/lanes.h>\n#endif\n",
-                                               width)
-                                : "";
+                           const plan_options *options, bool has_lanes) {
+    const char *vectors =
+        has_lanes ? "#ifdef REDCC_RUNTIME_H\n#include <redcc/lanes.h>\n#endif\n" : "";
     return arena_format(
         a,
         REDCC_BEGINNING "REDCC_REQUIRE_VERSION(1);\n"
@@ -48,7 +43,7 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where,
                         "#line 1 %s\n",
         options->linked ? "static const redcc_linkage *redcc__linked(void);\n" : "",
         where == CONTRACTION_OFF_IN_LOOPS ? "#define REDCC_UNFUSED\n" : "",
-        where == CONTRACTION_OFF_IN_FILE ? contraction_directives(a, unit, lanes > 0) : "", vectors,
+        where == CONTRACTION_OFF_IN_FILE ? contraction_directives(a, unit, has_lanes) : "", vectors,
         text_quoted(a, ir_position_of(unit, 0).file));
 }
 
@@ -199,14 +194,18 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
     loops->items[at] = loop;
 }
 
+/** The first form to be tried. */
+static loop_form first_form(const loop_text *start, unsigned number, bool has_lanes) {
+    const bool is_asked = start->plan->no_lanes != LANES_NOT_ASKED;
+    const bool is_left = start->options->leave && start->options->leave[number];
+    return is_asked && has_lanes && !is_left ? FORM_LANES : FORM_BINNED;
+}
+
 /** Adds the text of one loop; false, with *why set, where it cannot be written. */
-static bool add_loop(const loop_text *start, const loop_verdict *verdict, unsigned number,
-                     loop_list *loops, reason *why) {
+static bool add_loop(const loop_text *start, loop_form form, const loop_verdict *verdict,
+                     unsigned number, loop_list *loops, reason *why) {
     arena *a = start->arena;
     const ir_unit *unit = start->unit;
-    const plan_options *options = start->options;
-    const unsigned left = options->leave ? options->leave[number] : 0;
-    loop_form form = options->lanes > 0 && left == 0 ? FORM_LANES : FORM_BINNED;
     loop_piece front = {0}, block = {0};
     if (!write_loop(*start, &form, &front, &block, why))
         return false;
@@ -258,9 +257,9 @@ static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_resul
 
 /** The whole file; sets the places of the loops in it. */
 static void join(arena *a, const ir_unit *unit, contraction where, const plan_options *options,
-                 loop_list *loops, emit_result *result) {
+                 bool has_lanes, loop_list *loops, emit_result *result) {
     const source *s = unit->source;
-    const char *head = prelude(a, unit, where, options);
+    const char *head = prelude(a, unit, where, options, has_lanes);
     uint32_t copied = strncmp(s->text, byte_order_mark, 3) == 0 ? 3 : 0;
     buffer out = {0};
     buffer_append(&out, s->text, copied);
@@ -301,48 +300,112 @@ static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
     }
 }
 
-emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                      const plan_options *options) {
-    reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
-    lanes_outcome *lanes =
-        options->lanes ? ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1) : NULL;
-    emit_result result = {.text = unit->source->text,
-                          .length = unit->source->length,
-                          .obstacles = obstacles,
-                          .lanes = lanes};
-    loop_list loops = {0};
-    bool *is_unfused = ARENA_ARRAY(a, bool, analysis->verdict_count + 1);
-    const ir_unit *seen = unit_as_compiled(a, unit, analysis);
-    const contraction where = contraction_of(a, unit, analysis, options, is_unfused);
-    const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
+static const loop_plan **plan_loops(arena *a, const ir_unit *unit, const ir_unit *seen,
+                                    const analysis_result *analysis, const plan_options *options) {
+    const loop_plan **plans = ARENA_ARRAY(a, const loop_plan *, analysis->verdict_count + 1);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         const loop_verdict *verdict = &analysis->verdicts[i];
         if (verdict->kind != VERDICT_TRANSFORM)
             continue;
         analysis_assert_verdict(unit, verdict);
-        if (obstacle)
-            obstacles[i] = (reason){.message = obstacle, .range = verdict->loop->range};
-        else {
-            const loop_plan *plan = plan_loop(a, unit, seen, verdict->facts, options);
-            const loop_text start = {.arena = a,
-                                     .whole = unit,
-                                     .unit = seen,
-                                     .facts = verdict->facts,
-                                     .plan = plan,
-                                     .options = options,
-                                     .is_unfused = is_unfused[i],
-                                     .lanes.outcome = lanes ? &lanes[i] : NULL};
-            if (plan->obstacle.message)
-                obstacles[i] = plan->obstacle;
-            else
-                add_loop(&start, verdict, i, &loops, &obstacles[i]);
-        }
+        plans[i] = plan_loop(a, unit, seen, verdict->facts, options);
     }
-    unfuse_functions(a, unit, analysis, is_unfused, &loops);
-    result.loop_count = loops.count;
-    result.loops = loops.items;
-    assert_pieces(unit, analysis, &loops);
-    if (loops.count > 0)
-        join(a, unit, where, options, &loops, &result);
+    return plans;
+}
+
+/** A file that is being written. */
+typedef struct file_text {
+    arena *arena;
+    const ir_unit *whole, *seen;
+    const analysis_result *analysis;
+    const plan_options *options;
+    const loop_plan **plans; /* by verdict */
+    lanes_outcome *lanes;
+    reason *obstacles;
+} file_text;
+
+/** Writes its loops, of which some may have lanes, as far as is known. Have some? */
+static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfused,
+                        loop_list *loops) {
+    bool are_written = false;
+    for (unsigned i = 0; i < f->analysis->verdict_count; i++) {
+        const loop_plan *plan = f->plans[i];
+        if (!plan)
+            continue;
+        const bool is_asked = plan->no_lanes != LANES_NOT_ASKED;
+        const loop_text start = {.arena = f->arena,
+                                 .whole = f->whole,
+                                 .unit = f->seen,
+                                 .facts = plan->facts,
+                                 .plan = plan,
+                                 .options = f->options,
+                                 .is_unfused = is_unfused[i],
+                                 .lanes.outcome = is_asked ? &f->lanes[i] : NULL};
+        f->obstacles[i] = plan->obstacle;
+        if (plan->obstacle.message)
+            continue;
+        add_loop(&start, first_form(&start, i, has_lanes), &f->analysis->verdicts[i], i, loops,
+                 &f->obstacles[i]);
+        are_written |= is_asked && f->lanes[i].why == LANES_WRITTEN;
+    }
+    return are_written;
+}
+
+/** May the file have lanes, by what the plans say? */
+static bool may_have_lanes(const file_text *f) {
+    bool may = false;
+    for (unsigned i = 0; i < f->analysis->verdict_count; i++) {
+        const loop_plan *plan = f->plans[i];
+        f->lanes[i] = plan ? (lanes_outcome){plan->no_lanes, plan->facts->loop->range}
+                           : (lanes_outcome){.why = LANES_NOT_ASKED};
+        may |= f->lanes[i].why == LANES_WRITTEN && !(f->options->leave && f->options->leave[i]);
+    }
+    return may;
+}
+
+static void write_file(const file_text *f, emit_result *result) {
+    arena *a = f->arena;
+    bool has_lanes = may_have_lanes(f);
+    for (;;) {
+        loop_list loops = {0};
+        bool *is_unfused = ARENA_ARRAY(a, bool, f->analysis->verdict_count + 1);
+        const contraction where =
+            contraction_of(a, f->whole, f->analysis, f->options, has_lanes, is_unfused);
+        const bool are_written = write_loops(f, has_lanes, is_unfused, &loops);
+        if (has_lanes && !are_written) { /* then nothing is to be said in the head for their sake */
+            has_lanes = false;
+            continue;
+        }
+        unfuse_functions(a, f->whole, f->analysis, is_unfused, &loops);
+        result->loop_count = loops.count;
+        result->loops = loops.items;
+        assert_pieces(f->whole, f->analysis, &loops);
+        if (loops.count > 0)
+            join(a, f->whole, where, f->options, has_lanes, &loops, result);
+        return;
+    }
+}
+
+emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                      const plan_options *options) {
+    const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
+    file_text file = {.arena = a,
+                      .whole = unit,
+                      .seen = unit_as_compiled(a, unit, analysis),
+                      .analysis = analysis,
+                      .options = options,
+                      .lanes = ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1),
+                      .obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1)};
+    emit_result result = {.text = unit->source->text,
+                          .length = unit->source->length,
+                          .obstacles = file.obstacles,
+                          .lanes = file.lanes};
+    file.plans = obstacle ? ARENA_ARRAY(a, const loop_plan *, analysis->verdict_count + 1)
+                          : plan_loops(a, unit, file.seen, analysis, options);
+    write_file(&file, &result);
+    for (unsigned i = 0; obstacle && i < analysis->verdict_count; i++)
+        if (analysis->verdicts[i].kind == VERDICT_TRANSFORM)
+            file.obstacles[i] =
+                (reason){.message = obstacle, .range = analysis->verdicts[i].loop->range};
     return result;
 }

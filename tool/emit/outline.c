@@ -201,8 +201,10 @@ static void write_body(loop_text *loop, writer *out) {
     loop->outline.body_call =
         arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
                      kind, count, loop_counter_value(loop), loop->outline.body_arguments);
-    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s", outlined_name(loop, "body"),
-                kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
+    writer_line(out, "%s %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s",
+                loop->lanes.is_wanted ? "REDCC_BODY_BESIDE_LANES" : "REDCC_BODY",
+                outlined_name(loop, "body"), kind, count,
+                counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->outline.body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     buffer_text(&out->out, text);
     writer_line(out, "}");

@@ -207,22 +207,13 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
 }
 
-/** Sets the outcome, as far as the plan knows it. */
-static bool may_have_lanes(const loop_text *loop) {
-    const lane_reason why = leaves_values(loop->facts) && loop->plan->no_lanes == LANES_WRITTEN
-                                ? NO_LANES_PLACE
-                                : loop->plan->no_lanes;
-    *loop->lanes.outcome = (lanes_outcome){why, loop->facts->loop->range};
-    return why == LANES_WRITTEN;
-}
-
 /** What goes in front of the function, in the first form from *form on that is possible. */
 static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
     for (;; (*form)++) {
         loop->lanes =
             (lanes_text){.is_wanted = *form == FORM_LANES, .outcome = loop->lanes.outcome};
         loop->bins = NULL;
-        if (*form == FORM_LANES && !may_have_lanes(loop))
+        if (*form == FORM_LANES && loop->plan->no_lanes != LANES_WRITTEN)
             continue;
         if (*form == FORM_BINNED)
             loop->bins = loop->plan->bins;

@@ -115,9 +115,9 @@ static bool has_macro_of_pragma(const ir_unit *unit) {
 }
 
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                           const plan_options *options, bool *is_forbidden) {
+                           const plan_options *options, bool has_lanes, bool *is_forbidden) {
     bool matters = false;
-    bool is_local = !options->lanes && !may_name_targets(unit) && !has_macro_of_pragma(unit);
+    bool is_local = !has_lanes && !may_name_targets(unit) && !has_macro_of_pragma(unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         const loop_facts *facts = analysis->verdicts[i].facts;
         if (analysis->verdicts[i].kind != VERDICT_TRANSFORM || !may_be_contracted(a, unit, facts))

@@ -17,7 +17,7 @@ typedef enum contraction {
  * forbidden in the loop itself: something in it, or in what it calls, could be contracted, perhaps
  * with what stands outside. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                           const plan_options *options, bool *is_forbidden);
+                           const plan_options *options, bool has_lanes, bool *is_forbidden);
 
 /** May functions be compiled for processors that the file's head knows nothing of? */
 bool may_name_targets(const ir_unit *unit);

@@ -2,6 +2,7 @@
 #include "plan/execution.h"
 
 #include "plan/lookup.h"
+#include "plan/work.h"
 
 bool may_be_copied(const loop_plan *plan, const reduction_array *array) {
     const bool may_overflow = array->element->kind == IR_INTEGER && array->element->is_signed;
@@ -76,5 +77,6 @@ void plan_execution(loop_plan *plan) {
         .keeps_plan = keeps_plan,
         .key_count = 1 + (keeps_plan ? facts->inspector.key_count + stepped_count(facts) : 0),
         .needs_order = needs_order(facts),
-        .needs_every_iteration = needs_every_iteration(facts)};
+        .needs_every_iteration = needs_every_iteration(facts),
+        .work = work_of_iteration(plan)};
 }

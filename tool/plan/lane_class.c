@@ -178,6 +178,11 @@ bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
 
 /* ---- classes --------------------------------------------------------------------------------- */
 
+/** Is the variable declared beside updates, and so of use to them alone? */
+static bool is_of_updates(const lane_scope *l, const ir_node *node) {
+    return !l->function && node->kind == IR_DECLARATOR && lane_updating(l, node);
+}
+
 /** What becomes of a variable of that type, at first. */
 static lane_class first_class(lane_scope *l, const ir_variable *variable, const ir_node *node) {
     const ir_type *type = variable->type;
@@ -185,6 +190,8 @@ static lane_class first_class(lane_scope *l, const ir_variable *variable, const 
     if (type->is_volatile || type->is_atomic || innermost->is_volatile || innermost->is_atomic ||
         variable->storage == IR_STATIC_LOCAL || variable->storage == IR_THREAD_LOCAL)
         lane_problem(l, NO_LANES_STORAGE, node);
+    if (is_of_updates(l, node))
+        return LANE_LOCAL;
     if (lane_is_real(innermost) && type->size > 0)
         return LANE_VECTOR;
     if (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN && type->kind != IR_POINTER)
@@ -201,6 +208,7 @@ static bool is_truth(const ir_node *node) {
 static bool find_mask(ir_node *node, void *context) {
     lane_scope *l = context;
     if (node->kind == IR_DECLARATOR && node->child_count > 0 && lane_is_own(l, node->variable) &&
+        l->class_of[node->variable->id] == LANE_UNIFORM &&
         node->variable->type->kind == IR_INTEGER && node->variable->type->is_const &&
         is_truth(node->children[0]) && lane_mentions_vector(l, node->children[0]))
         l->class_of[node->variable->id] = LANE_MASK;
@@ -290,7 +298,21 @@ static void spread_of_some_lanes(spreading *s, const ir_node *node) {
     s->has_changed = true;
 }
 
+/** What an update's neighbour writes each lane has for itself, but for counters of loops. */
+static void spread_beside_updates(spreading *s, const ir_node *node) {
+    lane_scope *l = s->l;
+    const ir_node *target = ir_child(node, 0);
+    if ((node->kind != IR_ASSIGN && !ir_is_increment(node)) || target->kind != IR_VARIABLE ||
+        l->function || l->class_of[target->variable->id] != LANE_UNIFORM ||
+        !lane_is_own(l, target->variable) || !lane_updating(l, node) ||
+        lane_is_counter_only(l->body, target->variable))
+        return;
+    l->class_of[target->variable->id] = LANE_VARYING;
+    s->has_changed = true;
+}
+
 static bool spread_node(ir_node *node, void *context) {
+    spread_beside_updates(context, node);
     spread_of_some_lanes(context, node);
     if (node->kind == IR_ASSIGN && node->children[0]->kind == IR_VARIABLE)
         spread(context, node->children[0]->variable, node->children[1]);

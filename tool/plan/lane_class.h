@@ -18,6 +18,7 @@ typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer of each lane: an array of them */
     LANE_MASK,  /* a constant integer that is a comparison of doubles or floats: a mask, -1 for 1 */
+    LANE_LOCAL, /* declared beside updates: what each lane's updates hold for themselves */
     LANE_VECTOR /* a double or float, or an array of them, of each lane: vectors */
 } lane_class;
 

@@ -7,6 +7,7 @@ static const struct {
     const char *slug, *message;
 } reasons[LANE_REASON_COUNT] = {
     {NULL, NULL},
+    {NULL, NULL},
 #define X(NAME, slug, message) {slug, message},
 #include "plan/lane_reasons.def"
 #undef X

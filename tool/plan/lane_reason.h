@@ -6,7 +6,8 @@
 #include "ir/ir.h"
 
 typedef enum lane_reason {
-    LANES_WRITTEN, /* it has one */
+    LANES_WRITTEN,   /* it has one */
+    LANES_NOT_ASKED, /* nor is it to have one */
 #define X(NAME, slug, message) NO_LANES_##NAME,
 #include "plan/lane_reasons.def"
 #undef X
@@ -19,9 +20,9 @@ typedef struct lanes_outcome {
     ir_range range; /* of what stands in the way, or of the loop, in the main file */
 } lanes_outcome;
 
-/** "used-below"; NULL of LANES_WRITTEN. */
+/** "used-below"; NULL of LANES_WRITTEN and LANES_NOT_ASKED. */
 const char *lane_reason_slug(lane_reason why);
-/** A sentence without a stop; NULL of LANES_WRITTEN. */
+/** A sentence without a stop; NULL of the same. */
 const char *lane_reason_message(lane_reason why);
 
 #endif

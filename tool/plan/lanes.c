@@ -2,6 +2,7 @@
 #include "plan/lanes.h"
 
 #include "plan/lookup.h"
+#include "plan/work.h"
 
 /* ---- the loop itself ------------------------------------------------------------------------- */
 
@@ -15,7 +16,11 @@ static bool has_unnamed_array(const loop_facts *facts) {
 
 lane_reason plan_lanes(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    return leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits
+    const bool is_asked =
+        plan->options->lanes == LANES_OF_ALL ||
+        (plan->options->lanes == LANES_OF_HEAVY && plan->execution.work >= WORK_HEAVY);
+    return !is_asked ? LANES_NOT_ASKED
+           : leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits
                ? NO_LANES_OTHER_VALUES
            : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
            : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
@@ -84,18 +89,105 @@ bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
     return true;
 }
 
+const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
+    const loop_facts *facts = l->plan->facts;
+    const ir_node *block = l->body;
+    bool is_pending = false;
+    for (unsigned i = 0; i < block->child_count; i++) {
+        const ir_node *statement = block->children[i];
+        const bool updates = lane_has_update(facts, statement);
+        if (!ir_contains(statement, node)) {
+            is_pending |= updates;
+            continue;
+        }
+        if (!updates)
+            return NULL;
+        if (is_pending || i + 1 < block->child_count || !lane_is_part(facts, statement))
+            return statement;
+        if (!ir_contains(statement->children[1], node))
+            return NULL; /* its condition */
+        block = statement->children[1];
+        i = (unsigned)-1;
+    }
+    return NULL;
+}
+
+/** What is executed one lane after the other: nodes beside updates, operations in all. */
+typedef struct scalar_work {
+    int64_t beside, operations;
+} scalar_work;
+
+static void add_scalar_work(const lane_scope *l, const ir_node *node, scalar_work *work) {
+    if (!lane_has_update(l->plan->facts, node))
+        return;
+    if (node != l->body && lane_updating(l, node)) {
+        work->beside += work_beside_updates(l->plan, node);
+        work->operations += work_of_statement(l->plan, node);
+        return;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        add_scalar_work(l, node->children[i], work);
+}
+
+void lane_check_worth(lane_scope *l) {
+    scalar_work scalar = {0, 0};
+    const int64_t all = l->plan->execution.work;
+    if (l->plan->options->lanes == LANES_OF_ALL)
+        return;
+    add_scalar_work(l, l->body, &scalar);
+    if (scalar.operations > all / 4 || scalar.beside > all - scalar.operations)
+        lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
+}
+
+/** Does an expression do more than give a value and call? */
+static bool has_effect(const ir_node *node) {
+    if (node->kind == IR_ASSIGN || node->kind == IR_OPAQUE || node->kind == IR_STRING ||
+        node->kind == IR_INITIALIZERS || ir_is_increment(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_effect(node->children[i]))
+            return true;
+    return false;
+}
+
 /** It is executed once for each lane: beside the element it must change nothing. */
 static void check_update(lane_scope *l, const ir_node *statement) {
     const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
     bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
     for (unsigned i = 0; is_plain && i < value->child_count; i++)
-        is_plain =
-            lane_is_plain(value->children[i]) && !lane_has_whole_vector(l, value->children[i]);
+        is_plain = !has_effect(value->children[i]) && !lane_has_whole_vector(l, value->children[i]);
     if (!is_plain)
         lane_problem(l, NO_LANES_UPDATE, statement);
 }
 
-/** Around and beside updates: nothing but counters is assigned, nothing jumps. */
+/** Does a jump leave the statement that updates? */
+static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
+    for (const ir_node *at = jump->parent; at && at != updating->parent; at = at->parent)
+        if (ir_is_loop(at))
+            return false;
+    return true;
+}
+
+/** May each lane's updates assign it? What is theirs alone, an integer or pointer of each lane, an
+ *  element of a vector, or the counter of a loop. */
+static bool is_assigned_beside(lane_scope *l, const ir_variable *variable, bool is_element) {
+    if (!variable || !lane_is_own(l, variable))
+        return false;
+    switch (l->class_of[variable->id]) {
+    case LANE_LOCAL:
+        return !is_element || variable->type->kind == IR_ARRAY;
+    case LANE_VARYING:
+    case LANE_VECTOR:
+        return !is_element && variable->type->kind != IR_ARRAY;
+    case LANE_UNIFORM:
+        return !is_element && lane_is_counter_only(l->body, variable);
+    default:
+        return false;
+    }
+}
+
+/** Around and beside updates each lane goes its own way, by the user's text. It must not leave the
+ *  statement, nor change what is not the lane's. */
 static bool check_update_node(ir_node *node, void *context) {
     lane_scope *l = context;
     bool other = false;
@@ -108,13 +200,15 @@ static bool check_update_node(ir_node *node, void *context) {
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VECTOR)
         lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
     const ir_variable *variable = assigned_by(node, &other);
-    if (other || node->kind == IR_CALL || node->kind == IR_OPAQUE || node->kind == IR_CONTINUE ||
-        node->kind == IR_BREAK || node->kind == IR_GOTO || node->kind == IR_LABEL ||
-        node->kind == IR_SWITCH || node->kind == IR_WHILE || node->kind == IR_DO ||
-        node->kind == IR_RETURN)
+    const bool is_jump = node->kind == IR_CONTINUE || node->kind == IR_BREAK;
+    const bool is_address = node->kind == IR_UNARY && node->op == IR_OP_ADDRESS;
+    const ir_variable *pointed = is_address ? ir_root_variable(node->children[0]) : NULL;
+    if (node->kind == IR_OPAQUE || node->kind == IR_GOTO || node->kind == IR_LABEL ||
+        node->kind == IR_SWITCH || node->kind == IR_RETURN ||
+        (is_jump && leaves_updates(node, lane_updating(l, node))) ||
+        (pointed && lane_is_own(l, pointed) && l->class_of[pointed->id] != LANE_LOCAL))
         lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
-    if (variable && (l->class_of[variable->id] != LANE_UNIFORM || !lane_is_own(l, variable) ||
-                     !lane_is_counter_only(l->body, variable)))
+    if ((variable || other) && !is_assigned_beside(l, variable, other))
         lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
     return true;
 }
@@ -137,18 +231,21 @@ static bool may_change(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** What comes below an update must not change what it reads: it is made later. */
+/** What comes below an update must not change what it reads, nor use what it changes: it is made
+ *  later. */
 void lane_check_order(lane_scope *l, const ir_node *body) {
     for (unsigned i = 0; i < l->plan->unit->variable_count; i++) {
         const ir_variable *variable = l->plan->unit->variables[i];
         if (!lane_is_own(l, variable) || lane_is_counter_only(l->body, variable))
             continue;
-        bool is_read = false;
+        bool is_read = false, is_changed = false;
         for (unsigned k = 0; k < body->child_count; k++) {
             const ir_node *statement = body->children[k];
-            if (lane_has_update(l->plan->facts, statement))
+            if (lane_has_update(l->plan->facts, statement)) {
                 is_read |= lane_mentions(statement, variable);
-            else if (is_read && may_change(statement, variable))
+                is_changed |= may_change(statement, variable);
+            } else if ((is_read && may_change(statement, variable)) ||
+                       (is_changed && lane_mentions(statement, variable)))
                 lane_problem(l, NO_LANES_USED_BELOW, statement);
         }
     }

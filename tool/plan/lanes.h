@@ -13,7 +13,8 @@
 
 #include "plan/lane_class.h"
 
-/** Why the loop has no such form, as far as it is known before its body is gone through. */
+/** Why the loop has no such form, or that it is not to have one, as far as it is known before its
+ * body is gone through. */
 lane_reason plan_lanes(const loop_plan *plan);
 
 /** Does the `for` give the variable its first value? */
@@ -28,6 +29,14 @@ bool lane_has_update(const loop_facts *facts, const ir_node *statement);
 bool lane_is_exit(const ir_node *statement);
 /** Is it an `if` that computes and updates? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
+
+/** The statement of the body that updates and holds the node; NULL: it is computed for all lanes.
+ */
+const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
+
+/** Records a problem where what each lane does beside its updates outweighs what vectors compute,
+ *  unless all loops are to have lanes. */
+void lane_check_worth(lane_scope *l);
 
 /** Records a problem where a statement that updates changes anything but elements and counters, or
  * jumps: it is executed once for each lane; */

@@ -8,6 +8,13 @@
 /** What a result may differ in from the sequential loop's (REDCC_ORDER_... of the runtime). */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
+/** Which loops are to execute four iterations at once, where they can. */
+typedef enum lanes_wish {
+    LANES_OF_NONE,
+    LANES_OF_HEAVY, /* of long iterations */
+    LANES_OF_ALL
+} lanes_wish;
+
 typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* asked for explicitly, not just the default */
@@ -15,7 +22,7 @@ typedef struct plan_options {
     const char *linked;     /* text behind the file's own that defines redcc__linked, which tells
                                whether functions of other files are those that were analysed; NULL:
                                nothing rests on other files */
-    unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
+    lanes_wish lanes;
     const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once.
                                    NULL: 0 everywhere */
 } plan_options;

@@ -35,6 +35,7 @@ typedef struct execution_plan {
     unsigned key_count; /* words, the trip count among them */
     bool needs_order;   /* updates stay in the order of the loop, whatever the user allows */
     bool needs_every_iteration; /* also those that update nothing of a thread's */
+    int64_t work;               /* operations of an iteration (work.h) */
 } execution_plan;
 
 /** base[subscript], two variables of the loop's function. */

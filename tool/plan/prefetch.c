@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/prefetch.h"
 
-#include "analysis/base/counted.h"
 #include "plan/lookup.h"
+#include "plan/work.h"
 #include "support/map.h"
 #include "support/vector.h"
 
@@ -10,84 +10,16 @@ enum {
     /* Operations an iteration. In order, loops of 126 and 46 lost up to a half by it, one of 167
      * gained as much again (script/bench lanes, fabric's drag); in no order all gained. */
     LEAST_WORK = 12,
-    LIGHT = 150,
     /* Operations in the time that a row takes to come from memory, some 0.3 microseconds. */
     AWAITED = 4000,
     LEAST_AHEAD = 2,
-    MOST_AHEAD = 16,  /* more rows take too many entries of the first-level TLB */
-    EXPENSIVE = 8,    /* a division, a square root, a call of mathematics */
-    SOME = 4,         /* iterations of a loop inside, where the text does not say how many */
-    MOST_DEPTH = 8,   /* of calls */
-    MOST_WORK = 10000 /* more need not be distinguished */
+    MOST_AHEAD = 16, /* more rows take too many entries of the first-level TLB */
+    MOST_DEPTH = 8   /* of calls */
 };
-
-/** Of `for (c = 0; c < 3; c++)` 3; 0: the text does not say it. */
-static int64_t constant_trip(const ir_node *loop) {
-    const ir_variable *counter;
-    int64_t first, last;
-    if (!counted_constant(loop, &counter, &first, &last))
-        return 0;
-    const int64_t trip = last - first + 1;
-    return trip <= MOST_WORK ? trip : 0;
-}
-
-static bool is_floating(const ir_type *type) {
-    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
-}
-
-static int64_t own_work(const ir_node *node) {
-    const bool is_operation = node->kind == IR_BINARY || node->kind == IR_ASSIGN;
-    if (node->kind == IR_CALL)
-        return is_floating(node->type) ? EXPENSIVE : 0;
-    if (node->kind == IR_UNARY)
-        return node->op == IR_OP_MINUS && is_floating(node->type);
-    if (!is_operation || node->op == IR_OP_NONE || !is_floating(node->children[0]->type))
-        return 0;
-    return node->op == IR_OP_DIVIDE ? EXPENSIVE : 1;
-}
-
-/** What functions cost, by id and depth of the call; -1: not asked yet. */
-typedef struct known_work {
-    int64_t (*of)[MOST_DEPTH + 1];
-} known_work;
-
-static int64_t work_of(const known_work *known, const ir_node *node, int depth);
-
-static int64_t work_of_callee(const known_work *known, const ir_function *callee, int depth) {
-    int64_t *work = &known->of[callee->id][depth];
-    if (*work < 0)
-        *work = work_of(known, callee->body, depth);
-    return *work;
-}
-
-static int64_t work_of(const known_work *known, const ir_node *node, int depth) {
-    int64_t work = own_work(node);
-    const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION
-                                    ? node->children[0]->function
-                                    : NULL;
-    if (callee && callee->body && depth < MOST_DEPTH)
-        work += work_of_callee(known, callee, depth + 1);
-    for (unsigned i = 0; i < node->child_count && work < MOST_WORK; i++)
-        work += work_of(known, node->children[i], depth);
-    if (ir_is_loop(node)) {
-        const int64_t trip = constant_trip(node);
-        work *= trip ? trip : SOME;
-    }
-    return work < MOST_WORK ? work : MOST_WORK;
-}
-
-static int64_t work_of_iteration(const loop_plan *plan) {
-    const unsigned count = plan->unit->function_count;
-    const known_work known = {.of = arena_allocate(plan->arena, (count + 1) * sizeof *known.of)};
-    for (unsigned i = 0; i < count; i++)
-        for (int depth = 0; depth <= MOST_DEPTH; depth++)
-            known.of[i][depth] = -1;
-    return work_of(&known, plan->facts->counted.body, 0);
-}
 
 /** Does the slice hold a loop whose length the text does not say? Twice it may be too expensive. */
 static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
-    if (ir_is_loop(node) && facts->slice.holds[node->id] && !constant_trip(node))
+    if (ir_is_loop(node) && facts->slice.holds[node->id] && !work_constant_trip(node))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (has_open_loop(facts, node->children[i]))
@@ -257,7 +189,7 @@ static const char *why_not(const loop_facts *facts, int64_t work) {
 }
 
 void plan_prefetch(loop_plan *plan) {
-    const int64_t work = work_of_iteration(plan);
+    const int64_t work = plan->execution.work;
     prefetch_plan *const prefetch = &plan->prefetch;
     prefetch->declined = why_not(plan->facts, work);
     if (prefetch->declined)
@@ -266,6 +198,6 @@ void plan_prefetch(loop_plan *plan) {
     prefetch->ahead = (unsigned)(ahead < LEAST_AHEAD  ? LEAST_AHEAD
                                  : ahead > MOST_AHEAD ? MOST_AHEAD
                                                       : ahead);
-    prefetch->is_light = work < LIGHT;
+    prefetch->is_light = work < WORK_HEAVY;
     plan_gathers(plan, prefetch);
 }

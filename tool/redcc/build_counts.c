@@ -43,8 +43,8 @@ static const char *find_wrapper(arena *a) {
 
 /* The build sees the options that were given here as it sees its own. */
 static void set_options(arena *a, const options *o) {
-    static const char *const lanes[] = {"", " --lanes=auto", " --lanes=2", "", " --lanes=4", "", "",
-                                        "", " --lanes=8"};
+    static const char *const lanes[] = {
+        [LANES_OF_NONE] = " --lanes=off", [LANES_OF_HEAVY] = "", [LANES_OF_ALL] = " --lanes=4"};
     buffer text = {0};
     for (unsigned i = 0; i < o->pure.count; i++)
         buffer_format(&text, " --pure=%s", o->pure.items[i]);

@@ -16,51 +16,47 @@ const char options_help[] =
     "       redcc --analyze INPUT.c... [options] [-- COMPILER-FLAGS]\n"
     "       redcc --analyze -p DIR [options] [-- COMPILER-FLAGS]\n"
     "\n"
-    "  -o FILE              where the result goes; - is standard output. A file with\n"
-    "                       nothing to transform is copied byte for byte\n"
+    "  -o FILE              output file; - is standard output. A file without a loop to\n"
+    "                       transform is copied byte for byte\n"
     "  -I -isystem -iquote -include -D -U -std=\n"
-    "                       as a compiler takes them; also after --\n"
-    "  -p DIR               take the flags from DIR/compile_commands.json\n"
-    "  --analyze            report only, write no source; with -p and no INPUT, on all C files\n"
-    "                       of the build, with what they tell of each other's functions\n"
+    "                       compiler options; all others after --\n"
+    "  -p DIR               read the flags from DIR/compile_commands.json\n"
+    "  --analyze            write a report and no source; with -p and no INPUT for all C files\n"
+    "                       of the build, using each other's functions\n"
     "  --report=FORM        text (default; remarks on standard error), json, sarif, yaml\n"
-    "                       (on standard output with --analyze, else to --report-file)\n"
-    "  --report-file=FILE   where the report goes\n"
-    "  --order=ORDER        what the result may differ from: serial (default: from nothing\n"
-    "                       the sequential loop gives), fixed (the same in every run and at\n"
-    "                       every number of threads), any\n"
-    "  --lanes=HOW          several iterations at once in vectors, where that can be done: off\n"
-    "                       (default), auto (as many as a register holds), 2, 4, 8\n"
-    "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
-    "                       and give every thread the same\n"
-    "  --assume-noalias     your word that distinct pointers do not overlap\n"
-    "  --files=WHICH        alone (default); project: functions that loops call are looked for in\n"
-    "                       the other sources around INPUT, and the program asks when it runs\n"
-    "                       whether it is linked with these; redcc-cc does so\n"
-    "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
-    "                       gcc than for clang is left alone), known (you have looked at that)\n"
-    "  --predefined=FILE    that compiler's own macros, as 'cc -dM -E -x c /dev/null' prints "
-    "them:\n"
-    "                       the source is read with these\n"
-    "  --require            exit with 3 where a file has no loop that was transformed\n"
-    "  --verify             build and run the sequential and the parallel program (the input\n"
-    "                       must be all of it) and compare what they print\n"
+    "                       (to standard output with --analyze, otherwise to --report-file)\n"
+    "  --report-file=FILE   file for the report\n"
+    "  --order=ORDER        order of the updates: serial (default: the sequential bits), fixed\n"
+    "                       (the same bits in every run and at every number of threads), any\n"
+    "  --lanes=HOW          four iterations at once in vectors, where possible: auto (default:\n"
+    "                       in heavy loops), off, 4 (everywhere)\n"
+    "  --pure=NAME[,NAME]   assert that these functions have no side effects and return the\n"
+    "                       same value in every thread\n"
+    "  --assume-noalias     assert that distinct pointers do not overlap\n"
+    "  --files=WHICH        alone (default); project: find called functions in the project's\n"
+    "                       sources, and check at run time that the program is linked with\n"
+    "                       them (redcc-cc does so)\n"
+    "  --compiler=WHICH     compiler of the result: any (default; code that differs for gcc and\n"
+    "                       clang is left unchanged), known (you have checked that)\n"
+    "  --predefined=FILE    macros of that compiler, as printed by 'cc -dM -E -x c /dev/null'\n"
+    "  --require            exit with 3 if a file has no transformed loop\n"
+    "  --verify             build and run the sequential and the parallel program (INPUT must\n"
+    "                       be the whole program) and compare their output\n"
     "  --all                report loops without an irregular update too\n"
-    "  --dump=ir            print what the translator understood of the source, for debugging\n"
-    "  --in-process         do without the process that guards against a parser that crashes\n"
-    "  --inputs-file=FILE   write what the result depends on: libraries, folders, files read\n"
-    "  --explain REASON     print what is known of a reason for a refusal: R204, or its slug;\n"
-    "                       list: all of them\n"
+    "  --dump=ir            print the intermediate representation, for debugging\n"
+    "  --in-process         parse in this process: a crash of the parser ends it\n"
+    "  --inputs-file=FILE   list the dependences of the result: libraries, folders, files\n"
+    "  --explain REASON     explain a reason for a refusal: R204, or its slug; list: all\n"
     "  --help, --version\n"
     "\n"
     "To compile the result:\n"
     "  cc OUTPUT.c $(pkg-config --cflags --libs redcc)\n"
-    "Compile it with the flags of INPUT.c; where it stands in another folder, add\n"
-    "-iquote FOLDER-OF-INPUT for its own headers. Without redcc's headers, or with\n"
-    "-DREDCC_OFF, it is the sequential program. redcc-cc does all this in the compiler's place.\n"
+    "Use the flags of INPUT.c; from another folder add -iquote FOLDER-OF-INPUT for its headers.\n"
+    "Without redcc's headers, or with -DREDCC_OFF, it is the sequential program. redcc-cc, used\n"
+    "as the compiler, does all this.\n"
     "\n"
-    "Exit status: 0 done; 1 the input cannot be read or parsed, or the output cannot be\n"
-    "written (an old one is then untouched); 2 wrong usage; 3 --require not met.\n";
+    "Exit status: 0 success; 1 the input cannot be read or parsed, or the output cannot be\n"
+    "written (an old one is unchanged); 2 wrong usage; 3 --require not met.\n";
 
 /* ---- options by name ----------------------------------------------------------------------- */
 
@@ -190,8 +186,8 @@ const char *options_order_word(result_order order) {
 }
 
 static const char *read_lanes(arena *a, options *o, const char *value) {
-    static const char *const words[] = {"off", "auto", "2", "4", "8"};
-    static const unsigned lanes[] = {0, 1, 2, 4, 8};
+    static const char *const words[] = {"off", "auto", "4"};
+    static const lanes_wish lanes[] = {LANES_OF_NONE, LANES_OF_HEAVY, LANES_OF_ALL};
     int number;
     const char *wrong = read_word(a, "--lanes", words, COUNT(words), value, &number);
     if (!wrong)
@@ -432,7 +428,7 @@ static const char *check_together(arena *a, const options *o) {
 }
 
 const char *options_read(arena *a, int argc, char **argv, options *result) {
-    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL};
+    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL, .lanes = LANES_OF_HEAVY};
     words w = {argc, argv, 1};
     bool only_flags = false;
     while (w.next < w.count) {

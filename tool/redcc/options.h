@@ -28,7 +28,7 @@ typedef struct options {
     const char *explain; /* --explain: this reason; NULL: none */
     result_order order;
     bool order_is_given;
-    unsigned lanes;      /* as of plan_options */
+    lanes_wish lanes;
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool sees_project;   /* --files=project */
     bool in_process;     /* no process of its own guards against a parser that crashes */

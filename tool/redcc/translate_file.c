@@ -165,7 +165,7 @@ static const lanes_remark *lanes_remarks(arena *a, const emit_result *written, u
     lanes_remark *remarks = ARENA_ARRAY(a, lanes_remark, count + 1);
     for (unsigned i = 0; i < count; i++) {
         const lanes_outcome *outcome = &written->lanes[i];
-        remarks[i] = (lanes_remark){lane_reason_slug(outcome->why),
+        remarks[i] = (lanes_remark){outcome->why != LANES_NOT_ASKED, lane_reason_slug(outcome->why),
                                     lane_reason_message(outcome->why), outcome->range};
     }
     return remarks;

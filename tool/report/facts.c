@@ -101,7 +101,8 @@ ir_position reason_position(const report_input *input, const loop_verdict *verdi
 const lanes_remark *verdict_lanes(const report_input *input, const loop_verdict *verdict) {
     if (!input->lanes || verdict->kind != VERDICT_TRANSFORM)
         return NULL;
-    return &input->lanes[verdict - input->analysis->verdicts];
+    const lanes_remark *lanes = &input->lanes[verdict - input->analysis->verdicts];
+    return lanes->is_asked ? lanes : NULL;
 }
 
 ir_position lanes_position(const report_input *input, const lanes_remark *lanes) {

@@ -10,6 +10,7 @@ typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML }
 
 /** Why a loop that runs in parallel has no form for several iterations at once. */
 typedef struct lanes_remark {
+    bool is_asked;    /* it is to have one */
     const char *slug; /* NULL: it has one */
     const char *message;
     ir_range range; /* of what stands in the way */

@@ -14,14 +14,14 @@
 
 enum { SCENE, OUTPUT, SET, REPEAT, STEPS, QUICK, ERROR };
 static const option accuracy_options[] = {
-    [SCENE] = {"--scene", "SCENE", "what is simulated (default: flap)"},
-    [OUTPUT] = {"-o", "DIR", "where tables and plots go (default: accuracy)"},
+    [SCENE] = {"--scene", "SCENE", "the scene (default: flap)"},
+    [OUTPUT] = {"-o", "DIR", "folder for tables and plots (default: accuracy)"},
     [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as mesh.vertices=100"},
     [REPEAT] = {"--repeat", "N", "measure each time N times and keep the least (default 1)"},
     [STEPS] = {"--most-steps", "N",
                "the finest division of the scene (default 64; advise: 16 times "
                "its steps)"},
-    [QUICK] = {"--quick", NULL, "few and coarse runs, to see that it works"},
+    [QUICK] = {"--quick", NULL, "few and coarse runs, as a test"},
     [ERROR] = {"--error", "LENGTH", "advise: the rms error to reach, in m, or with mm, um"},
     {NULL, NULL, NULL}};
 
@@ -217,6 +217,7 @@ const command accuracy_command = {
     "accuracy",
     "dt|cg|newton|integrator|preconditioner|precision|solver|sum|mesh|horizon|all|advise [SCENE] "
     "[options]",
-    "Measures what accuracy costs in time; writes a table and a plot an experiment. 'advise' picks "
-    "step,\nintegrator, tolerance and solver for an error by runs of the scene itself.",
+    "Measures error against time; writes a table and a plot for each experiment. 'advise' finds "
+    "step,"
+    "\nintegrator, tolerance and solver for an error by runs of the scene.",
     accuracy_options, run};

@@ -13,7 +13,7 @@ enum { EXIT_DIFFERENT = 1, EXIT_UNUSABLE = 2 };
 
 enum { TOLERANCE };
 static const option compare_options[] = {
-    [TOLERANCE] = {"--tolerance", "T", "positions may differ by T metres (default: by no bit)"},
+    [TOLERANCE] = {"--tolerance", "T", "largest permitted difference in metres (default: 0 bits)"},
     {NULL, NULL, NULL}};
 
 /** The largest difference of two arrays of numbers. */
@@ -157,6 +157,6 @@ static int run(const command *self, int argc, char **argv) {
 
 const command compare_command = {
     "compare", "A B [options]",
-    "Tells the largest difference of two saved states, in metres and in units in the last place\n"
+    "Prints the largest difference of two saved states, in metres and in units in the last place\n"
     "(ulps). Exit status: 0 equal, 1 different, 2 a file cannot be used.",
     compare_options, run};

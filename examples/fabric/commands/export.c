@@ -9,8 +9,8 @@
 #include "output/vtu.h"
 
 enum { OUTPUT };
-static const option export_options[] = {[OUTPUT] = {"-o", "FOLDER", "where to (default DIR/vtu)"},
-                                        {NULL, NULL, NULL}};
+static const option export_options[] = {
+    [OUTPUT] = {"-o", "FOLDER", "output folder (default DIR/vtu)"}, {NULL, NULL, NULL}};
 
 /** A file for each frame, NNNN.vtu. */
 static int write_frames(const run_frames *run, const char *to, char (*name)[32]) {

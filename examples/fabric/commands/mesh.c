@@ -15,15 +15,15 @@ enum { ERROR_SIZE = 256 };
 
 enum { OUTPUT, VERTICES, BOUNDARY, SIDE, SEED, ORDER, NUMBERS, RESTORE };
 static const option mesh_options[] = {
-    [OUTPUT] = {"-o", "FILE.obj", "where the mesh goes (generate, reorder)"},
+    [OUTPUT] = {"-o", "FILE.obj", "output file (generate, reorder)"},
     [VERTICES] = {"--vertices", "N", "generate: vertices (default 2602)"},
-    [BOUNDARY] = {"--boundary", "N", "generate: of these, on the border (default 220)"},
+    [BOUNDARY] = {"--boundary", "N", "generate: vertices on the border (default 220)"},
     [SIDE] = {"--side", "M", "generate: the square's side in metres (default 1)"},
-    [SEED] = {"--seed", "N", "generate, reorder: seed of what is random (default 1)"},
+    [SEED] = {"--seed", "N", "generate, reorder: random seed (default 1)"},
     [ORDER] = {"--order", "ORDER",
                "generated, sorted (reverse Cuthill-McKee), shuffled, hilbert or metis"},
-    [NUMBERS] = {"--numbers", "FILE", "where the new number of each vertex goes, one a line"},
-    [RESTORE] = {"--restore", "FILE", "reorder: back to what it was before such numbers"},
+    [NUMBERS] = {"--numbers", "FILE", "output file for the new number of each vertex, one a line"},
+    [RESTORE] = {"--restore", "FILE", "reorder: undo a renumbering by such a file"},
     {NULL, NULL, NULL}};
 
 static const char *const actions[] = {"generate", "reorder", "info", NULL};

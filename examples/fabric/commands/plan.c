@@ -131,6 +131,6 @@ static int run(const command *self, int argc, char **argv) {
 }
 
 const command plan_command = {"plan", "SCENE [options]",
-                              "Tells what a scene calls for: effects with their elements, matrix "
+                              "Lists the effects that a scene uses with their elements, matrix "
                               "blocks, bytes.",
                               plan_options, run};

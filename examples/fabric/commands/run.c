@@ -28,18 +28,18 @@ enum {
     OPTION_COUNT
 };
 static const option run_options[OPTION_COUNT + 1] = {
-    [OUTPUT] = {"-o", "DIR", "where results go (default: the scene's name and -run)"},
-    [STEPS] = {"--steps", "N", "how many steps, instead of the scene's"},
+    [OUTPUT] = {"-o", "DIR", "output folder (default: the scene's name and -run)"},
+    [STEPS] = {"--steps", "N", "number of steps, instead of the scene's"},
     [THREADS] = {"--threads", "N",
-                 "so many threads (default: as many as pay, up to OMP_NUM_THREADS)"},
+                 "number of threads (default: the fastest, up to OMP_NUM_THREADS)"},
     [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as material.bend=0.01"},
     [PROGRESS] = {"--progress", "STYLE", "auto, bar, lines, json or none"},
-    [FRAME_COUNT] = {"--frames", "N", "how many states to keep for pictures (default 25; 0: none)"},
+    [FRAME_COUNT] = {"--frames", "N", "number of states kept for pictures (default 25; 0: none)"},
     [CHECKPOINT_EVERY] =
         {"--checkpoint-every", "N",
          "write DIR/checkpoint every N steps and after the last (default 0: none)"},
     [STOP_AFTER] = {"--stop-after", "N", "end after step N with a checkpoint, as Ctrl-C does"},
-    [RESUME] = {"--resume", "DIR", "go on with the run in DIR, or from a checkpoint FILE"},
+    [RESUME] = {"--resume", "DIR", "resume the run in DIR, or from a checkpoint FILE"},
     [OPTION_COUNT] = {NULL, NULL, NULL}};
 
 static volatile sig_atomic_t interrupted;
@@ -324,10 +324,11 @@ static int run(const command *self, int argc, char **argv) {
     return status != 0 ? EXIT_FAILURE : ended_early ? EXIT_INTERRUPTED : EXIT_SUCCESS;
 }
 
-const command run_command = {"run", "SCENE [options], or --resume DIR [options]",
-                             "Simulates a scene (a file, or a name in the scenes folder); writes "
-                             "DIR/summary.json,\nDIR/final.state, DIR/scene.yaml and states for "
-                             "pictures in DIR/frames.\nCtrl-C ends it after the step under way; "
-                             "with --resume DIR it goes on, with the same\nbits as if it had never "
-                             "stopped. No SCENE is needed then.",
-                             run_options, run};
+const command run_command = {
+    "run", "SCENE [options], or --resume DIR [options]",
+    "Simulates a scene (a file, or a name in the scenes folder); writes "
+    "DIR/summary.json,\nDIR/final.state, DIR/scene.yaml and states for "
+    "pictures in DIR/frames.\nCtrl-C ends it after the current step; "
+    "--resume DIR continues with the same bits as an\nuninterrupted run, and "
+    "needs no SCENE.",
+    run_options, run};

@@ -10,7 +10,7 @@
 
 enum { OUTPUT, WIDTH, HEIGHT };
 static const option film_options[] = {
-    [OUTPUT] = {"-o", "FILE.mp4", "where to (default DIR/cloth.mp4)"},
+    [OUTPUT] = {"-o", "FILE.mp4", "output file (default DIR/cloth.mp4)"},
     [WIDTH] = {"--width", "N", "of the pictures, in pixels, even (default 960)"},
     [HEIGHT] = {"--height", "N", "of the pictures, in pixels, even (default 720)"},
     {NULL, NULL, NULL}};

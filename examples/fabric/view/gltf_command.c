@@ -12,7 +12,7 @@
 
 enum { OUTPUT };
 static const option gltf_options[] = {
-    [OUTPUT] = {"-o", "FILE", "where to: .glb is binary, .gltf text (default DIR/cloth.glb)"},
+    [OUTPUT] = {"-o", "FILE", "output file: .glb is binary, .gltf text (default DIR/cloth.glb)"},
     {NULL, NULL, NULL}};
 
 /** The file's ending as a format: 1: binary, 0: text, -1 after a message. */

@@ -331,21 +331,25 @@ REDCC_RECORDS(float);
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
+        int redcc__handed;                                                                         \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
-        while (__builtin_expect(                                                                   \
-            redcc__worker->call->calls->bins_next(redcc__worker, redcc__all, 0), 0)) {             \
-            const redcc_u32 redcc__told = redcc_told_bits;                                         \
-            if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                               \
-                REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_slice,               \
-                                 redcc_call_of_body)                                               \
-            else                                                                                   \
-                REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,                 \
-                                 redcc_call_of_body)                                               \
-        }                                                                                          \
-        {                                                                                          \
-            redcc_bins_n##_OF(REDCC_NO_BINS_OF)                                                    \
-                REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                \
-        }                                                                                          \
+        do {                                                                                       \
+            while (__builtin_expect((redcc__handed = redcc__worker->call->calls->bins_next(        \
+                                         redcc__worker, redcc__all, 0)) == REDCC_HANDED,           \
+                                    0)) {                                                          \
+                const redcc_u32 redcc__told = redcc_told_bits;                                     \
+                if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                           \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_slice,           \
+                                     redcc_call_of_body)                                           \
+                else                                                                               \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,             \
+                                     redcc_call_of_body)                                           \
+            }                                                                                      \
+            {                                                                                      \
+                redcc_bins_n##_OF(REDCC_NO_BINS_OF)                                                \
+                    REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)            \
+            }                                                                                      \
+        } while (redcc__handed == REDCC_BETWEEN);                                                  \
     }
 
 #endif

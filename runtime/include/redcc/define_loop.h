@@ -141,12 +141,15 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
 }
 
 #ifdef REDCC_STREAMS
-/* Executes iterations whose updates are kept, or made on copies of the thread's own. */
-static void REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
+/* Executes iterations whose updates are kept, or made on copies of the thread's own. Are there
+ * more to come after others? */
+static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
                               const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
     redcc_bins handed[REDCC_ARRAYS];
-    while (__builtin_expect(worker->call->calls->bins_next(worker, handed, 0), 0)) {
+    int more;
+    while (__builtin_expect(
+        (more = worker->call->calls->bins_next(worker, handed, 0)) == REDCC_HANDED, 0)) {
         redcc_bins bins[REDCC_ARRAYS];
         redcc_slice named = {0, 0, REDCC_NAMED};
         redcc_rows rows;
@@ -181,6 +184,7 @@ static void REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt
             redcc_end_rows(&body);
         }
     }
+    return more == REDCC_BETWEEN;
 }
 #endif
 
@@ -264,7 +268,8 @@ static void REDCC_THIS(_member)(redcc_worker *worker, const redcc_attempt *attem
     const REDCC_CONTEXT *const loop = (const REDCC_CONTEXT *)context;
     REDCC_THIS(_inspect)(worker, attempt, loop);
 #ifdef REDCC_STREAMS
-    REDCC_THIS(_keep)(worker, attempt, loop);
+    while (REDCC_THIS(_keep)(worker, attempt, loop))
+        REDCC_THIS(_chunks)(worker, attempt, loop);
 #endif
     REDCC_THIS(_chunks)(worker, attempt, loop);
 #ifdef REDCC_FINISH

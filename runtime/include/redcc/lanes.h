@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Several iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md). What
- * is computed is computed for all of them by one operation each; updates are made lane by lane, in
+ * Four iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md). What is
+ * computed is computed for all of them by one operation each; updates are made lane by lane, in
  * the order in which the iterations would have been executed.
  *
- * Generated text includes this file behind runtime.h and what forbids contraction. It holds what is
- * for vectors once for each width, behind lanes_width.h, for processors that may know more than
- * what the program is compiled for; the runtime says which width is executed. REDCC_ONLY_WIDTH,
- * defined as 2, 4 or 8: this width alone, for the processor that the program is compiled for.
+ * Generated text includes this file behind runtime.h and what forbids contraction. On x86-64 the
+ * functions for vectors are compiled for AVX2 whatever the program is compiled for; the runtime
+ * says whether the processor has it. On 64-bit ARM there are two lanes. Elsewhere iterations are
+ * executed one by one.
  */
 #ifndef REDCC_LANES_H
 #define REDCC_LANES_H
@@ -15,55 +15,46 @@
 /* By -std=gnu89 -Wpedantic gcc warns of macros with any number of arguments. */
 #pragma GCC system_header
 
-/** The widths that are compiled: a sum of 2, 4 and 8. None where operations may be rounded together
- *  or where the compiler does not know the vectors of gcc and clang. Narrower ones than a register
- *  of AVX2 are of no use where the program is compiled for that. */
-#if defined(REDCC_IS_CHECKED) && !defined(REDCC_ONLY_WIDTH)
-#define REDCC_WIDTHS (2 + 4 + 8) /* redcc looks at its own text */
-#elif !defined(REDCC_IS_CHECKED) && !REDCC_ROUNDS_ALIKE
-#define REDCC_WIDTHS 0
-#elif !defined(__clang__) && __GNUC__ < 9 /* __builtin_convertvector */
-#define REDCC_WIDTHS 0
-#elif defined(REDCC_ONLY_WIDTH)
-#define REDCC_WIDTHS REDCC_ONLY_WIDTH
-#elif !defined(__x86_64__)
-#define REDCC_WIDTHS 0
-#elif defined(__AVX2__)
-#define REDCC_WIDTHS (4 + 8) /* also for AVX-512: eight are not always faster than four */
+/** Iterations at once; 0: one by one, where operations may be rounded together or where the
+ * compiler does not know the vectors of gcc and clang. gcc before 9 has no __builtin_convertvector.
+ */
+#ifdef REDCC_IS_CHECKED
+#define REDCC_WIDTH 4 /* redcc looks at its own text */
+#elif !REDCC_ROUNDS_ALIKE || (!defined(__clang__) && __GNUC__ < 9)
+#define REDCC_WIDTH 0
+#elif defined(__x86_64__)
+#define REDCC_WIDTH 4
+#elif defined(__aarch64__)
+#define REDCC_WIDTH 2
 #else
-#define REDCC_WIDTHS (2 + 4 + 8)
+#define REDCC_WIDTH 0
 #endif
 
 /** In the descriptor's flags. */
-#ifdef REDCC_ONLY_WIDTH
-#define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTHS | REDCC_LANES_ANYWHERE)
+#if REDCC_WIDTH == 4 && !defined(__AVX2__)
+#define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTH)
 #else
-#define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTHS)
+#define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTH | REDCC_LANES_ANYWHERE)
 #endif
 
+#if REDCC_WIDTH
 /* Vectors are passed between functions that are inlined: that their passing changed between
  * versions of a compiler does not matter. */
-#if REDCC_WIDTHS
 #pragma GCC diagnostic ignored "-Wpsabi"
-#endif
 
 /** What functions are compiled for. */
-#define REDCC_TARGET_2
-#if defined(REDCC_ONLY_WIDTH) || defined(REDCC_IS_CHECKED) || defined(__AVX2__)
-#define REDCC_TARGET_4
+#if defined(REDCC_IS_CHECKED) || !defined(__x86_64__) || defined(__AVX2__)
+#define REDCC_TARGET
 #else
-#define REDCC_TARGET_4 __attribute__((__target__("avx2")))
+#define REDCC_TARGET __attribute__((__target__("avx2")))
 #endif
-#if defined(REDCC_ONLY_WIDTH) || defined(REDCC_IS_CHECKED) ||                                      \
-    (defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__))
-#define REDCC_TARGET_8
-#elif defined(__clang__)
-#define REDCC_TARGET_8                                                                             \
-    __attribute__((__target__("avx512f,avx512dq,avx512vl"), __min_vector_width__(512)))
-#else
-#define REDCC_TARGET_8                                                                             \
-    __attribute__((__target__("avx512f,avx512dq,avx512vl,prefer-vector-width=512")))
-#endif
+
+/** Behind REDCC_QUIET_BEGIN: of vectors made of what is no constant. */
+#define REDCC_QUIET_LANES                                                                          \
+    _Pragma("GCC diagnostic ignored \"-Wpedantic\"")                                               \
+        _Pragma("GCC diagnostic ignored \"-Wdeclaration-after-statement\"")
+
+/* ---- lanes ---------------------------------------------------------------------------------- */
 
 /* An expression of redcc__l, for each lane; as initialisers, since a loop would go through memory.
  */
@@ -72,42 +63,28 @@
         enum { redcc__l = redcc_i };                                                               \
         __VA_ARGS__;                                                                               \
     })
-#define REDCC_ALL_2(...) REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__)
-#define REDCC_ALL_4(...)                                                                           \
-    REDCC_ALL_2(__VA_ARGS__), REDCC_LANE(2, __VA_ARGS__), REDCC_LANE(3, __VA_ARGS__)
-#define REDCC_ALL_8(...)                                                                           \
-    REDCC_ALL_4(__VA_ARGS__), REDCC_LANE(4, __VA_ARGS__), REDCC_LANE(5, __VA_ARGS__),              \
-        REDCC_LANE(6, __VA_ARGS__), REDCC_LANE(7, __VA_ARGS__)
-
-#include "lanes_x86.h"
-#ifndef REDCC_ROOTS_2
-#define REDCC_ROOTS_2(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
-#define REDCC_SIGNS_2(redcc_m) ((redcc_m[0] | redcc_m[1]) < 0)
-#endif
-#ifndef REDCC_ROOTS_4
-#define REDCC_ROOTS_4(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
-#define REDCC_SIGNS_4(redcc_m) ((redcc_m[0] | redcc_m[1] | redcc_m[2] | redcc_m[3]) < 0)
-#endif
-#ifndef REDCC_ROOTS_8
-#define REDCC_ROOTS_8(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
-#define REDCC_SIGNS_8(redcc_m)                                                                     \
-    ((redcc_m[0] | redcc_m[1] | redcc_m[2] | redcc_m[3] | redcc_m[4] | redcc_m[5] | redcc_m[6] |   \
-      redcc_m[7]) < 0)
+#if REDCC_WIDTH == 4
+#define REDCC_ALL(...)                                                                             \
+    REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__), REDCC_LANE(2, __VA_ARGS__),            \
+        REDCC_LANE(3, __VA_ARGS__)
+#else
+#define REDCC_ALL(...) REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__)
 #endif
 
-/* ---- what lanes_width.h gives a meaning ------------------------------------------------------ */
-
-#define redcc_vector REDCC_WIDE(redcc_vector)
-#define redcc_floats REDCC_WIDE(redcc_floats)
-#define redcc_mask REDCC_WIDE(redcc_mask)
-#define redcc_float_mask REDCC_WIDE(redcc_float_mask)
-
-/** A function that is inlined, and the one that executes redcc_width iterations. */
+/** A function that is inlined, and the one that executes REDCC_WIDTH iterations. */
 #define REDCC_LIFTED REDCC_INLINE REDCC_TARGET
 #define REDCC_LANES_BODY static __attribute__((__noinline__, __unused__)) REDCC_TARGET void
 
-/** The statement that follows, for each lane, redcc__l. */
-#define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < redcc_width; redcc__l++)
+/** The statement that follows, for each lane, redcc__l; for each lane that has an iteration. */
+#define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < REDCC_WIDTH; redcc__l++)
+#define REDCC_EACH_ITERATION for (redcc__l = 0; redcc__l < redcc__block->count; redcc__l++)
+
+/** A vector of doubles; as many floats, in a vector of half the size; a mask of lanes, of doubles
+ *  and floats alike. */
+typedef double redcc_vector __attribute__((__vector_size__(8 * REDCC_WIDTH)));
+typedef float redcc_floats __attribute__((__vector_size__(4 * REDCC_WIDTH)));
+__extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * REDCC_WIDTH)));
+typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 
 /** A double for each lane, and a float. */
 #define REDCC_GATHER(...) (__extension__(redcc_vector){REDCC_ALL(__VA_ARGS__)})
@@ -118,187 +95,123 @@
 
 /** Something else for each lane, as an array. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
-    (__extension__(__typeof__(redcc_type)[redcc_width]){REDCC_ALL(__VA_ARGS__)})
+    (__extension__(__typeof__(redcc_type)[REDCC_WIDTH]){REDCC_ALL(__VA_ARGS__)})
 
-#define redcc_same REDCC_WIDE(redcc_same)
-#define redcc_same_float REDCC_WIDE(redcc_same_float)
-#define redcc_select REDCC_WIDE(redcc_select)
-#define redcc_select_floats REDCC_WIDE(redcc_select_floats)
+/** Each lane converted as C converts; the lanes of which a comparison of floats holds. */
 #define redcc_doubles_of(...) __builtin_convertvector((__VA_ARGS__), redcc_vector)
 #define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
-#define redcc_any REDCC_WIDE(redcc_any)
-#define redcc_each_root REDCC_WIDE(redcc_each_root)
-#define REDCC_ROOTS REDCC_WIDE(REDCC_ROOTS)
-#define REDCC_SIGNS REDCC_WIDE(REDCC_SIGNS)
-#define redcc_lanes_sqrt REDCC_WIDE(redcc_lanes_sqrt)
-#define redcc_lanes_fabs REDCC_WIDE(redcc_lanes_fabs)
-#define redcc_lanes_sqrtf REDCC_WIDE(redcc_lanes_sqrtf)
-#define redcc_lanes_fabsf REDCC_WIDE(redcc_lanes_fabsf)
 
-/**
- * redcc_floats: as many floats as there are doubles in a redcc_vector.
- * redcc_mask: of lanes, of doubles and floats alike.
- * redcc_same: the same double in each lane (not by addition of 0: it would change -0.0).
- * redcc_select: of the lanes where the mask is -1 the one, else the other.
- * redcc_doubles_of, redcc_floats_of: each lane converted as C converts.
- * redcc_mask_of_floats: the lanes of which a comparison of floats holds.
- * redcc_any: is there a lane in the mask?
- * redcc_each_root: lane by lane, where errno is set as it is sequentially.
- * redcc_lanes_sqrt: all lanes at once; where one is negative redcc_each_root, for errno.
- * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind, and
- * is a constant a double? No macro tells of -ffp-contract=fast, which clang prefers to pragmas, nor
- * of -fsingle-precision-constant.
- */
-#define REDCC_LANES_TOOLS                                                                          \
-    typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));                 \
-    typedef float redcc_floats __attribute__((__vector_size__(4 * redcc_width)));                  \
-    __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * redcc_width)));  \
-    typedef int redcc_float_mask __attribute__((__vector_size__(4 * redcc_width)));                \
-    REDCC_LIFTED redcc_vector redcc_same(double value) {                                           \
-        return (__extension__(redcc_vector){REDCC_ALL(value)});                                    \
-    }                                                                                              \
-    REDCC_LIFTED redcc_floats redcc_same_float(float value) {                                      \
-        return (__extension__(redcc_floats){REDCC_ALL(value)});                                    \
-    }                                                                                              \
-    REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {   \
-        return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));                \
-    }                                                                                              \
-    REDCC_LIFTED redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes,              \
-                                                  redcc_floats no) {                               \
-        const redcc_float_mask mask = __builtin_convertvector(lanes, redcc_float_mask);            \
-        return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));    \
-    }                                                                                              \
-    REDCC_LIFTED int redcc_any(redcc_mask mask) {                                                  \
-        return REDCC_SIGNS(mask) != 0;                                                             \
-    }                                                                                              \
-    static __attribute__((__noinline__, __unused__)) REDCC_TARGET redcc_vector redcc_each_root(    \
-        redcc_vector value) {                                                                      \
-        return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});          \
-    }                                                                                              \
-    REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {                               \
-        redcc_vector root;                                                                         \
-        if (redcc_any((redcc_mask)value < 0))                                                      \
-            return redcc_each_root(value);                                                         \
-        REDCC_ROOTS(root, value);                                                                  \
-        return root;                                                                               \
-    }                                                                                              \
-    REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {                               \
-        return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});          \
-    }                                                                                              \
-    REDCC_LIFTED redcc_floats redcc_lanes_sqrtf(redcc_floats value) {                              \
-        return (__extension__(redcc_floats){REDCC_ALL(__builtin_sqrtf(value[redcc__l]))});         \
-    }                                                                                              \
-    REDCC_LIFTED redcc_floats redcc_lanes_fabsf(redcc_floats value) {                              \
-        return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});         \
-    }                                                                                              \
-    static __attribute__((__noinline__, __unused__)) REDCC_TARGET int REDCC_WIDE(                  \
-        redcc_rounds_alike)(void) {                                                                \
-        const volatile double factor = 134217729.0, less = 18014398777917440.0;                    \
-        const volatile double square = factor * factor, rest = square - less;                      \
-        const redcc_vector factors = redcc_same(factor);                                           \
-        const redcc_vector rests = factors * factors - redcc_same(less);                           \
-        return rests[0] == rest && factors[1] * factors[1] - less == rest &&                       \
-               sizeof 1.0 == sizeof(double);                                                       \
-    }
-#if REDCC_WIDTHS & 2
-#define redcc_width 2
-#include "lanes_width.h"
-REDCC_LANES_TOOLS
+/** The same double, or float, in each lane. Not by addition of 0: it would change -0.0. */
+REDCC_LIFTED redcc_vector redcc_same(double value) {
+    return (__extension__(redcc_vector){REDCC_ALL(value)});
+}
+REDCC_LIFTED redcc_floats redcc_same_float(float value) {
+    return (__extension__(redcc_floats){REDCC_ALL(value)});
+}
+
+/** Of the lanes where the mask is -1 the one, else the other. */
+REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {
+    return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));
+}
+REDCC_LIFTED redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes, redcc_floats no) {
+    const redcc_float_mask mask = __builtin_convertvector(lanes, redcc_float_mask);
+    return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));
+}
+
+/* Instructions that compilers do not find by themselves: they branch to the library's function for
+ * each root, as it may have to set errno. The second list of operands is for -masm=intel. */
+#if defined(__x86_64__) && !defined(REDCC_IS_CHECKED)
+#define REDCC_ROOTS(redcc_root, redcc_v)                                                           \
+    __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(redcc_root) : "x"(redcc_v))
+REDCC_LIFTED int redcc_any(redcc_mask mask) {
+    int signs;
+    __asm__("vmovmskpd {%1, %0|%0, %1}" : "=r"(signs) : "x"(mask));
+    return signs != 0;
+}
+#else
+#define REDCC_ROOTS(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
+REDCC_LIFTED int redcc_any(redcc_mask mask) {
+    redcc_int all = 0;
+    int l;
+    for (l = 0; l < REDCC_WIDTH; l++)
+        all |= mask[l];
+    return all < 0;
+}
 #endif
-#if REDCC_WIDTHS & 4
-#undef redcc_width
-#define redcc_width 4
-#include "lanes_width.h"
-REDCC_LANES_TOOLS
-#endif
-#if REDCC_WIDTHS & 8
-#undef redcc_width
-#define redcc_width 8
-#include "lanes_width.h"
-REDCC_LANES_TOOLS
-#endif
+
+/** Lane by lane, where errno is set as it is sequentially. */
+static __attribute__((__noinline__, __unused__)) REDCC_TARGET redcc_vector
+redcc_each_root(redcc_vector value) {
+    return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});
+}
+
+/** All lanes at once; where one is negative redcc_each_root, for errno. */
+REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {
+    redcc_vector root;
+    if (redcc_any((redcc_mask)value < 0))
+        return redcc_each_root(value);
+    REDCC_ROOTS(root, value);
+    return root;
+}
+REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {
+    return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});
+}
+REDCC_LIFTED redcc_floats redcc_lanes_sqrtf(redcc_floats value) {
+    return (__extension__(redcc_floats){REDCC_ALL(__builtin_sqrtf(value[redcc__l]))});
+}
+REDCC_LIFTED redcc_floats redcc_lanes_fabsf(redcc_floats value) {
+    return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});
+}
+
+/** Is a product rounded before it is added to, in functions of this kind, and is a constant a
+ *  double? No macro tells of -ffp-contract=fast, which clang prefers to pragmas, nor of
+ *  -fsingle-precision-constant. */
+static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_round_alike(void) {
+    const volatile double factor = 134217729.0, less = 18014398777917440.0;
+    const volatile double square = factor * factor, rest = square - less;
+    const redcc_vector factors = redcc_same(factor);
+    const redcc_vector rests = factors * factors - redcc_same(less);
+    return rests[0] == rest && factors[1] * factors[1] - less == rest &&
+           sizeof 1.0 == sizeof(double);
+}
 
 /* ---- the executor ---------------------------------------------------------------------------- */
 
-enum { REDCC_MOST_LANES = 8 };
-
-/** Iterations that are executed at once, and whether their updates must ask redcc_owns. */
+/** Iterations that are executed at once, and whether their updates must ask redcc_owns. Behind the
+ *  last one stands the last one again, which is computed, but updates nothing. */
 typedef struct redcc_block {
-    redcc_int k[REDCC_MOST_LANES];
-    int guarded[REDCC_MOST_LANES];
+    redcc_int k[REDCC_WIDTH];
+    int guarded[REDCC_WIDTH];
+    int count;
 } redcc_block;
 
-/** Takes the next iterations of the runs in order. Returns how many: less than `width` at the end.
- */
-REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from, int width) {
-    int count = 0;
-    for (; count < width && redcc_ahead_step(from); count++) {
+/** Takes the next iterations of the runs in order. Returns how many. */
+REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
+    int count = 0, l;
+    for (; count < REDCC_WIDTH && redcc_ahead_step(from); count++) {
         block->k[count] = from->k;
         block->guarded[count] = (int)(from->run[-1].count_and_guard & 1);
     }
+    for (l = count; count && l < REDCC_WIDTH; l++)
+        block->k[l] = block->k[count - 1];
+    block->count = count;
     return count;
 }
 
-/** Writes the first `count` iterations of the block as runs of one each. Returns how many. */
-REDCC_INLINE int redcc_block_rest(const redcc_block *block, int count, redcc_int origin,
-                                  redcc_iterations *rest) {
-    int i;
-    for (i = 0; i < count; i++) {
-        rest[i].begin = (redcc_u32)(block->k[i] - origin);
-        rest[i].count_and_guard = 2 + (redcc_u32)block->guarded[i];
-    }
-    return count;
+/** The body for one iteration, executed where the processor has no such vectors or REDCC_LANES=off
+ *  is said: compiled once, for guarded iterations and others. */
+#define REDCC_BODY_BESIDE_LANES static __attribute__((__noinline__, __unused__)) void
+
+/** Goes before an update. In a function: it is asked at many places, of few iterations. */
+#define REDCC_UPDATE_OF_LANES(redcc_i, redcc_at)                                                   \
+    if (!redcc__guarded || redcc_asks_apart(redcc__worker, redcc__own_##redcc_i, redcc_at))
+static __attribute__((__noinline__, __unused__)) int
+redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
+    return redcc_asks(worker, owner, address);
 }
 
-/** How many iterations at once the runtime says, 0 where they would not be rounded alike. */
-REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
-    switch (worker->manner.lanes & REDCC_WIDTHS) {
-#if REDCC_WIDTHS & 2
-    case 2:
-        return redcc_rounds_alike_2() ? 2 : 0;
-#endif
-#if REDCC_WIDTHS & 4
-    case 4:
-        return redcc_rounds_alike_4() ? 4 : 0;
-#endif
-#if REDCC_WIDTHS & 8
-    case 8:
-        return redcc_rounds_alike_8() ? 8 : 0;
-#endif
-    default:
-        return 0;
-    }
-}
-
-/* The call of the function for so many iterations. */
-#if REDCC_WIDTHS & 2
-#define REDCC_CASE_2(redcc_name, redcc_arguments)                                                  \
-    case 2:                                                                                        \
-        redcc_name##_2 redcc_arguments;                                                            \
-        break;
-#else
-#define REDCC_CASE_2(redcc_name, redcc_arguments)
-#endif
-#if REDCC_WIDTHS & 4
-#define REDCC_CASE_4(redcc_name, redcc_arguments)                                                  \
-    case 4:                                                                                        \
-        redcc_name##_4 redcc_arguments;                                                            \
-        break;
-#else
-#define REDCC_CASE_4(redcc_name, redcc_arguments)
-#endif
-#if REDCC_WIDTHS & 8
-#define REDCC_CASE_8(redcc_name, redcc_arguments)                                                  \
-    case 8:                                                                                        \
-        redcc_name##_8 redcc_arguments;                                                            \
-        break;
-#else
-#define REDCC_CASE_8(redcc_name, redcc_arguments)
-#endif
-
-/** The chunk, as many iterations at once as the runtime says; what is left at its end is executed
- * one by one, as is all of it where there is nothing for vectors. */
+/** The chunk, so many iterations at once. */
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     for (;;) {                                                                                     \
@@ -307,37 +220,27 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
         if (!redcc__asked)                                                                         \
             break;                                                                                 \
         {                                                                                          \
-            redcc_chunk const redcc_iterations *redcc__run = redcc__worker->run;                   \
-            const redcc_iterations *redcc__run_end = redcc__worker->run_end;                       \
-            const int redcc__width = redcc_lanes_of(redcc__worker);                                \
-            redcc_iterations redcc__rest[REDCC_MOST_LANES];                                        \
-            REDCC_PREFETCH_BEGIN(redcc__width > redcc__prefetches ? redcc__width                   \
-                                                                  : redcc__prefetches)             \
-            if (redcc__width) {                                                                    \
-                const int redcc__guarded = 0;                                                      \
-                int redcc__count, redcc__i;                                                        \
-                redcc_block redcc__block;                                                          \
-                redcc_ahead redcc__from;                                                           \
-                redcc_ahead_begin(&redcc__from, redcc__worker, 0);                                 \
-                while ((redcc__count = redcc_block_take(&redcc__block, &redcc__from,               \
-                                                        redcc__width)) == redcc__width) {          \
-                    if (redcc__wished)                                                             \
-                        for (redcc__i = 0; redcc__i < redcc__width; redcc__i++)                    \
-                            REDCC_PREFETCH_ONE(redcc_call_of_slice)                                \
-                    switch (redcc__width) {                                                        \
-                        REDCC_CASE_2(redcc_name, redcc_arguments)                                  \
-                        REDCC_CASE_4(redcc_name, redcc_arguments)                                  \
-                        REDCC_CASE_8(redcc_name, redcc_arguments)                                  \
-                    default:                                                                       \
-                        (void)redcc__guarded;                                                      \
+            redcc_chunk redcc_block redcc__block;                                                  \
+            redcc_ahead redcc__from;                                                               \
+            const int redcc__at_once = redcc__worker->manner.lanes && redcc_lanes_round_alike();   \
+            REDCC_PREFETCH_BEGIN(redcc__prefetches < REDCC_WIDTH ? REDCC_WIDTH                     \
+                                                                 : redcc__prefetches)              \
+            redcc_ahead_begin(&redcc__from, redcc__worker, 0);                                     \
+            while (redcc_block_take(&redcc__block, &redcc__from)) {                                \
+                int redcc__l;                                                                      \
+                for (redcc__l = 0; redcc__wished && redcc__l < REDCC_WIDTH; redcc__l++)            \
+                    REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
+                if (redcc__at_once) {                                                              \
+                    const int redcc__guarded = 0;                                                  \
+                    redcc_name redcc_arguments;                                                    \
+                    (void)redcc__guarded;                                                          \
+                } else                                                                             \
+                    for (redcc__l = 0; redcc__l < redcc__block.count; redcc__l++) {                \
+                        const int redcc__guarded = redcc__block.guarded[redcc__l];                 \
+                        redcc__k = redcc__block.k[redcc__l];                                       \
+                        redcc_call_of_body;                                                        \
                     }                                                                              \
-                }                                                                                  \
-                redcc__run = redcc__rest;                                                          \
-                redcc__run_end =                                                                   \
-                    redcc__rest + redcc_block_rest(&redcc__block, redcc__count,                    \
-                                                   redcc__worker->origin, redcc__rest);            \
             }                                                                                      \
-            REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                            \
         }                                                                                          \
     }
 
@@ -349,5 +252,13 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
         REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     }
+
+#else
+#define REDCC_BODY_BESIDE_LANES REDCC_BODY
+#define REDCC_UPDATE_OF_LANES REDCC_UPDATE
+#define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \
+                             redcc_arguments)                                                      \
+    REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
+#endif
 
 #endif

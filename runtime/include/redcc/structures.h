@@ -130,9 +130,10 @@ enum {
     REDCC_BINNED = 16,
     /** Its executor can prefetch what iterations to come touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Times a set of 2, 4 and 8: so many iterations at once can be executed (lanes.h). */
+    /** Times 2 or 4: so many iterations at once are executed (lanes.h), where the processor has
+     * AVX2 or */
     REDCC_LANES_UNIT = 64,
-    /** They are compiled for the processor that all of the program is compiled for. */
+    /** whatever it is. */
     REDCC_LANES_ANYWHERE = 1024,
     /** Where the slice read by values that the loop has yet to write, it might read what is not
      *  there. So before an inspection one thread has all iterations told in order; where one would
@@ -167,7 +168,11 @@ enum {
     REDCC_CLASS_OWN = 1,
     REDCC_CLASS_OTHERS = 2,
     /** The first byte that it touches is the thread's: of all threads that execute it one leads. */
-    REDCC_CLASS_LEADS = 4
+    REDCC_CLASS_LEADS = 4,
+    /** What redcc_bins_next gives: 0 where there are no more bins; iterations; or that some are in
+     *  between, which redcc_next hands out, before the next call. */
+    REDCC_HANDED = 1,
+    REDCC_BETWEEN = 2
 };
 
 /** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
@@ -245,8 +250,8 @@ typedef struct redcc_entry {
 /** How a chunk is executed, beside what it computes. */
 typedef struct redcc_manner {
     int prefetches; /**< is what iterations to come touch to be prefetched? */
-    int lanes;   /**< iterations at once, one of those that the descriptor names; 0: one by one */
-    int follows; /**< another thread keeps what the guarded iterations add to series */
+    int lanes;      /**< iterations at once, as the descriptor has it; 0: one by one */
+    int follows;    /**< another thread keeps what the guarded iterations add to series */
 } redcc_manner;
 
 /** One thread's part in an execution; lives on that thread's stack. */

@@ -9,6 +9,7 @@
  */
 #include "base/escapes.h"
 
+#include "base/signals.h"
 #include "base/system.h"
 
 #include <signal.h>
@@ -233,7 +234,5 @@ bool redcc_allocator_is_split(void) {
 
 bool redcc_assertions_abort(void) {
     static atomic_int known;
-    struct sigaction action;
-    return answer(&known, look_for_assertions) && sigaction(SIGABRT, NULL, &action) == 0 &&
-           !(action.sa_flags & SA_SIGINFO) && action.sa_handler == SIG_DFL;
+    return answer(&known, look_for_assertions) && redcc_signal_is_default(SIGABRT);
 }

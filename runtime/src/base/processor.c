@@ -32,14 +32,6 @@ bool redcc_has_avx2(void) {
 #endif
 }
 
-bool redcc_has_avx512(void) {
-#ifdef HAS
-    return HAS("avx512f", AVX512F) && HAS("avx512dq", AVX512DQ) && HAS("avx512vl", AVX512VL);
-#else
-    return false;
-#endif
-}
-
 /* Whether the system has switched them on is in the processor's own answer. */
 bool redcc_has_protection_keys(void) {
 #if defined(GLIBC_ASKED)

@@ -5,10 +5,10 @@
 
 #include <stdbool.h>
 
-/** May functions of these targets be called: "avx2"; "avx512f,avx512dq,avx512vl"? Never on other
- *  processors than x86-64. Thread-safe. */
+/** May functions of the target "avx2" be called? Never on other processors than x86-64.
+ * Thread-safe.
+ */
 bool redcc_has_avx2(void);
-bool redcc_has_avx512(void);
 
 /** Has it protection keys (rights.h), which the system has switched on? Some nanoseconds. */
 bool redcc_has_protection_keys(void);

@@ -10,38 +10,38 @@
     X(REASON_FORKED, "forked", "in a process forked from one with several threads")                \
     X(REASON_TRAPS, "float-traps", "floating-point exceptions trap in the calling thread")         \
     X(REASON_NO_THREADS, "no-threads", "the system gives the process no more threads")             \
-    X(REASON_ALLOCATOR, "allocator", "the program's free is not that of aligned_alloc")            \
-    X(REASON_HANDLER, "signal-handler", "in the handler of a signal, before there were threads")   \
+    X(REASON_ALLOCATOR, "allocator", "the program's free does not belong to aligned_alloc")        \
+    X(REASON_HANDLER, "signal-handler", "in a signal handler, before threads exist")               \
     X(REASON_NESTED, "nested", "inside a parallel region")                                         \
     X(REASON_CONCURRENT, "concurrent", "the loop is being executed by another thread")             \
     X(REASON_ONE_THREAD, "one-thread", "one thread")                                               \
-    X(REASON_TEAM, "more-threads", "more threads came than were asked for")                        \
+    X(REASON_TEAM, "more-threads", "the region has more threads than requested")                   \
     X(REASON_LITTLE_WORK, "little-work", "too little work")                                        \
     X(REASON_SERIAL_FASTER, "sequential-faster", "the sequential loop was measured to be faster")  \
-    X(REASON_SAVING, "saving", "a trial may cost more than the loop's credit allows so far")       \
-    X(REASON_COMPARED, "compared", "timed beside a plan")                                          \
+    X(REASON_SAVING, "saving", "a trial may cost more than the loop's budget allows so far")       \
+    X(REASON_COMPARED, "compared", "timed to compare with a plan")                                 \
     X(REASON_UNATTRACTIVE, "unattractive", "no plan is expected to be faster")                     \
-    X(REASON_DEADLINE, "deadline", "an inspection took longer than it was allowed to")             \
+    X(REASON_DEADLINE, "deadline", "an inspection exceeded its deadline")                          \
     X(REASON_CHANGED, "changed", "the subscripts are not those of the plan")                       \
-    X(REASON_NO_MEMORY, "no-memory", "out of memory, or past REDCC_MEMORY_LIMIT")                  \
+    X(REASON_NO_MEMORY, "no-memory", "out of memory, or above REDCC_MEMORY_LIMIT")                 \
     X(REASON_ORDER_NEEDED, "order-needed",                                                         \
-      "an update needs an order that the method named does not keep")                              \
+      "an update needs an order that the named method does not keep")                              \
     X(REASON_NO_COPIES, "no-copies", "no private copies can be made of a reduction array")         \
     X(REASON_MIXED, "mixed", "reduction arrays of unlike type or operator overlap")                \
     X(REASON_OUT_OF_STEP, "out-of-step", "reduction arrays overlap out of step")                   \
-    X(REASON_LEVELS, "levels", "too many iterations or touches to be put in levels, or none")      \
-    X(REASON_INSPECTOR, "inspector", "the inspector did not tell all iterations")                  \
+    X(REASON_LEVELS, "levels", "too many iterations or touches for levels, or none")               \
+    X(REASON_INSPECTOR, "inspector", "the inspector did not record all iterations")                \
     X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
     X(REASON_NO_SELECTION, "no-selection",                                                         \
-      "the translated loop cannot select iterations while it is executed")                         \
-    X(REASON_SPREAD, "spread", "subscripts lie too far apart for binning")                         \
+      "the translated loop cannot select iterations during execution")                             \
+    X(REASON_SPREAD, "spread", "the range of the subscripts is too large for binning")             \
     X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
       "memory that is updated is, or may be, mapped at two addresses")                             \
     X(REASON_ASSERTION, "assertion",                                                               \
       "the program may see what an assertion that fails in a function leaves undone")              \
     X(REASON_LEAVES, "leaves", "an iteration leaves the loop")                                     \
     X(REASON_UNLINKED, "unlinked",                                                                 \
-      "a function of another file is not the one that was analysed: compile this file again")      \
+      "a linked function of another file differs from the analysed one: compile this file again")  \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
 
 enum reason {

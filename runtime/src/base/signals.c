@@ -42,6 +42,12 @@ static bool is_handled(int number, struct action *action) {
            action->handler != (uintptr_t)SIG_DFL && action->handler != (uintptr_t)SIG_IGN;
 }
 
+bool redcc_signal_is_default(int number) {
+    struct action action;
+    return redcc_system(SYS_rt_sigaction, number, 0, &action, sizeof(uint64_t)) == 0 &&
+           action.handler == (uintptr_t)SIG_DFL;
+}
+
 static bool is_on_other_stack(void) {
     stack_t now;
     return redcc_system(SYS_sigaltstack, 0, &now) == 0 && (now.ss_flags & SS_ONSTACK) != 0;

@@ -36,4 +36,7 @@ bool redcc_signals_in_handler(uint64_t before);
  *  calls. */
 void redcc_signals_let_default(uint64_t before);
 
+/** Does the signal have its default action, as the system says? */
+bool redcc_signal_is_default(int number);
+
 #endif

@@ -59,7 +59,7 @@ static void apply_records(const redcc_binned *loop, const redcc_stream *stream,
             ->apply(applied, stream->rows[0] / array->element);
 }
 
-/* All threads' records of one bin, in the order of the loop. */
+/* All records of one bin, in the order of the loop. */
 static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
                       const void *operands) {
     const redcc_stream *stream = &binning->loop->streams[s];
@@ -68,10 +68,11 @@ static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
     void *rows[REDCC_STREAM_ARRAYS];
     for (uint32_t array = 0; array < stream->array_count; array++)
         rows[array] = (void *)redcc_row_address(binning, stream, array, first);
-    for (int t = 0; t < binning->call->threads; t++) {
-        const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
+    for (struct piece_run run = {0}; redcc_pieces_next_run(binning, &run);) {
+        const struct redcc_bin_buffer *buffer = &binning->binner[run.thread]->buffer[s];
         struct records records;
-        for (uint32_t block = UINT32_MAX; redcc_bin_records(buffer, bin, &block, &records);) {
+        for (struct stretch left = redcc_bin_pieces(buffer, bin, run.first, run.end);
+             redcc_bin_records(buffer, &left, &records);) {
             const redcc_applied applied = {.rows = rows,
                                            .place = records.place,
                                            .records = records.record,
@@ -160,16 +161,20 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
     return rows;
 }
 
-/* A share of the rows, copy after copy. */
+/* A share of the rows, copy after copy. The window has rows beyond those of the array. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
-    const struct window window = binning->stream[s].window;
-    const redcc_int first = redcc_share((redcc_int)window.rows, binner->threads, binner->thread);
-    const redcc_int end = redcc_share((redcc_int)window.rows, binner->threads, binner->thread + 1);
+    const struct row_range changed = binning->stream[s].changed;
+    if (redcc_rows_empty(changed))
+        return;
+    const redcc_int base = binning->stream[s].window.first;
+    const redcc_int from = changed.lowest - base, rows = changed.highest - changed.lowest + 1;
+    const redcc_int first = from + redcc_share(rows, binner->threads, binner->thread);
+    const redcc_int end = from + redcc_share(rows, binner->threads, binner->thread + 1);
     for (uint32_t a = 0; a < stream->array_count; a++) {
         const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
         const size_t row = stream->rows[a];
-        void *to = (void *)redcc_row_address(binning, stream, a, window.first + first);
+        void *to = (void *)redcc_row_address(binning, stream, a, base + first);
         for (int t = 0; t < binner->threads; t++)
             rule->merge(to, binning->binner[t]->buffer[s].push.copy[a] + (size_t)first * row,
                         (size_t)(end - first) * row / rule->size);

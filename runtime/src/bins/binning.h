@@ -4,10 +4,11 @@
  * subscripts change. The iterations are executed in rounds.
  *
  *     measure  where nothing is known: some iterations, to see which rows and how many records
- *     push     each thread executes its share of the round's iterations, in order, and appends a
- *              record of each update to the bin of its row; nothing of the arrays is written
+ *     push     each thread executes its share of the round's iterations, piece by piece, then
+ *              pieces of others, and appends a record of each update to the bin of its row; nothing
+ *              of the arrays is written
  *     guard    does what was read in the round overlap what it is to write? (one thread)
- *     apply    each bin is taken by one thread, which applies its records: the first thread's, the
+ *     apply    each bin is taken by one thread, which applies its records: the first piece's, the
  *              second's, ..., each as they were appended
  *
  * So each element gets its updates in the order of the loop, at every number of threads. A round of
@@ -18,7 +19,11 @@
  * In small arrays of integers, whose updates may be made in any order, each thread has a private
  * copy of the rows instead, and makes its updates at once; the copies are brought in at the end.
  *
- * Rooms: window (rows and bins), buffer (records), layout (sizes, memory), guard, apply, rounds.
+ * A trial begins with a short round, after which as many iterations are executed sequentially: the
+ * two are compared. It ends after the first round by which too much is lost.
+ *
+ * Rooms: window (rows and bins), pieces (who executes what), buffer (records), layout (sizes,
+ * memory), guard, apply, rounds.
  */
 #ifndef REDCC_BINNING_H
 #define REDCC_BINNING_H
@@ -27,7 +32,6 @@
 #include "base/bins_kind.h"
 #include "base/call.h"
 #include "base/reason.h"
-#include "base/trial.h"
 #include "bins/buffer.h"
 #include "ownership/overlap.h"
 
@@ -36,7 +40,8 @@ enum bins_phase {
     BINS_MEASURE,
     BINS_PUSH,
     BINS_APPLY,
-    BINS_OVER /* `begin` iterations are done */
+    BINS_STRETCH, /* of a trial: the first thread executes iterations sequentially */
+    BINS_OVER     /* `begin` iterations are done */
 };
 
 /** One thread's part. What only it writes; others look after the barrier. */
@@ -44,13 +49,15 @@ struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
-    bool begun;      /* its part of the phase */
-    redcc_int begin; /* its share of the round, or of the loop to be measured */
-    redcc_int end;
-    redcc_int next;                  /* handed out up to here */
-    int sample;                      /* stretches of iterations handed out to be measured */
-    redcc_int measured;              /* iterations in them */
-    redcc_extent *sources;           /* [source_count] told by redcc_read, in this round */
+    bool begun;              /* its part of the phase */
+    struct bins_share share; /* of the round */
+    int pieces;              /* it took in this round */
+    redcc_int next;          /* of its piece [next, last) is not handed out yet */
+    redcc_int last;
+    redcc_int unseen;      /* iterations since it has looked whether records are missing */
+    int sample;            /* stretches of iterations handed out to be measured */
+    redcc_int measured;    /* iterations in them */
+    redcc_extent *sources; /* [source_count] told by redcc_read, in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] */
 };
 
@@ -60,7 +67,8 @@ struct binned_stream {
     double
         rate; /* records an iteration, of the thread that has most, and some more; 0: not known */
     struct window window;
-    double cut_for; /* records that the window was cut for; 0: it is to be cut */
+    struct row_range changed; /* of private copies: the rows that they bring something to */
+    double cut_for;           /* records that the window was cut for; 0: it is to be cut */
 };
 
 /** The iterations of a round. */
@@ -89,8 +97,10 @@ struct effects {
 };
 
 struct bins_trial {
-    struct trial terms;
-    double began; /* when; of a trial */
+    double may_lose;   /* seconds; 0: this is no trial */
+    double began;      /* when */
+    redcc_int stretch; /* iterations that were executed sequentially meanwhile, */
+    double sequential; /* and the seconds that they took */
 };
 
 struct binning {
@@ -177,11 +187,17 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** A thread joins an execution of `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution of binning->call. A trial begins with a short round, and ends after the
- * first one by which too much is lost: the rest of the loop runs sequentially. One thread. */
-void redcc_bins_begin(struct binning *binning, struct trial trial, struct written_witness witness);
+/** Begins an execution of binning->call. may_lose: where it is a trial, the seconds by which it may
+ * take longer than the sequential loop before the rest runs sequentially; 0: it is none. One
+ * thread.
+ */
+void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness);
 
-/** The next iterations of the thread, into *worker and bins [stream_count]. False: it is over. */
+/** Seconds an iteration that the sequential stretch of a trial took; 0: there was none. */
+double redcc_bins_usual(const struct binning *binning);
+
+/** The next iterations of the thread, into *worker and bins [stream_count]. False: it is over; or,
+ *  where binner->phase is BINS_STRETCH, the round's are to be executed sequentially first. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands);
 

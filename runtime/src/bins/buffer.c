@@ -20,6 +20,7 @@ struct parts {
     size_t places;
     size_t cursor;
     size_t next;
+    size_t mark;
     size_t lines;
     size_t bytes;
 };
@@ -30,7 +31,8 @@ static struct parts parts_of(const redcc_stream *stream, struct window window, u
     parts.places = parts.records + whole_lines(records * stream->record);
     parts.cursor = parts.places + whole_lines((records + REDCC_RECORDS_AHEAD) * sizeof(redcc_u16));
     parts.next = parts.cursor + whole_lines(window.bins * sizeof(redcc_u32));
-    parts.lines = parts.next + whole_lines(blocks * sizeof(uint32_t));
+    parts.mark = parts.next + whole_lines(blocks * sizeof(uint32_t));
+    parts.lines = parts.mark + whole_lines((size_t)PIECE_MARKS * window.bins * sizeof(uint32_t));
     parts.bytes = parts.lines;
     if (window.combined)
         parts.bytes += (size_t)window.bins * REDCC_COMBINED_BYTES(stream->record);
@@ -76,6 +78,7 @@ bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *str
     buffer->push.places = part(buffer, parts.places);
     buffer->push.cursor = part(buffer, parts.cursor);
     buffer->next = part(buffer, parts.next);
+    buffer->mark = part(buffer, parts.mark);
     buffer->push.lines = window.combined ? part(buffer, parts.lines) : NULL;
     return true;
 }
@@ -141,6 +144,19 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
     return buffer->used++ * BLOCK;
 }
 
+/* Copies are brought in by any order. */
+void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece) {
+    if (buffer->blocks == 0)
+        return;
+    memcpy(buffer->mark + (size_t)piece * buffer->bins, buffer->push.cursor,
+           buffer->bins * sizeof *buffer->mark);
+    buffer->marked[piece] = redcc_buffer_count(buffer);
+}
+
+bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records) {
+    return buffer->blocks - buffer->used >= 2 * records / BLOCK + 2;
+}
+
 /* The lines at `line` of which the records before number `end` of the bin's last block are not
  * written yet. */
 static void write_rest(char *to, const char *line, uint32_t end, uint32_t per_line, size_t bytes) {
@@ -178,18 +194,26 @@ bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin) {
     return buffer->push.cursor[bin] != bin * BLOCK + redcc_bin_offset(bin);
 }
 
-bool redcc_bin_records(const struct redcc_bin_buffer *buffer, uint32_t bin, uint32_t *block,
+struct stretch redcc_bin_all(const struct redcc_bin_buffer *buffer, uint32_t bin) {
+    return (struct stretch){bin * BLOCK + redcc_bin_offset(bin), buffer->push.cursor[bin]};
+}
+
+struct stretch redcc_bin_pieces(const struct redcc_bin_buffer *buffer, uint32_t bin, int first,
+                                int end) {
+    return (struct stretch){buffer->mark[(size_t)first * buffer->bins + bin],
+                            buffer->mark[(size_t)end * buffer->bins + bin]};
+}
+
+bool redcc_bin_records(const struct redcc_bin_buffer *buffer, struct stretch *left,
                        struct records *records) {
-    const uint32_t cursor = buffer->push.cursor[bin], last = cursor / BLOCK;
-    if (*block == last)
+    const size_t first = left->begin;
+    if (left->begin == left->end)
         return false;
-    const uint32_t here = *block == UINT32_MAX ? bin : buffer->next[*block];
-    const uint32_t from = here == bin ? redcc_bin_offset(bin) : 0;
-    const uint32_t to = here == last ? cursor % BLOCK : BLOCK;
-    const size_t first = (size_t)here * BLOCK + from;
-    *block = here;
+    const uint32_t block = left->begin / BLOCK;
+    const bool is_last = block == left->end / BLOCK;
     records->place = buffer->push.places + first;
     records->record = buffer->push.records + first * buffer->stream->record;
-    records->count = to - from;
+    records->count = (is_last ? left->end : (block + 1) * BLOCK) - left->begin;
+    left->begin = is_last ? left->end : buffer->next[block] * BLOCK;
     return true;
 }

@@ -9,6 +9,7 @@
 #ifndef REDCC_BUFFER_H
 #define REDCC_BUFFER_H
 
+#include "bins/pieces.h"
 #include "bins/window.h"
 
 #include <stddef.h>
@@ -17,13 +18,22 @@ struct redcc_bin_buffer {
     redcc_bins push; /* what generated code has a copy of */
     const redcc_stream *stream;
     uint32_t bins;
-    uint32_t blocks;          /* there are */
-    uint32_t used;            /* blocks, so far */
-    uint32_t *next;           /* [blocks] the block of the same bin that follows */
-    bool exhausted;           /* there were no more blocks: records are missing */
+    uint32_t blocks; /* there are */
+    uint32_t used;   /* blocks, so far */
+    uint32_t *next;  /* [blocks] the block of the same bin that follows */
+    uint32_t *mark;  /* [PIECE_MARKS][bins] the cursors where the thread's pieces begin */
+    redcc_int marked[PIECE_MARKS]; /* records, where they begin */
+    bool exhausted;                /* there were no more blocks: records are missing */
     struct row_range outside; /* rows told that the bins do not hold: their records are missing */
     redcc_int told_outside;   /* how many */
     char *memory;
+};
+
+/** Records of one bin, in the order in which they were pushed: numbers of the first one and of the
+ *  one behind the last. */
+struct stretch {
+    uint32_t begin;
+    uint32_t end;
 };
 
 /** Some records of one bin, one after the other. */
@@ -59,6 +69,12 @@ void redcc_buffer_clear(struct redcc_bin_buffer *buffer);
 /** Makes it hold no rows, so that all that are pushed are only counted. */
 void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *stream);
 
+/** Piece number `piece` of the thread begins here; and the one before ends. */
+void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece);
+
+/** Is there room for so many records, wherever they go? By some more than is likely. */
+bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records);
+
 /** All is pushed: writes what is still being combined. */
 void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
 
@@ -73,9 +89,13 @@ redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer);
 /** Has the bin records? */
 bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin);
 
-/** The bin's records that follow those in block *block (UINT32_MAX: its first ones), which becomes
- *  theirs. False: there are none. */
-bool redcc_bin_records(const struct redcc_bin_buffer *buffer, uint32_t bin, uint32_t *block,
+/** All of the bin's records; and those of the thread's pieces [first, end). */
+struct stretch redcc_bin_all(const struct redcc_bin_buffer *buffer, uint32_t bin);
+struct stretch redcc_bin_pieces(const struct redcc_bin_buffer *buffer, uint32_t bin, int first,
+                                int end);
+
+/** Takes records that lie together from the front of the stretch. False: it is empty. */
+bool redcc_bin_records(const struct redcc_bin_buffer *buffer, struct stretch *left,
                        struct records *records);
 
 #endif

@@ -36,7 +36,8 @@ static struct row_range places_in(const struct binning *binning, uint32_t s, uin
     for (int t = 0; t < binning->call->threads; t++) {
         const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
         struct records records;
-        for (uint32_t block = UINT32_MAX; redcc_bin_records(buffer, bin, &block, &records);)
+        for (struct stretch left = redcc_bin_all(buffer, bin);
+             redcc_bin_records(buffer, &left, &records);)
             for (size_t k = 0; k < records.count; k++) {
                 const redcc_int row = place_of(buffer->stream, records.place[k]);
                 found = redcc_rows_union(found, (struct row_range){row, row});
@@ -118,7 +119,7 @@ enum reason redcc_bins_guard(struct binning *binning) {
     if (written && read) {
         find_read(binning, read);
         reason = ask(binning, false, written, read);
-        if (reason != REASON_NONE && !binning->copies)
+        if (reason != REASON_NONE)
             reason = ask(binning, true, written, read);
     }
     redcc_memory_give(written);

@@ -8,7 +8,7 @@
 
 #include "base/memory.h"
 
-enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_BEFORE_MARGIN = 4, MOST_FAILURES = 24 };
+enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
 /* Of the rows told an outer one may be missing; after failures, more of them. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
@@ -32,8 +32,8 @@ static bool cut_windows(struct binning *binning) {
         if (it->cut_for > 0 && records < 4 * it->cut_for && records > it->cut_for / 16)
             continue;
         it->cut_for = records;
-        it->window = binning->copies && binning->round.failures < FAILURES_BEFORE_MARGIN
-                         ? redcc_copied_window(it->rows)
+        it->window = binning->copies
+                         ? redcc_copied_window(it->rows, margin_of(binning, it->rows))
                          : redcc_window(stream, it->rows, margin_of(binning, it->rows),
                                         binning->call->threads, it->rate, (double)left_of(binning));
         if (it->window.rows == 0)
@@ -54,16 +54,19 @@ static size_t bytes_of_arrays(const struct binning *binning) {
     return bytes;
 }
 
-/* Are private copies the better way? Their merge must not be more work than the updates. */
+/* Are private copies the better way? Their merge must not be more work than the updates. They are
+ * of rows that were told, no others: beyond them the array may end. */
 static bool wants_copies(const struct binning *binning) {
     const int kind = binning->call->parameter;
     double rows = 0, records = 0;
     size_t bytes = 0;
-    if (kind == BINS_RECORDS || binning->denies_copies)
+    if (kind == BINS_RECORDS || binning->denies_copies || binning->round.begin > 0 ||
+        binning->round.failures >= FAILURES_OF_COPIES)
         return false;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
-        const struct window window = redcc_copied_window(binning->stream[s].rows);
+        const struct row_range seen = binning->stream[s].rows;
+        const struct window window = redcc_copied_window(seen, margin_of(binning, seen));
         if (!redcc_private_possible(binning, stream) || window.rows == 0)
             return false;
         rows += (double)window.rows;
@@ -103,11 +106,12 @@ static bool take_copies(struct binning *binning) {
 
 /* ---- records --------------------------------------------------------------------------------- */
 
-/* Blocks for a share of so many iterations: the last one of each bin is half full. */
+/* Blocks for a share of so many iterations, and for some of others: the last one of each bin is
+ * half full. */
 static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
-    const double block = REDCC_BLOCK_RECORDS;
+    const double block = REDCC_BLOCK_RECORDS, and_others = 1.25;
     const double most = (double)UINT32_MAX / block - 1; /* records have numbers of 32 bits */
-    const double blocks = it->rate * iterations / block + 1.5 * it->window.bins + 2;
+    const double blocks = and_others * it->rate * iterations / block + 1.5 * it->window.bins + 2;
     return (uint32_t)(blocks < most ? blocks : most);
 }
 
@@ -182,7 +186,7 @@ static bool is_for_several(const struct binning *binning) {
 enum reason redcc_bins_lay_out(struct binning *binning) {
     if (binning->round.failures > MOST_FAILURES)
         return REASON_SPREAD;
-    choose_kind(binning, binning->round.begin == 0 && wants_copies(binning));
+    choose_kind(binning, wants_copies(binning));
     if (!cut_windows(binning))
         return REASON_SPREAD;
     if (!is_for_several(binning))

@@ -10,12 +10,14 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed */
+    CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed; before,
+                       more is seen of what it lacks */
     STRETCHES = 64, /* of each thread's share are measured, */
-    STRETCH = 64,   /* so many iterations each */
+    STRETCH = 64,   /* so many iterations each, at most; */
+    MEASURED = 64,  /* such a part of them */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is that part of the loop; the next is as long as all
-                  before */
+    TRIED = 16 /* the first round of a trial is that part of the loop, as is the sequential stretch
+                  that it is compared with; the next is as long as all before */
 };
 
 /* Than was seen may come; while a rate holds as much of what is seen, it stays, and memory with it.
@@ -27,7 +29,7 @@ static uint32_t stream_count(const struct binning *binning) {
 }
 
 static bool is_trial(const struct binning *binning) {
-    return binning->trial.terms.may_lose > 0;
+    return binning->trial.may_lose != 0;
 }
 
 /* ---- each thread's part ---------------------------------------------------------------------- */
@@ -43,36 +45,46 @@ static void hand_out(const struct binning *binning, struct binner *binner, redcc
         bins[s] = binner->buffer[s].push;
 }
 
-static void begin_share(const struct binning *binning, struct binner *binner, redcc_int begin,
-                        redcc_int end) {
-    binner->begun = true;
-    binner->begin = begin + redcc_share(end - begin, binner->threads, binner->thread);
-    binner->end = begin + redcc_share(end - begin, binner->threads, binner->thread + 1);
-    binner->next = binner->begin;
+static void forget_reads(const struct binning *binning, struct binner *binner) {
     memset(binner->sources, 0, binning->loop->loop.source_count * sizeof *binner->sources);
 }
 
-/* Stretches of the thread's share, evenly spread, the first and the last iterations among them. */
+static void begin_measure(const struct binning *binning, struct binner *binner) {
+    binner->begun = true;
+    binner->sample = 0;
+    binner->measured = 0;
+    forget_reads(binning, binner);
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
+}
+
+static redcc_int at_least(redcc_int number, redcc_int least) {
+    return number < least ? least : number;
+}
+
+static redcc_int at_most(redcc_int number, redcc_int most) {
+    return number < most ? number : most;
+}
+
+/* Stretches of the thread's share, evenly spread, the first and the last iterations among them. Of
+ * a small share a MEASURED-th: its iterations may be expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
-    if (!binner->begun) {
-        begin_share(binning, binner, 0, binning->call->request.trip);
-        binner->sample = 0;
-        binner->measured = 0;
-        for (uint32_t s = 0; s < stream_count(binning); s++)
-            redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
-    }
-    const redcc_int share = binner->end - binner->begin;
-    const bool whole = share <= STRETCHES * STRETCH;
-    if (share == 0 || binner->sample == (whole ? 1 : STRETCHES))
+    if (!binner->begun)
+        begin_measure(binning, binner);
+    const redcc_int trip = binning->call->request.trip;
+    const redcc_int begin = redcc_share(trip, binner->threads, binner->thread);
+    const redcc_int end = redcc_share(trip, binner->threads, binner->thread + 1);
+    const redcc_int share = end - begin, all = at_most(at_least(share / MEASURED, 2), share);
+    const redcc_int stretches = at_most(all, STRETCHES);
+    const redcc_int length = at_most(at_least(all / STRETCHES, 1), STRETCH);
+    if (binner->sample == stretches)
         return false;
     const redcc_int first =
-        binner->begin + (whole ? 0 : (share - STRETCH) / (STRETCHES - 1) * binner->sample);
-    const redcc_int last = binner->sample == STRETCHES - 1 || whole ? binner->end : first + STRETCH;
-    const redcc_int from = whole || binner->sample < STRETCHES - 1 ? first : binner->end - STRETCH;
+        begin + redcc_share(share - length, (int)at_least(stretches - 1, 1), binner->sample);
     binner->sample++;
-    binner->measured += last - from;
-    hand_out(binning, binner, worker, bins, from, last);
+    binner->measured += length;
+    hand_out(binning, binner, worker, bins, first, first + length);
     return true;
 }
 
@@ -84,28 +96,32 @@ static bool has_failed(const struct binning *binning, const struct binner *binne
 }
 
 static void begin_push(struct binning *binning, struct binner *binner) {
-    begin_share(binning, binner, binning->round.begin, binning->round.end);
+    binner->begun = true;
+    binner->pieces = 0;
+    binner->next = binner->last = binner->unseen = 0;
+    forget_reads(binning, binner);
     for (uint32_t s = 0; s < stream_count(binning); s++)
         redcc_buffer_clear(&binner->buffer[s]);
     if (binning->copies)
         redcc_private_fill(binning, binner);
 }
 
-/* The next chunk of the thread's share of the round. */
+/* The next chunk of the thread's piece, or of one that it takes. */
 static bool next_chunk(struct binning *binning, struct binner *binner, redcc_worker *worker,
                        redcc_bins *bins) {
     if (!binner->begun)
         begin_push(binning, binner);
-    else if (has_failed(binning, binner))
+    else if (binner->unseen >= CHUNK && has_failed(binning, binner))
         atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
-    const redcc_int left = binner->end - binner->next;
-    if (left == 0 || atomic_load_explicit(&binning->failed, memory_order_relaxed)) {
+    if (atomic_load_explicit(&binning->failed, memory_order_relaxed) ||
+        (binner->next == binner->last && !redcc_pieces_take(binning, binner))) {
         for (uint32_t s = 0; s < stream_count(binning); s++)
             redcc_buffer_finish(&binner->buffer[s]);
         return false;
     }
-    const redcc_int first = binner->next;
+    const redcc_int first = binner->next, left = binner->last - first;
     binner->next += left < CHUNK + LEAST_CHUNK ? left : CHUNK;
+    binner->unseen = (binner->unseen < CHUNK ? binner->unseen : 0) + binner->next - first;
     hand_out(binning, binner, worker, bins, first, binner->next);
     return true;
 }
@@ -137,6 +153,7 @@ static enum bins_phase begin_round(struct binning *binning) {
     round->error_before = atomic_load_explicit(binning->effects.error, memory_order_relaxed);
     atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
     atomic_store_explicit(&binning->next_bin, 0, memory_order_relaxed);
+    redcc_pieces_cut(binning);
     return BINS_PUSH;
 }
 
@@ -146,8 +163,7 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    if (is_trial(binning))
-        binning->trial.began = redcc_seconds();
+    binning->trial.began = redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->stream[s].rate == 0)
             return BINS_MEASURE;
@@ -205,10 +221,10 @@ static void learn(struct binning *binning) {
         struct binned_stream *it = &binning->stream[s];
         double most = 0;
         for (int t = 0; t < binning->call->threads; t++) {
-            const struct binner *binner = binning->binner[t];
-            const redcc_int share = binner->end - binner->begin;
+            const struct bins_share *share = &binning->binner[t]->share;
+            const redcc_int iterations = share->end - share->begin;
             const double rate =
-                share ? (double)redcc_buffer_count(&binner->buffer[s]) / (double)share : 0;
+                iterations ? (double)redcc_pieces_records(binning, t, s) / (double)iterations : 0;
             most = rate > most ? rate : most;
         }
         if (most > it->rate || most < kept_down_to * it->rate)
@@ -228,7 +244,10 @@ static enum bins_phase after_push(struct binning *binning) {
     }
     if (reason != REASON_NONE)
         return end_with(binning, reason);
-    if (!binning->copies)
+    if (binning->copies)
+        for (uint32_t s = 0; s < stream_count(binning); s++)
+            binning->stream[s].changed = redcc_private_rows(binning, s);
+    else
         learn(binning);
     if (binning->witness.tell)
         redcc_bins_tell_written(binning);
@@ -258,34 +277,63 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
+double redcc_bins_usual(const struct binning *binning) {
+    const struct bins_trial *it = &binning->trial;
+    return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
+}
+
 /* What was lost so far is taken from what all may lose. */
 static bool is_too_slow(const struct binning *binning) {
-    const struct trial terms = binning->trial.terms;
-    return is_trial(binning) &&
-           redcc_seconds() - binning->trial.began - terms.usual * (double)binning->round.begin >
-               terms.may_lose;
+    const struct bins_trial *it = &binning->trial;
+    const redcc_int binned = binning->round.begin - it->stretch;
+    const double seconds = redcc_seconds() - it->began - it->sequential;
+    return is_trial(binning) && seconds - redcc_bins_usual(binning) * (double)binned > it->may_lose;
+}
+
+/* As many iterations as the first round had, the next ones: how long they take says what the round
+ * has gained, whatever else changes from one execution of the loop to the other. */
+static enum bins_phase begin_stretch(struct binning *binning) {
+    struct round *round = &binning->round;
+    const redcc_int left = binning->call->request.trip - round->begin;
+    binning->trial.stretch = left < round->begin ? left : round->begin;
+    round->end = round->begin + binning->trial.stretch;
+    binning->trial.sequential = redcc_seconds();
+    return BINS_STRETCH;
+}
+
+/* On to the next round, if there is one. */
+static enum bins_phase go_on(struct binning *binning) {
+    struct round *round = &binning->round;
+    round->begin = round->end;
+    round->failures = 0;
+    if (round->begin == binning->call->request.trip)
+        return BINS_OVER;
+    if (is_trial(binning) && binning->trial.stretch == 0)
+        return begin_stretch(binning);
+    if (!is_too_slow(binning))
+        return round->shortened ? lengthen(binning) : begin_round(binning);
+    binning->reason = REASON_SERIAL_FASTER;
+    return BINS_OVER;
+}
+
+static enum bins_phase after_stretch(struct binning *binning) {
+    binning->trial.sequential = redcc_seconds() - binning->trial.sequential;
+    return go_on(binning);
 }
 
 static enum bins_phase after_apply(struct binning *binning) {
-    struct round *round = &binning->round;
     binning->rounds++;
-    round->begin = round->end;
-    round->failures = 0;
-    if (round->begin < binning->call->request.trip) {
-        if (!is_too_slow(binning))
-            return round->shortened ? lengthen(binning) : begin_round(binning);
-        binning->reason = REASON_SERIAL_FASTER;
-        return BINS_OVER;
-    }
-    if (binning->rounds == 1)
+    const enum bins_phase next = go_on(binning);
+    if (next == BINS_OVER && binning->reason == REASON_NONE && binning->rounds == 1)
         trim(binning);
-    return BINS_OVER;
+    return next;
 }
 
 static enum bins_phase (*const then[])(struct binning *) = {[BINS_START] = after_start,
                                                             [BINS_MEASURE] = after_measure,
                                                             [BINS_PUSH] = after_push,
-                                                            [BINS_APPLY] = after_apply};
+                                                            [BINS_APPLY] = after_apply,
+                                                            [BINS_STRETCH] = after_stretch};
 _Static_assert(sizeof then / sizeof *then == BINS_OVER, "what follows each phase");
 
 /* All meet; memory is taken and decisions are made by the thread that entered the loop. */
@@ -301,6 +349,10 @@ static void meet(struct binning *binning, struct binner *binner) {
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands) {
     for (; binner->phase != BINS_OVER; meet(binning, binner)) {
+        if (binner->phase == BINS_STRETCH && !binner->begun) {
+            binner->begun = true;
+            return false;
+        }
         if (binner->phase == BINS_APPLY && binning->copies)
             redcc_private_merge(binning, binner);
         else if (binner->phase == BINS_APPLY)
@@ -335,9 +387,9 @@ void redcc_binner_join(struct binner *binner, int threads) {
     binner->begun = false;
 }
 
-void redcc_bins_begin(struct binning *binning, struct trial trial, struct written_witness witness) {
+void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness) {
     binning->phase = BINS_START;
-    binning->trial.terms = trial;
+    binning->trial = (struct bins_trial){.may_lose = may_lose};
     binning->witness = witness;
     binning->round = (struct round){.most = redcc_bins_tuning.round};
     binning->reason = REASON_NONE;

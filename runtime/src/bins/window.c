@@ -75,11 +75,14 @@ struct window redcc_window(const redcc_stream *stream, struct row_range rows, ui
                            .bins = (uint32_t)bins_of(count, bits)};
 }
 
-struct window redcc_copied_window(struct row_range rows) {
+struct window redcc_copied_window(struct row_range rows, uint64_t margin) {
     if (redcc_rows_empty(rows))
         rows = (struct row_range){0, 0};
     const uint64_t span = (uint64_t)rows.highest - (uint64_t)rows.lowest + 1;
-    return span == 0 || span > most_rows
+    return span == 0 || span > most_rows || margin > most_rows
                ? (struct window){0}
-               : (struct window){.first = rows.lowest, .rows = span, .shift = 63, .bins = 1};
+               : (struct window){.first = (redcc_int)((uint64_t)rows.lowest - margin),
+                                 .rows = span + 2 * margin,
+                                 .shift = 63,
+                                 .bins = 1};
 }

@@ -3,7 +3,6 @@
 #ifndef REDCC_WINDOW_H
 #define REDCC_WINDOW_H
 
-#include "base/trial.h"
 #include "redcc/bins.h"
 
 #include <stdbool.h>
@@ -47,7 +46,7 @@ struct bins_tuning {
     size_t least_budget;     /* bytes of records, whatever the size of the arrays */
     size_t copies_bytes;     /* of the arrays, at most, for private copies to be made */
     size_t one_thread_bytes; /* of the arrays, at least, for one thread to bin them */
-    struct trial trial;      /* where binning is named */
+    double trial;            /* where binning is named: what it may lose (redcc_bins_begin) */
 };
 
 extern struct bins_tuning redcc_bins_tuning;
@@ -62,7 +61,7 @@ struct window redcc_window(const redcc_stream *stream, struct row_range rows, ui
                            int threads, double rate, double iterations);
 
 /** The same, for private copies: no bins. */
-struct window redcc_copied_window(struct row_range rows);
+struct window redcc_copied_window(struct row_range rows, uint64_t margin);
 
 /** The rows of a window. */
 static inline struct row_range redcc_window_rows(struct window window) {

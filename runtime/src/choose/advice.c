@@ -164,7 +164,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .alone = decision.alone,
                             .deadline = decision.deadline,
                             .timed = decision.timed,
-                            .trial = decision.trial,
+                            .may_lose = decision.may_lose,
                             .skipped_calls = chooser->skipped,
                             .earned = decision.earned,
                             .rule = decision.rule};
@@ -287,8 +287,8 @@ static void find_bins(const struct inspection *inspection, const struct estimate
     const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
                            bytes <= LEARN_CACHE &&
                            findings->touches * (double)findings->trip * least_row > bytes;
-    findings->binned =
-        (loop->flags & REDCC_BINNED) && (is_random(inspection, estimate->changes) || is_copied);
+    findings->binned = loop->flags & REDCC_BINNED;
+    findings->bins_known = is_copied || is_random(inspection, estimate->changes);
     findings->bin_bytes = is_copied ? bytes : 0;
 }
 

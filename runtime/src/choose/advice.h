@@ -44,7 +44,7 @@ struct advice {
     bool alone;         /* INSPECT: a look, by one thread; a set-up is another call's */
     double deadline;    /* INSPECT: seconds that a dry run may take */
     double awaited;     /* INSPECT: seconds that passed until threads came which were not there */
-    struct trial trial; /* REUSE */
+    double may_lose;    /* REUSE, of a trial: seconds; 0: it is none */
     long skipped_calls; /* REUSE: that were sequential since a plan was used */
     double earned;      /* REUSE: seconds saved since the last set-up, less what that took */
     enum reason reason; /* for SEQUENTIAL */

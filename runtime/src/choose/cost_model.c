@@ -54,6 +54,7 @@ static void directly(const struct findings *it, struct arm *arm) {
 /* What pushing and applying records takes is known only when it was tried. */
 static void by_bins(const struct findings *it, struct arm *arm) {
     arm->possible = it->binned;
+    arm->guessed = !it->bins_known;
     arm->execution = it->sequential * LEARN_CONTENDED / it->threads +
                      it->bin_bytes * LEARN_BYTE / (double)it->trip;
 }

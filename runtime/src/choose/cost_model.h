@@ -20,7 +20,8 @@ struct findings {
     bool lanes;       /**< plans execute by lanes, if that is faster */
     bool copies;      /**< private copies may and can be had */
     double copied;    /**< bytes of one of them */
-    bool binned;      /**< it has a form for binning, which may be worth a trial */
+    bool binned;      /**< it has a form for binning, */
+    bool bins_known;  /**< which is expected to be worth it */
     double bin_bytes; /**< of private copies that binning makes in place of records; 0: none */
     bool reusable;    /**< the plan can be kept */
     double checked;   /**< bytes of subscripts that are compared before a plan is used again */

@@ -5,7 +5,7 @@
  *     STEP_BEGIN: redcc_next comes for the first time; it begins, and goes on to
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
- *     STEP_REST: a binned loop's that goes on sequentially, by the first thread  -> STEP_END
+ *     STEP_REST: of a binned loop, what is executed sequentially, by the first thread  -> STEP_END
  *                with validation, after what was binned:      STEP_CHECK -> STEP_REST
  */
 #include "execute/run.h"
@@ -185,9 +185,13 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
         runner->base[array] = call->request.bases[array];
 }
 
+void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end) {
+    go_in_order(worker, STEP_REST, begin, end);
+}
+
 void redcc_run_rest(redcc_worker *worker, redcc_int from) {
     const struct runner *runner = worker->execution;
-    go_in_order(worker, STEP_REST, from, runner->run->call->request.trip);
+    redcc_run_stretch(worker, from, runner->run->call->request.trip);
 }
 
 void redcc_run_check(redcc_worker *worker, redcc_int end) {

@@ -18,9 +18,9 @@ enum { REDCC_RUNS = 128 };
 /** What manners an execution may have, and what is known of them. */
 struct manner_choice {
     const struct manners *known;
-    unsigned open;  /* what is to be found out, WITH_... */
-    unsigned asked; /* what is asked for */
-    int lanes;      /* iterations at once, where there are lanes */
+    bool is_open;  /* whether to prefetch is to be found out */
+    bool is_asked; /* prefetches are asked for */
+    int lanes;     /* iterations at once; 0: one by one, */
     enum lanes_reason why;
 };
 
@@ -84,14 +84,16 @@ unsigned redcc_run_parts(const struct run *run, const struct plan *plan);
 redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, unsigned part);
 
 /** The execution is over: what its threads took for each part, the seconds and the iterations of
- * all added up. *lanes: iterations at once, as far as is known now. Returns why so many. */
-enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,
-                                        const double *seconds, const double *iterations,
-                                        int *lanes);
+ * all added up. */
+void redcc_run_note_manner(const struct run *run, struct manners *known, const double *seconds,
+                           const double *iterations);
 
 /** Has the thread's redcc_next hand out what is left of the loop from iteration `from` on, in order
  *  and in place; from == trip: nothing. */
 void redcc_run_rest(redcc_worker *worker, redcc_int from);
+
+/** The same of iterations begin to before end. */
+void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end);
 
 /** Validation: has the first thread's redcc_next hand out the iterations before `end` once more,
  * from what the arrays held before; then the two are compared, and what is left of the loop

@@ -11,6 +11,8 @@ enum {
     SAMPLED_FOR_A_LOOK = 128,   /* by one, for an estimate alone; the least */
     SAMPLED_OF = 16,            /* iterations one, where that is between these two: a sample of
                                    a short loop would cost as much as the loop */
+    LOOKED_AT_OF = 128,         /* iterations one, by a look: a few of a loop of few are heavy */
+    LOOKED_AT_LEAST = 16,
     SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
     SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
@@ -22,6 +24,10 @@ static redcc_int least_of(redcc_int a, redcc_int b) {
     return a < b ? a : b;
 }
 
+static redcc_int most_of(redcc_int a, redcc_int b) {
+    return a > b ? a : b;
+}
+
 /* Iterations 0, stride, 2 stride, ... are sampled, however many threads share them. The stride is
  * odd, or it might meet the same corner of each element again and again. Sorting more touches than
  * few owners need would cost more than the sweep of all iterations. */
@@ -30,9 +36,10 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     const redcc_int shares = partition->owners / (1 + partition->stealable);
     const bool looks = inspection->call->threads < inspection->call->planned;
     const redcc_int trip = inspection->call->request.trip, few = shares * SAMPLED_FOR_A_LOOK;
-    const redcc_int even = looks || trip / SAMPLED_OF < few ? few : trip / SAMPLED_OF;
+    const redcc_int even = trip / SAMPLED_OF < few ? few : trip / SAMPLED_OF;
     const redcc_int most = least_of(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
-    return trip / least_of(even, most) | 1;
+    const redcc_int seen = most_of(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
+    return trip / (looks ? least_of(few, seen) : least_of(even, most)) | 1;
 }
 
 /* How many of them lie before this thread's share. */

@@ -66,12 +66,13 @@ static bool fits(const struct choice *c, enum way way) {
 }
 
 /* Of the ways that this call can have at once, the one with the least expected time below `current`
- * seconds an iteration. */
-static enum way ready_way(const struct choice *c, double current) {
+ * seconds an iteration. guessed: of those of which only a trial can tell. */
+static enum way ready_way(const struct choice *c, double current, bool guessed) {
     enum way best = WAY_SEQUENTIAL;
     double least = LEARN_BETTER * current;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        if (fits(c, way) && redcc_expected(c->size, way) < least) {
+        if (c->size->arm[way].guessed == guessed && fits(c, way) &&
+            redcc_expected(c->size, way) < least) {
             best = way;
             least = redcc_expected(c->size, way);
         }
@@ -181,15 +182,13 @@ static struct decision sequentially(const struct choice *c, enum rule rule) {
 }
 
 static struct decision reuse(const struct choice *c, enum way way, enum rule rule) {
-    const double usual = redcc_usual(c->size);
-    const bool was_faster = c->size->arm[way].measured && c->size->arm[way].execution < usual;
     struct decision decision = {.action = ACTION_REUSE,
                                 .way = way,
                                 .earned = c->size->set_ups.earned - c->size->set_ups.invested,
                                 .rule = rule};
     c->size->rule = rule;
-    if (is_trial(c, way) && !was_faster) /* whose short rounds would hide a gain */
-        decision.trial = (struct trial){usual, LEARN_SHARE * usual_of(c)};
+    if (is_trial(c, way))
+        decision.may_lose = LEARN_SHARE * usual_of(c);
     return decision;
 }
 
@@ -242,21 +241,38 @@ static struct decision look(const struct choice *c) {
                              .rule = RULE_LOOKING};
 }
 
-static struct decision decide_saving(const struct choice *c) {
-    const enum way ready = ready_way(c, redcc_usual(c->size));
-    if (ready != WAY_SEQUENTIAL && may_execute(c, ready)) {
-        if (!c->size->arm[ready].measured) {
-            redcc_compare(c->size, ready, WAY_SEQUENTIAL);
-            return reuse(c, ready, RULE_COMPARING);
-        }
-        c->size->way = ready;
-        c->size->stand = STAND_PARALLEL;
-        return reuse(c, ready, RULE_FASTER);
+static struct decision take_up(const struct choice *c, enum way way) {
+    if (!c->size->arm[way].measured) {
+        redcc_compare(c->size, way, WAY_SEQUENTIAL);
+        return reuse(c, way, RULE_COMPARING);
     }
+    c->size->way = way;
+    c->size->stand = STAND_PARALLEL;
+    return reuse(c, way, RULE_FASTER);
+}
+
+/* By a plan, if there is to be one. */
+static struct decision decide_set_up(const struct choice *c) {
     if (redcc_misses(&c->size->set_ups) >= LEARN_SURE / 2 && c->now->steady >= 0 &&
         c->now->steady < LEARN_SURE / 2)
         return sequentially(c, RULE_CHANGING);
-    return c->size->looked ? set_up(c, redcc_usual(c->size)) : look(c);
+    return set_up(c, redcc_usual(c->size));
+}
+
+/* What only a trial can tell of is tried where nothing else may be had. */
+static struct decision decide_saving(const struct choice *c) {
+    const double usual = redcc_usual(c->size);
+    const enum way ready = ready_way(c, usual, false);
+    if (ready != WAY_SEQUENTIAL && may_execute(c, ready))
+        return take_up(c, ready);
+    if (!c->size->looked)
+        return look(c);
+    const struct decision decision = decide_set_up(c);
+    const enum way guessed = ready_way(c, usual, true);
+    return decision.action == ACTION_SEQUENTIAL && guessed != WAY_SEQUENTIAL &&
+                   may_execute(c, guessed)
+               ? take_up(c, guessed)
+               : decision;
 }
 
 /* The plan in use is for other subscripts: what was lent for it is still owed, but no more may be
@@ -297,13 +313,15 @@ static struct decision decide_parallel(const struct choice *c) {
     if (is_check_due(c)) {
         c->size->checks += c->size->sequential.count > 1 && c->size->checks < LEARN_PAIRS;
         redcc_compare(c->size, c->size->way, WAY_SEQUENTIAL);
+        if (is_trial(c, c->size->way))
+            return reuse(c, c->size->way, RULE_COMPARING);
         redcc_turns_note(&c->size->comparison.turns, current);
         return sequentially(c, RULE_COMPARING);
     }
     const enum way way = affordable_way(c, current);
     if (way != WAY_SEQUENTIAL && way != c->size->way && c->now->kept[way] != KEPT_FITS)
         return set_up(c, current);
-    const enum way ready = ready_way(c, current);
+    const enum way ready = ready_way(c, current, false);
     if (ready != WAY_SEQUENTIAL && ready != c->size->way) {
         redcc_compare(c->size, ready, c->size->way);
         return reuse(c, ready, RULE_COMPARING);

@@ -15,7 +15,6 @@
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H
 
-#include "base/trial.h"
 #include "base/way.h"
 #include "learn/back_off.h"
 #include "learn/rule.h"
@@ -28,6 +27,7 @@ struct arm {
     bool possible;
     bool ruled_out;   /**< it was tried and failed: not possible until the loop has rested */
     bool measured;    /**< `execution`, rather than estimated */
+    bool guessed;     /**< `execution` is the least that it may be: only a trial can tell */
     double set_up;    /**< seconds, of an inspection and a plan, its sample included; estimated */
     double learned;   /**< seconds that one has taken, or at least takes; 0: none was made */
     double execution; /**< seconds an iteration, the check of a kept plan included */
@@ -68,12 +68,13 @@ enum action {
 struct decision {
     enum action action;
     enum way way;
-    bool alone;         /**< INSPECT: by one thread, for redcc_note_arms; no thread is started */
-    bool timed;         /**< SEQUENTIAL: tell redcc_observe what it took */
-    double deadline;    /**< INSPECT: seconds after which a dry run must be given up; of
-                             redcc_pick_way: the set-up */
-    struct trial trial; /**< REUSE of a way that can stop, where it may turn out to be slower */
-    double earned;      /**< REUSE: seconds saved since the last set-up, less what that took */
+    bool alone;      /**< INSPECT: by one thread, for redcc_note_arms; no thread is started */
+    bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
+    double deadline; /**< INSPECT: seconds after which a dry run must be given up; of
+                          redcc_pick_way: the set-up */
+    double may_lose; /**< REUSE, of a way that can stop where it turns out to be slower: seconds
+                          after which it does; 0: it goes on */
+    double earned;   /**< REUSE: seconds saved since the last set-up, less what that took */
     enum rule rule;
 };
 
@@ -97,7 +98,9 @@ struct outcome {
     double seconds; /**< of the execution; of UNATTRACTIVE, STOPPED, CHANGED, REFUSED: lost */
     double set_up;  /**< seconds, of PARALLEL with a new plan */
     double done;    /**< STOPPED: the part of the set-up that was done, 0 to 1 */
-    long untimed;   /**< SEQUENTIAL: executions before it that nobody timed, taken to be alike */
+    double usual; /**< of a trial: seconds an iteration of the sequential loop, timed within it; 0:
+                       not timed */
+    long untimed; /**< SEQUENTIAL: executions before it that nobody timed, taken to be alike */
 };
 
 /** Where a loop stands, at trip counts of one size. */

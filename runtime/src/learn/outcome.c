@@ -54,7 +54,7 @@ bool redcc_is_better(const struct size_state *size, enum way way, double current
 }
 
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent) {
-    size->comparison = (struct comparison){contender, incumbent, {.arms = 2}};
+    size->comparison = (struct comparison){contender, incumbent, {0}};
     size->stand = STAND_COMPARING;
     size->rule = RULE_COMPARING;
 }
@@ -106,16 +106,16 @@ static void settle(struct size_state *size, bool contender_won) {
 }
 
 enum way redcc_turn(const struct comparison *it) {
-    return redcc_turn_of(2, it->turns.timed) == 0 ? it->contender : it->incumbent;
+    return redcc_turn_of(it->turns.timed) == 0 ? it->contender : it->incumbent;
 }
 
-static void count_in_comparison(struct size_state *size, enum way way, double each) {
+/* usual: seconds an iteration of the sequential loop, as far as is known of this execution. */
+static void count_in_comparison(struct size_state *size, enum way way, double each, double usual) {
     struct comparison *it = &size->comparison;
     if (way != redcc_turn(it))
         return; /* sequential for want of credit */
     redcc_turns_note(&it->turns, each);
-    if (it->turns.timed == 1 && it->incumbent == WAY_SEQUENTIAL &&
-        each < LEARN_CLEAR * redcc_usual(size))
+    if (it->turns.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);
     else if (it->turns.timed % 2 == 0 && redcc_turns_winner(&it->turns) >= 0)
         settle(size, redcc_turns_winner(&it->turns) == 0);
@@ -143,7 +143,7 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
     if (size->calls < timings->count) /* timed before the loop had a state */
         size->calls = timings->count;
     if (comparing)
-        count_in_comparison(size, WAY_SEQUENTIAL, each);
+        count_in_comparison(size, WAY_SEQUENTIAL, each, redcc_usual(size));
 }
 
 static void count_set_up(struct size_state *size, enum way way, double seconds) {
@@ -161,22 +161,29 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
 
 /* The first execution by a new way starts threads and touches pages: it is only compared where it
  * is clearly the faster way in spite of that. */
-static void begin_trial(struct size_state *size, enum way way, double each) {
+static void begin_trial(struct size_state *size, enum way way, double each, double usual) {
     const bool rival = size->stand == STAND_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
-    if (!rival && each < LEARN_CLEAR * redcc_usual(size))
-        count_in_comparison(size, way, each);
+    if (!rival && each < LEARN_CLEAR * usual)
+        count_in_comparison(size, way, each, usual);
 }
 
 /* An execution that was not the sequential loop's. Returns the seconds that one would have taken.
  */
 static double enter_in_ledger(struct choice_state *state, struct size_state *size,
                               const struct outcome *outcome) {
-    const double sequential = least_of_last(size) * (double)outcome->trip;
+    const double each = outcome->usual > 0 ? outcome->usual : least_of_last(size);
+    const double sequential = each * (double)outcome->trip;
     state->ledger.sequential += sequential;
     state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
     size->set_ups.since += sequential;
     return sequential;
+}
+
+/* A trial has timed the sequential loop, too. */
+static void note_usual(struct size_state *size, double usual) {
+    if (usual > 0)
+        size->sequential.recent[size->sequential.count++ % 3] = usual;
 }
 
 static void observe_parallel(struct choice_state *state, struct size_state *size,
@@ -192,6 +199,7 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
             set_ups->lifetime = set_ups->met + set_ups->uses;
         count_set_up(size, outcome->way, outcome->set_up);
     }
+    note_usual(size, outcome->usual);
     const double sequential = enter_in_ledger(state, size, outcome);
     set_ups->uses++;
     set_ups->earned += sequential - outcome->seconds;
@@ -201,17 +209,21 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
             arm->measured ? smoothing * (each - arm->execution) : each - arm->execution;
         arm->measured = true;
     }
+    const double usual = outcome->usual > 0 ? outcome->usual : redcc_usual(size);
     if (is_first)
-        begin_trial(size, outcome->way, each);
-    else if (size->stand == STAND_COMPARING)
-        count_in_comparison(size, outcome->way, each);
-    else if (size->stand == STAND_PARALLEL)
+        begin_trial(size, outcome->way, each, usual);
+    else if (size->stand == STAND_COMPARING) {
+        count_in_comparison(size, outcome->way, each, usual);
+        if (outcome->usual > 0 && size->stand == STAND_COMPARING)
+            count_in_comparison(size, WAY_SEQUENTIAL, outcome->usual, usual);
+    } else if (size->stand == STAND_PARALLEL)
         size->unchecked += outcome->seconds;
 }
 
 static void observe_left(struct choice_state *state, struct size_state *size,
                          const struct outcome *outcome) {
     struct arm *arm = &size->arm[outcome->way];
+    note_usual(size, outcome->usual);
     enter_in_ledger(state, size, outcome);
     arm->execution = outcome->seconds / (double)outcome->trip;
     arm->measured = true;

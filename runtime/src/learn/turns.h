@@ -1,30 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The paired comparison under noise: arms take turns, there and back, so that all meet the machine
- * as it is now and what changes slowly favours none. Of the rounds that go one way the shortest
- * time of each arm counts: an interruption is no property of an arm.
+ * The paired comparison under noise: two arms take turns, so that both meet the machine as it is
+ * now. The shortest time of each counts: an interruption is no property of an arm.
  */
 #ifndef REDCC_LEARN_TURNS_H
 #define REDCC_LEARN_TURNS_H
 
-enum { TURN_ARMS = 4 /* at most */ };
+enum { TURN_ARMS = 2 };
 
-/** All zero but for `arms`: nothing was timed. */
+/** All zero: nothing was timed. */
 struct turns {
-    int arms;
     int timed;
-    double least[2][TURN_ARMS]; /**< seconds: in the rounds there, and back */
+    double least[TURN_ARMS]; /**< seconds */
     double sum[TURN_ARMS];
     int count[TURN_ARMS];
 };
 
-/** Whose turn it is after so many: 0 1 0 1; 0 1 2 3, 3 2 1 0 */
-int redcc_turn_of(int arms, int timed);
+/** Whose turn it is after so many: 0 1 0 1 */
+int redcc_turn_of(int timed);
 
 /** Notes what the arm whose turn it was took. */
 void redcc_turns_note(struct turns *it, double seconds);
 
-/** The fastest arm, where that is evident: after n rounds the next one takes longer by the n-th
+/** The faster arm, where that is evident: after n rounds the other one takes longer by the n-th
  * part of the noise, or there have been enough of them. Else -1. */
 int redcc_turns_winner(const struct turns *it);
 

@@ -70,7 +70,9 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *brace = needs_braces(update) ? "{ " : "";
     if (loop->bins)
         return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
-    return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
+    return arena_format(loop->arena, "{ %s(%u, %s) %s",
+                        loop->lanes.is_wanted ? "REDCC_UPDATE_OF_LANES" : "REDCC_UPDATE",
+                        update->array, address, brace);
 }
 
 static const char *guard_end(const reduction_update *update) {
@@ -490,7 +492,8 @@ static const char *copied_text(body_copy *copy) {
     skip_inner_iterations(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
-    unroll_loops(copy, body);
+    if (!loop->lanes.is_wanted) /* compiled once, beside what is executed by lanes */
+        unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);
 
@@ -552,7 +555,7 @@ void write_iteration(loop_text *loop, writer *out) {
                                   .rename = local_name,
                                   .context = loop,
                                   .before = print_guard,
-                                  .in_front_of_for = pragma_in_body},
+                                  .in_front_of_for = loop->lanes.is_wanted ? NULL : pragma_in_body},
                       .loop = loop};
     declare_variables(loop, out);
     note_no_operands(loop, out);

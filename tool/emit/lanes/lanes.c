@@ -32,7 +32,7 @@ static bool print_update(printer *p, const ir_node *statement) {
         lane_problem(&l->in, NO_LANES_SPELLING, statement);
         return true;
     }
-    writer_line(p->out, "{ REDCC_UPDATE(%u, %s) %s; }", update->array,
+    writer_line(p->out, "{ REDCC_UPDATE_OF_LANES(%u, %s) %s; }", update->array,
                 macro_argument(p->arena, arena_format(p->arena, "&%s", target)), text);
     return true;
 }
@@ -79,9 +79,9 @@ static void declare_outer(vectoriser *l) {
 /** Most lanes need not ask who owns what: for them compilers have a text without conditions. */
 static void write_updates(vectoriser *l, const char *updates) {
     if (l->mask)
-        writer_line(l->out, "REDCC_EACH_LANE if (%s[redcc__l]) {", l->mask);
+        writer_line(l->out, "REDCC_EACH_ITERATION if (%s[redcc__l]) {", l->mask);
     else
-        writer_line(l->out, "REDCC_EACH_LANE {");
+        writer_line(l->out, "REDCC_EACH_ITERATION {");
     writer_line(l->out, "    if (!redcc__block->guarded[redcc__l]) {");
     writer_line(l->out, "        enum { redcc__guarded = 0 };");
     buffer_text(&l->out->out, updates);
@@ -146,20 +146,6 @@ static void write_block(vectoriser *l, const ir_node *block) {
         write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
-/** The text, once for each width that is asked for. */
-static void write_copies(const loop_text *loop, writer *out, const char *text) {
-    for (unsigned width = 2; width <= 8; width *= 2) {
-        if (loop->options->lanes > 1 && loop->options->lanes != width)
-            continue;
-        writer_line(out, "#if REDCC_WIDTHS & %u", width);
-        writer_line(out, "#undef redcc_width");
-        writer_line(out, "#define redcc_width %u", width);
-        writer_line(out, "#include <redcc/lanes_width.h>");
-        buffer_text(&out->out, text);
-        writer_line(out, "#endif");
-    }
-}
-
 /** The function, behind those that it calls; NULL: it cannot be written. */
 static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
@@ -179,13 +165,13 @@ static const char *function_text(loop_text *loop, const char *name, bool *is_kep
                     .is_kept = is_kept,
                     .mask_count = &mask_count};
     lane_classify(&l.in);
+    lane_check_worth(&l.in);
     declare_outer(&l);
     write_block(&l, l.in.body);
-    writer_line(
-        &front,
-        "REDCC_LANES_BODY REDCC_WIDE(%s)(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
-        "redcc__block, const redcc_int redcc__lower%s) {",
-        name, facts->array_count, loop->outline.body_parameters);
+    writer_line(&front,
+                "REDCC_LANES_BODY %s(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
+                "redcc__block, const redcc_int redcc__lower%s) {",
+                name, facts->array_count, loop->outline.body_parameters);
     buffer_text(&front.out, writer_text(a, &text));
     writer_line(&front, "}");
     const char *whole = writer_text(a, &front);
@@ -207,5 +193,8 @@ void write_lanes(loop_text *loop, writer *out) {
     loop->lanes.arguments =
         arena_format(a, "REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s",
                      loop->facts->array_count, loop->outline.body_arguments);
-    write_copies(loop, out, text);
+    writer_line(out, "#if REDCC_WIDTH");
+    writer_line(out, "REDCC_QUIET_LANES");
+    buffer_text(&out->out, text);
+    writer_line(out, "#endif");
 }

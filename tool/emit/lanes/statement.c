@@ -5,6 +5,7 @@
  */
 #include <string.h>
 
+#include "analysis/base/counted.h"
 #include "emit/base/names.h"
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
@@ -111,10 +112,12 @@ static void declare_own(vectoriser *l, const ir_variable *variable, const ir_nod
         writer_line(l->out, "redcc_mask %s = %s;", name, lane_mask(l, value));
         break;
     case LANE_VARYING:
-        writer_line(l->out, "%s %s[redcc_width];", lane_type(l, variable->type), name);
+        writer_line(l->out, "%s %s[REDCC_WIDTH];", lane_type(l, variable->type), name);
         if (value)
             writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
                         lane_guarded(l, value, lane_text(l, value)));
+        break;
+    case LANE_LOCAL: /* printed where it stands */
         break;
     case LANE_UNIFORM:
         if (value)
@@ -147,11 +150,21 @@ static const char *parameter_text(vectoriser *l, const ir_variable *parameter, l
     return arena_format(a, *of ? "%s (*%s)%s" : "%s *%s%s", vector, name, of);
 }
 
+/** Is the argument a variable of all lanes, of the parameter's very type, which the function leaves
+ *  as it is? Then no copy of it is needed. */
+static bool is_handed_on(const vectoriser *l, const ir_variable *parameter, const ir_node *value) {
+    return value->kind == IR_VARIABLE && l->in.class_of[value->variable->id] == LANE_VARYING &&
+           ir_type_equal(parameter->type, value->variable->type) &&
+           !variable_is_written_in(parameter->function->body, parameter);
+}
+
 static const char *argument_text(vectoriser *l, const ir_variable *parameter, lane_class class,
                                  const ir_node *value) {
     arena *a = l->loop->arena;
     if (class == LANE_UNIFORM)
         return lane_scalar(l, value);
+    if (class == LANE_VARYING && is_handed_on(l, parameter, value))
+        return origin_variable(a, value->variable);
     if (class == LANE_VARYING)
         return arena_format(a, "REDCC_EACH(%s, %s)", lane_type(l, parameter->type),
                             lane_guarded(l, value, lane_text(l, value)));
@@ -219,9 +232,9 @@ static const char *clone_of(vectoriser *l, const ir_function *function, const la
             (!bytes || memcmp(it->classes, classes, bytes) == 0))
             return it->name;
     }
-    const lane_clone clone = {function, classes, l->mask != NULL,
-                              arena_format(a, "REDCC_WIDE(redcc__%u_%s)", l->clones->count + 1,
-                                           loop_lanes_name(l->loop))};
+    const lane_clone clone = {
+        function, classes, l->mask != NULL,
+        arena_format(a, "redcc__%u_%s", l->clones->count + 1, loop_lanes_name(l->loop))};
     VECTOR_PUSH(a, l->clones, clone);
     write_clone(l, function, classes, clone.name);
     return clone.name;
