@@ -130,7 +130,7 @@ int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc
     struct thread_state *thread = worker->execution;
     if (!thread || thread->stage != STAGE_RUN)
         return 0;
-    if (writers[0].adds)
+    if (writers[0].adds && !writers[0].in_front)
         return redcc_run_again(worker);
     redcc_barrier_wait(thread->runner.run->barrier, thread->threads);
     if (thread->thread > 0 || !any_is_lost(writers, count))
