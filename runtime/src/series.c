@@ -137,13 +137,14 @@ int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc
     struct thread_state *thread = worker->execution;
     if (!is_executed(thread))
         return 0;
-    if (writers[0].adds)
+    if (writers[0].adds && !writers[0].in_front)
         return redcc_run_again(worker);
     redcc_barrier_wait(thread->runner.run->barrier, thread->threads);
     if (thread->thread > 0 || !any_is_lost(writers, count))
         return 0;
     for (redcc_u32 i = 0; i < count; i++) {
         writers[i].adds = writers[i].begins = 1;
+        writers[i].in_front = 0;
         writers[i].at = writers[i].end = writers[i].block_end = NULL;
     }
     redcc_run_own_nothing(worker);

@@ -192,7 +192,7 @@ static int around_two(int t, int *to) {
 /* Just below the largest, it ends at once. */
 static int around_unsigned(unsigned x, int *to) {
     int count = 0;
-    for (unsigned i = x - 1; i <= x + 1; i++)
+    for (unsigned i = x - 1; i < x + 2; i++)
         to[count++] = (int)(i % 8);
     return count;
 }

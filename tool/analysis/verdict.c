@@ -311,7 +311,7 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     loop_loads_take_out(loads);
     const loop_verdict loading = analysed(an, function, loop, NULL, exits, loads);
     loop_loads_put_back(loads);
-    return loading.kind == VERDICT_TRANSFORM ? loading : found;
+    return loading;
 }
 
 /* Without what leaves it: as it is where no iteration does. */

@@ -38,6 +38,9 @@ struct redcc_series_writer {
     int adds;                /**< the thread adds up by itself: there is never room */
     int begins;              /**< and has not begun yet */
     int follows;             /**< another thread keeps the operands of the iteration at hand */
+    int in_front;            /**< adds: the thread has gone through all iterations before `next`, */
+    int added;               /**< and met an operand */
+    redcc_int next;          /**< what comes from here on is kept */
 };
 
 /** Number `number` of the loop's series is this thread's to write to. */
@@ -53,7 +56,18 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
  *  that owns the first byte which it touches, and which goes through all of it. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at,                              \
-     (redcc_writer).follows = redcc__guarded && redcc__worker->manner.follows)
+     (redcc_writer).follows = redcc__guarded && redcc__worker->manner.follows,                     \
+     (redcc_writer).in_front ? (redcc__k == (redcc_writer).next && !(redcc_writer).follows         \
+                                    ? (void)(redcc_writer).next++                                  \
+                                    : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
+                             : (void)0)
+/** The first thread adds up by itself as long as its iterations are the loop's first: it begins
+ *  with the scalar as it is. */
+#define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \
+    if (redcc__worker->thread == 0) {                                                              \
+        (redcc_writer).in_front = (redcc_writer).adds = 1;                                         \
+        redcc_own = redcc_scalar;                                                                  \
+    }
 /** Is the thread to go through all of the iteration, whatever it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
@@ -62,6 +76,10 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
                                                                    redcc_int k, double operand) {
     if (writer->follows)
         return 1;
+    if (writer->adds) {
+        writer->added = 1;
+        return 0;
+    }
     if (writer->at == writer->end && !writer->calls->room(writer, k))
         return 0;
     *writer->at++ = operand;
@@ -83,12 +101,13 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
  *  redcc_operand. */
 #define REDCC_SERIES_APPLY(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,  \
                            redcc_own, redcc_sum, redcc_is_set)                                     \
-    if ((redcc_writer).calls->has_any((redcc_writer).series)) {                                    \
-        redcc_int redcc__i = 0;                                                                    \
+    if ((redcc_writer).added || (redcc_writer).calls->has_any((redcc_writer).series)) {            \
+        redcc_int redcc__i = (redcc_writer).next;                                                  \
         redcc_size redcc__j;                                                                       \
         const redcc_series_part *redcc__part;                                                      \
-        if (!(redcc_writer).adds) {                                                                \
-            redcc_own = redcc_scalar;                                                              \
+        if (!(redcc_writer).adds || (redcc_writer).in_front) {                                     \
+            if (!(redcc_writer).added)                                                             \
+                redcc_own = redcc_scalar;                                                          \
             while ((redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
                    0)                                                                              \
                 for (redcc__i++; redcc__part; redcc__part = redcc__part->more)                     \

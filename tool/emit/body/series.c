@@ -102,6 +102,12 @@ void join_series(loop_text *loop, writer *out) {
             writer_line(out,
                         "redcc_series_begin(redcc__worker, redcc__attempt, redcc__writers, %u);",
                         place_of(loop->facts, i));
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (is_first(loop->facts, i) && is_kept_scalar(loop, i)) /* read before the loop */
+            writer_line(
+                out,
+                "REDCC_SERIES_IN_FRONT(redcc__writers[%u], *redcc__own_sum_%u, redcc__scalar_%u)",
+                place_of(loop->facts, i), i, i);
 }
 
 /** The scalar as a thread reads it, as an argument of a macro. */
