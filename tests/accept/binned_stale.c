@@ -129,8 +129,19 @@ static void lengths(int n, const int *at, const int *count, const long *w, long 
             to[at[t]] += w[t] * i;
 } // BINNED: 127
 
+// An update under a condition on its own element: the record keeps the place. Bytes may overlap all.
+static void saturated(int n, const unsigned *at, unsigned char *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const unsigned value = at[t] & 63;
+        if (h[value] < 9)
+            ++h[value];
+        h[63 - value] = h[63 - value] > 100 ? h[63 - value] / 2 : h[63 - value] * 3 + 1;
+    }
+} // CHECKED: 134
+
 int main(void) {
     static long to[M + N];
+    static unsigned char bytes[64];
     case_subscripts(k, N, M);
     case_subscripts(few, N, 4);
     for (int t = 0; t < N; t++) {
@@ -156,6 +167,9 @@ int main(void) {
         lengths(N, k, few, w, to);
         either[1] = round == 1 ? to : table;
         read_in_callee(N, k, to);
+        saturated(N, (const unsigned *)few, round == 1 ? (unsigned char *)(few + 700) : bytes);
+        CASE_PRINT(bytes);
+        CASE_PRINT(few);
         CASE_PRINT(to);
     }
 }

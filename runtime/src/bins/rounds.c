@@ -163,7 +163,8 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    binning->trial.began = redcc_seconds();
+    const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED; /* which takes its time */
+    binning->trial.began = checked ? binning->call->entered : redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->stream[s].rate == 0)
             return BINS_MEASURE;
