@@ -25,8 +25,8 @@
       "a sample, and its consequences; by one thread if the subscripts may "                       \
       "change, or starting the others may cost too much")                                          \
     X(RULE_SET_UP, "set-up",                                                                       \
-      "a method is expected to repay its plan construction, which budget or "                      \
-      "overdraft allow",                                                                           \
+      "a method is expected to repay its plan construction, covered by budget or "                 \
+      "overdraft",                                                                                 \
       "an inspection with a deadline, and a plan")                                                 \
     X(RULE_UNATTRACTIVE, "unattractive", "by a sample no method is expected to be faster",         \
       "the original loop; another sample after 16 calls, then at doubling "                        \
