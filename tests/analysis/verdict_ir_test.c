@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "analysis/base/counted.h"
-#include "analysis/memory/library.h"
+#include "analysis/base/library.h"
 #include "expectation.h"
 #include "ir_reader/ir_read.h"
 

@@ -362,7 +362,53 @@ static void lifted_read_again_below(int n, const struct element *restrict e,
     }
 }
 
+/* Calls that vectors have no form for; errno is as the last one that fails leaves it. */
+static void lifted_calls_by_lane(int n, const struct element *restrict e,
+                                 const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        const double d = p[i][0] * e[t].area;
+        double f = cbrt(d) - floor(p[j][1] * 3);
+        if (d > 0.1)
+            f += fmax(f, copysign(cbrt(f), -1.0));
+        b[i] += f;
+        b[j] -= f * d;
+    }
+}
+
+static void lifted_one_failing_call(int n, const struct element *restrict e,
+                                    const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double d = (double)(t % 5 - 2) * p[e[t].node[0]][0];
+        double f = 0.5;
+        if (e[t].area < 0.4)
+            f = log(d);
+        b[e[t].node[1]] += f;
+    }
+}
+
+static void lifted_calls_that_fail_alike(int n, const struct element *restrict e,
+                                         const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double *const w = e[t].weight;
+        double f = 0.0;
+        for (int c = 0; c < 3; c++)
+            f += exp(w[c] * p[e[t].node[0]][c]) * cosh((double)(t % 1500) * w[c]);
+        b[e[t].node[1]] += f;
+    }
+}
+
 /* ---- what is left alone ---- */
+
+static void plain_calls_that_fail_in_two_ways(int n, const struct element *restrict e,
+                                              const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double d = p[e[t].node[0]][0];
+        b[e[t].node[1]] += sqrt(d - 0.5) + 2.0;
+        const double f = log(d - 0.5) * sqrt(p[e[t].node[0]][1]);
+        b[e[t].node[2]] += f;
+    }
+}
 
 /* C converts one to the other's type before to a double: of 3u and -1 that would matter. */
 static void plain_choice_of_two_types(int n, const struct element *restrict e,
@@ -580,6 +626,7 @@ int main(void) {
     begin(&block[0][0][0], sizeof block / sizeof(double));                                         \
     begin(single, NODES);                                                                          \
     call;                                                                                          \
+    printf("%m: "); /* errno, without reading it in this file */                                   \
     print(#call, (const double *)array, sizeof array / sizeof(double))
         for (int n = COUNT - round * 500; n >= 0; n -= 1201) {
             EACH(lifted_arithmetic(n, element, P, force), force);
@@ -604,6 +651,10 @@ int main(void) {
             EACH(lifted_functions(n, element, P, force, block), block);
             print("force", &force[0][0], sizeof force / sizeof(double));
             EACH(lifted_read_again_below(n, element, P, single), single);
+            EACH(lifted_calls_by_lane(n, element, P, single), single);
+            EACH(lifted_one_failing_call(n, element, P, single), single);
+            EACH(lifted_calls_that_fail_alike(n, element, P, single), single);
+            EACH(plain_calls_that_fail_in_two_ways(n, element, P, single), single);
             EACH(plain_choice_of_two_types(n, element, P, single), single);
             EACH(plain_handed_on_below(n, element, P, single), single);
             EACH(plain_used_below(n, element, P, single), single);

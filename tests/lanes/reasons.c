@@ -220,7 +220,7 @@ void used_again(int n, elements e, points p, double *restrict b) {
 void exponential(int n, elements e, points p, double *restrict b) {
     for (int t = 0; t < n; t++) {
         const int i = e[t].node[0];
-        const double d = p[i][0] * atan2(p[i][1], 2.0); /* lanes: call */
+        const double d = sqrt(p[i][0]) * log(p[i][1]); /* lanes: call */
         b[e[t].node[1]] += d;
     }
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lanes.h"
 
+#include "plan/lane_calls.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
 
@@ -135,6 +136,7 @@ void lane_check_worth(lane_scope *l) {
     if (l->plan->options->lanes == LANES_OF_ALL)
         return;
     add_scalar_work(l, l->body, &scalar);
+    scalar.operations += LANE_CALL_WORK * lane_count_calls(l);
     if (scalar.operations > all / 4 || scalar.beside > all - scalar.operations)
         lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
 }

@@ -7,7 +7,7 @@
 #include "analysis/loop/candidate.h"
 
 #include "analysis/base/expression.h"
-#include "analysis/memory/library.h"
+#include "analysis/base/library.h"
 #include "support/vector.h"
 
 typedef struct dependence {

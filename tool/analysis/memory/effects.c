@@ -4,11 +4,11 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/external.h"
+#include "analysis/base/library.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/memory/access.h"
 #include "analysis/memory/access_walk.h"
 #include "analysis/memory/callee_terms.h"
-#include "analysis/memory/library.h"
 
 typedef struct summary {
     enum { SUMMARY_NONE, SUMMARY_IN_PROGRESS, SUMMARY_DONE } state;

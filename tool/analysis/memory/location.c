@@ -2,7 +2,7 @@
 #include "analysis/memory/location.h"
 
 #include "analysis/base/expression.h"
-#include "analysis/memory/library.h"
+#include "analysis/base/library.h"
 
 enum { STEP_LIMIT = 8, LOOK_THROUGH_LIMIT = 8 };
 

@@ -4,11 +4,10 @@
  * each is computed in its own type and rounded as it is for one iteration. What is read from memory
  * by a subscript of the iteration, or is an integer of it, is gathered.
  */
-#include <string.h>
-
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
+#include "plan/lane_calls.h"
 #include "plan/lookup.h"
 
 static const lane_value nothing = {"0.0", false};
@@ -138,19 +137,32 @@ static lane_value known_call(vectoriser *l, const char *name, const ir_node *cal
     return (lane_value){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
 }
 
+/** One call after the other, of the lanes that make it. */
+static lane_value call_by_lane(vectoriser *l, const ir_node *node) {
+    arena *a = l->loop->arena;
+    const lane_words *words = lane_words_of(node->type);
+    buffer given = {0}, arguments = {0};
+    for (unsigned i = 1; i < node->child_count; i++) {
+        buffer_format(&given, "const %s redcc__given_%u = %s; ", words->vector, i,
+                      lane_vector(l, node->children[i], node->type));
+        buffer_format(&arguments, "%sredcc__given_%u[redcc__l]", i > 1 ? ", " : "", i);
+    }
+    const char *text =
+        arena_format(a, "%s(%s)", operand(l, node->children[0], NULL), buffer_take(a, &arguments));
+    return (lane_value){arena_format(a, "__extension__({ %s%s(%s); })", buffer_take(a, &given),
+                                     words->gather, lane_guarded(l, node, text)),
+                        true};
+}
+
 static lane_value call(vectoriser *l, const ir_node *node) {
-    static const char *const known[] = {"sqrt", "fabs", "sqrtf", "fabsf"};
     const ir_function *callee =
         node->children[0]->kind == IR_FUNCTION ? node->children[0]->function : NULL;
-    if (!callee)
-        return refuse(l, NO_LANES_CALL, node);
-    if (callee->body)
+    if (callee && callee->body)
         return (lane_value){lane_call(l, node), true};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (callee->is_from_system && strcmp(callee->name, known[i]) == 0 &&
-            !callee->linkage.is_renamed && node->child_count == 2)
-            return known_call(l, known[i], node);
-    return refuse(l, NO_LANES_CALL, node);
+    if (callee && lane_known_call(callee) && node->child_count == 2)
+        return known_call(l, callee->name, node);
+    return lane_may_call(l->loop->unit, node) ? call_by_lane(l, node)
+                                              : refuse(l, NO_LANES_CALL, node);
 }
 
 /* ---- all ------------------------------------------------------------------------------------ */

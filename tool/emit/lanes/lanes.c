@@ -11,6 +11,7 @@
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
+#include "plan/lane_calls.h"
 #include "plan/lookup.h"
 #include "plan/unroll.h"
 
@@ -166,6 +167,7 @@ static const char *function_text(loop_text *loop, const char *name, bool *is_kep
                     .mask_count = &mask_count};
     lane_classify(&l.in);
     lane_check_worth(&l.in);
+    lane_check_errors(&l.in);
     declare_outer(&l);
     write_block(&l, l.in.body);
     writer_line(&front,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "analysis/memory/library.h"
+#include "analysis/base/library.h"
 
 #include <stddef.h>
 #include <stdlib.h>
