@@ -230,7 +230,7 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
                     if (redcc_is_settled(&worker)) {                                               \
                         const redcc_int from = n;                                                  \
                         for (; n < worker.last; n++) {                                             \
-                            redcc_probe probe = {0, 0, 0};                                         \
+                            redcc_probe probe = {0};                                               \
                             INSPECT((int)n, PROBE_READ, PROBE_TOUCH);                              \
                             if (!redcc_is_alike(&probe))                                           \
                                 break;                                                             \
