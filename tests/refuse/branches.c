@@ -68,45 +68,6 @@ void before_the_semicolon(int n, const int *k, double *h) {
         ;
 }
 
-void asks_for_openmp(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
-#ifdef _OPENMP
-#pragma omp atomic
-#endif
-        h[k[t]] += 1;
-    }
-#if defined(_OPENMP)
-#pragma omp parallel for
-#endif
-    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
-        h[k[t]] += 1;
-}
-
-void compiled_openmp(int n, const int *k, double *h) {
-#pragma omp parallel for
-#ifdef OTHER
-    for (int t = 0; t < 2 * n; t++)
-#else
-    for (int t = 0; t < n; t++) // EXPECT: nothing
-#endif
-        h[k[t]] += 1;
-#ifndef OTHER
-#pragma omp parallel for
-#endif
-    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
-        h[k[t]] += 1;
-}
-
-/* The group above is no part of the loop's text: it makes a macro. */
-void openmp_of_another_compilation(int n, const int *k, double *h) {
-#ifdef OTHER
-#define TWICE
-#pragma omp parallel for
-#endif
-    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
-        h[k[t]] += 1;
-}
-
 void pragma_inside(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse directive-in-range
 #ifndef OTHER

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Reasons that no other case of this folder is about.
-// covers: row 8, row 34, row 44, row 55, row 56, row 61, row 62
+// covers: row 8, row 34, row 44, row 56, row 61, row 62
 
 void side_effect(int n, const int *restrict s, double *restrict h, const double *e) {
     int j = 0;
@@ -39,23 +39,6 @@ void type_punned(int n, const int *restrict s, double *restrict h) {
 
 void step(int n, const int *restrict s, double *restrict h) {
     for (int t = 1; t < n; t *= 2) // EXPECT: refuse step
-        h[s[t]]++;
-}
-
-void existing_openmp(int n, const int *restrict s, double *restrict h) {
-#pragma omp parallel for
-    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
-#pragma omp atomic
-        h[s[t]]++;
-    }
-}
-
-void existing_openmp_with_others(int n, const int *restrict s, double *restrict h) {
-#ifdef _OPENMP
-#pragma omp parallel for
-#endif
-#pragma GCC ivdep
-    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
         h[s[t]]++;
 }
 

@@ -36,7 +36,8 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
     unsigned count = 0;
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
-        is_left_out[i] = directive_can_be_left_out(d) && is_in_loop(unit, analysis, d->range.begin);
+        is_left_out[i] =
+            directive_can_be_left_out(unit, d) && is_in_loop(unit, analysis, d->range.begin);
         count += is_left_out[i];
     }
     if (count == 0)
@@ -88,6 +89,8 @@ static ir_range looked_at(const loop_text *loop) {
 }
 
 bool has_branches(const loop_text *loop) {
+    if (loop_text_sleeps(loop->whole, loop->facts->loop))
+        return true;
     const ir_range text = looked_at(loop);
     for (unsigned i = loop_text_first_directive(loop->whole, text.begin);
          i < loop->whole->directive_count && loop->whole->directives[i].range.begin < text.end; i++)
@@ -106,6 +109,8 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
     unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
     bool is_decided = true;           /* of the group that is looked at, a branch is compiled */
     const ir_directive *before = NULL;
+    const bool sleeps = loop_text_sleeps(whole, loop->facts->loop);
+    buffer_text(out, sleeps ? "#ifndef _OPENMP\n" : "");
     for (unsigned i = loop_text_first_directive(whole, text.begin);
          i < whole->directive_count && whole->directives[i].range.begin < text.end; i++) {
         const ir_directive *d = &whole->directives[i];
@@ -126,7 +131,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
         }
     }
     buffer_text(out, "#define redcc__as_compiled\n");
-    for (; depth > 0; depth--)
+    for (depth += sleeps; depth > 0; depth--)
         buffer_text(out, "#endif\n");
 }
 

@@ -139,9 +139,12 @@ static void write_slice(loop_text *loop, writer *out) {
         arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
                      loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
     const bool is_unfused = loop->is_unfused && facts->slice.has_floating_work;
-    writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
+    writer_line(out, "%s %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
+                loop->lanes.is_wanted ? "REDCC_SLICE_OF_LANES" : "REDCC_SLICE",
                 outlined_name(loop, "slice"), counter_parameter(loop, is_used),
                 buffer_take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+    if (loop->lanes.is_wanted)
+        writer_line(out, "    REDCC_TOLD_OF_LANES");
     buffer_text(&out->out, text);
     writer_line(out, "}");
 }

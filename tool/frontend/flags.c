@@ -223,11 +223,10 @@ static bool turns_on_openmp(const char *flag) {
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
     parse_flags chosen = {.strict_aliasing = true, .has_headers = true, .math_errno = true};
-    bool has_openmp = false;
     choose_predefined(a, &chosen, count, flags);
     for (unsigned i = 0; i < count; i++) {
-        has_openmp =
-            (has_openmp || turns_on_openmp(flags[i])) && strcmp(flags[i], "-fno-openmp") != 0;
+        chosen.has_openmp = (chosen.has_openmp || turns_on_openmp(flags[i])) &&
+                            strcmp(flags[i], "-fno-openmp") != 0;
         note_language(&chosen, flags[i]);
         note_code(&chosen, flags[i]);
         note_folder(a, &chosen, flags[i], i + 1 < count ? flags[i + 1] : NULL);
@@ -235,8 +234,9 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
     }
     note_folders_of_environment(a, &chosen);
     /* Parsed with -fopenmp itself, a loop below a directive would be hidden in the directive. */
-    if (has_openmp && !is_predefined(&chosen, "_OPENMP"))
+    if (chosen.has_openmp && !is_predefined(&chosen, "_OPENMP"))
         add(a, &chosen, "-D_OPENMP=201511");
+    chosen.has_openmp |= is_predefined(&chosen, "_OPENMP");
     add_leniency(a, &chosen);
     if (chosen.has_headers)
         add_headers(a, &chosen);

@@ -26,6 +26,7 @@ typedef struct parse_flags {
     bool is_shared;    /* -fPIC: what is exported may be replaced by another definition ... */
     bool is_fixed;     /* ... but not by one that does something else */
     bool math_errno;   /* mathematical functions set errno */
+    bool has_openmp;   /* OpenMP's directives are on */
 } parse_flags;
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);

@@ -301,6 +301,7 @@ static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     unit->dialect.is_c89 = chosen->is_c89;
     unit->dialect.is_sanitized = chosen->is_sanitized;
     unit->dialect.math_errno = chosen->math_errno;
+    unit->dialect.has_openmp = chosen->has_openmp;
 }
 
 static void run(void *data) {

@@ -22,7 +22,7 @@ static bool changes_copies(const ir_unit *unit, uint32_t begin, uint32_t end) {
         const ir_directive *d = &unit->directives[i];
         const bool is_pragma =
             d->kind == IR_DIRECTIVE_PRAGMA && (is_pragma_of(d, "redcc") || is_pragma_of(d, "omp"));
-        if (!directive_can_be_left_out(d) && !is_pragma)
+        if (!directive_can_be_left_out(unit, d) && !is_pragma)
             return true;
     }
     return false;

@@ -199,8 +199,10 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** The body for one iteration, executed where the processor has no such vectors or REDCC_LANES=off
- *  is said: compiled once, for guarded iterations and others. */
+/** Slice and body for one iteration. The body is executed where the processor has no such vectors
+ * or REDCC_LANES=off is said: compiled once, for guarded iterations and others. */
+#define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE
+#define REDCC_TOLD_OF_LANES REDCC_BY_CALLS
 #define REDCC_BODY_BESIDE_LANES static __attribute__((__noinline__, __unused__)) void
 
 /** Goes before an update. In a function: it is asked at many places, of few iterations. */
@@ -254,6 +256,8 @@ redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const voi
     }
 
 #else
+#define REDCC_SLICE_OF_LANES REDCC_SLICE
+#define REDCC_TOLD_OF_LANES
 #define REDCC_BODY_BESIDE_LANES REDCC_BODY
 #define REDCC_UPDATE_OF_LANES REDCC_UPDATE
 #define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \

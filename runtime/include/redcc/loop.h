@@ -211,7 +211,13 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         redcc_worker *const redcc__worker __attribute__((__unused__)),                             \
         const redcc_u32 redcc__told __attribute__((__unused__))
 #define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
-#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told
+#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told, redcc__by_calls
+
+/** Of long iterations (lanes.h): compiled once for all uses, addresses are told by calls. In other
+ *  slices that is done in line. */
+#define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
+#define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
+enum { redcc__by_calls = 0 };
 
 /** The iteration may update, or read, `redcc_n` bytes at an address. */
 #define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
@@ -252,12 +258,42 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
+/* What most touches are, within the window, is seen in line. */
+static __attribute__((__noinline__, __unused__)) void
+redcc_tell_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array, const void *address,
+                   redcc_size bytes) {
+    if (probe)
+        redcc_probe_touch(probe, worker, array, address, bytes);
+    else
+        redcc_touch(worker, array, address, bytes);
+}
+REDCC_INLINE void redcc_tell_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                   const void *address, redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    int *const inside = probe ? &probe->inside : &worker->inside;
+    if (redcc_leaves(window->first, window->size, address, bytes))
+        redcc_tell_outside(probe, worker, array, address, bytes);
+    else
+        *inside = 1;
+}
+static __attribute__((__noinline__, __unused__)) void
+redcc_tell_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source, const void *address,
+                redcc_size bytes) {
+    if (probe)
+        redcc_probe_read(probe, worker, source, address, bytes);
+    else
+        redcc_read(worker, source, address, bytes);
+}
+
 REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                    redcc_u32 array, const void *address, redcc_size bytes) {
+                                    int by_calls, redcc_u32 array, const void *address,
+                                    redcc_size bytes) {
     if (told)
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_touch(probe, worker, array, address, bytes);
     else if (probe)
         redcc_probe_touch(probe, worker, array, address, bytes);
     else
@@ -265,11 +301,14 @@ REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, re
 }
 
 REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                   redcc_u32 source, const void *address, redcc_size bytes) {
+                                   int by_calls, redcc_u32 source, const void *address,
+                                   redcc_size bytes) {
     if (told && !(told >> source & 1))
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_read(probe, worker, source, address, bytes);
     else if (probe)
         redcc_probe_read(probe, worker, source, address, bytes);
     else
@@ -277,12 +316,14 @@ REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, red
 }
 
 REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                        redcc_u32 array, const void *address, const void *base,
-                                        redcc_int row, redcc_size bytes) {
+                                        int by_calls, redcc_u32 array, const void *address,
+                                        const void *base, redcc_int row, redcc_size bytes) {
     if (told)
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_touch(probe, worker, array, address, bytes);
     else if (probe)
         redcc_probe_touch_row(probe, worker, array, base, row, bytes);
     else
@@ -290,12 +331,14 @@ REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker
 }
 
 REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                       redcc_u32 source, const void *address, const void *base,
-                                       redcc_int row, redcc_size bytes) {
+                                       int by_calls, redcc_u32 source, const void *address,
+                                       const void *base, redcc_int row, redcc_size bytes) {
     if (told && !(told >> source & 1))
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_read(probe, worker, source, address, bytes);
     else if (probe)
         redcc_probe_read_row(probe, worker, source, base, row, bytes);
     else
@@ -303,7 +346,9 @@ REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker,
 }
 
 REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                         redcc_u32 array, const char *first, const char *end) {
+                                         int by_calls, redcc_u32 array, const char *first,
+                                         const char *end) {
+    (void)by_calls; /* a span is one place */
     if (told)
         return;
     if (!worker)

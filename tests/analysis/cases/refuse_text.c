@@ -27,9 +27,9 @@ void directive(int n, const int *s, double *h) {
 
 void openmp(int n, const int *s, double *h) {
 #pragma omp parallel for
-    for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+)
         h[s[i]] += 1.0;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse existing-openmp
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+)
 #pragma omp atomic
         h[s[i]] += 1.0;
     }

@@ -96,8 +96,16 @@ static bool is_about_macros(const ir_directive *d) {
     return d->text && (strstr(d->text, "push_macro") || strstr(d->text, "pop_macro"));
 }
 
-bool directive_can_be_left_out(const ir_directive *d) {
+bool directive_is_asleep(const ir_unit *unit, const ir_directive *d) {
+    if (unit->dialect.has_openmp || d->kind != IR_DIRECTIVE_PRAGMA || !d->text || *d->text != '#')
+        return false;
+    const char *at = after_word(d->text + 1 + strspn(d->text + 1, " \t"), "pragma");
+    return at && after_word(at, "omp");
+}
+
+bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d) {
     return directive_is_conditional(d) || (d->is_skipped && !is_about_macros(d)) ||
+           directive_is_asleep(unit, d) ||
            (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
 }
 
@@ -136,10 +144,10 @@ const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop)
         d = &unit->directives[i];
         const bool is_above = d->range.end <= loop->range.begin;
         if (d->kind == IR_DIRECTIVE_OTHER ||
-            (d->kind == IR_DIRECTIVE_PRAGMA && !is_above && !directive_can_be_left_out(d)) ||
+            (d->kind == IR_DIRECTIVE_PRAGMA && !is_above && !directive_can_be_left_out(unit, d)) ||
             (d->kind == IR_DIRECTIVE_ELSE && depth == 0) ||
             (d->kind == IR_DIRECTIVE_ENDIF && depth == 0) ||
-            (directive_is_conditional(d) && asks_for_openmp(d)))
+            (unit->dialect.has_openmp && directive_is_conditional(d) && asks_for_openmp(d)))
             return d;
         depth += d->kind == IR_DIRECTIVE_IF;
         depth -= d->kind == IR_DIRECTIVE_ENDIF;
@@ -178,6 +186,31 @@ const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range) {
 
 bool directive_is_openmp(const ir_directive *d) {
     return (d->text && strstr(d->text, "omp") && strstr(d->text, "ragma")) || asks_for_openmp(d);
+}
+
+const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop) {
+    const uint32_t text_begin = loop_text_begin(unit, loop);
+    uint32_t to = loop->range.begin;
+    for (unsigned i = loop_text_first_directive(unit, to); i-- > 0;) {
+        const ir_directive *d = &unit->directives[i];
+        if (!d->is_skipped && source_skip_blanks(unit->source, d->range.end, to) < to)
+            return NULL;
+        const bool is_compiled = !d->is_skipped || d->range.begin < text_begin;
+        if (d->kind == IR_DIRECTIVE_PRAGMA && is_compiled && directive_is_openmp(d))
+            return d;
+        to = d->range.begin;
+    }
+    return NULL;
+}
+
+bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop) {
+    if (unit->dialect.has_openmp)
+        return false;
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
+         i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++)
+        if (directive_is_openmp(&unit->directives[i]))
+            return true;
+    return loop_text_openmp_above(unit, loop) != NULL;
 }
 
 /* Where a header's function has its text is not known: any directive may be in it. */

@@ -35,8 +35,19 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
 /** May a copy of the text it stands in do without it, and without what it leaves out? So it is with
  *  conditional directives once they are decided, and with pragmas that are not compiled or by which
- *  a loop is only faster. */
-bool directive_can_be_left_out(const ir_directive *d);
+ *  a loop is only faster; with OpenMP's where they are asleep, which they are without -fopenmp. */
+bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
+
+/** Is it an OpenMP directive, and this compilation one without OpenMP, which passes over it? */
+bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
+
+/** An OpenMP directive that stands directly above the loop, others between, and that is compiled or
+ *  no part of the loop's text; NULL: none. */
+const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
+
+/** Do OpenMP directives stand in the loop's text or directly above it that are asleep? Where they
+ *  are not, the loop is as it was written. */
+bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop);
 
 /** #pragma omp, or #ifdef _OPENMP. */
 bool directive_is_openmp(const ir_directive *d);

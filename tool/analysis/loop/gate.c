@@ -14,23 +14,6 @@
 /* ---- the source text --------------------------------------------------------------------------
  */
 
-/* Has the loop an OpenMP directive that is compiled, or one above it that another compilation may
- * have and that is no part of the loop's text? There may be others between the two. */
-static const char *openmp_above(const loop_analysis *j, uint32_t text_begin) {
-    const ir_unit *unit = j->an->unit;
-    uint32_t to = j->loop->range.begin;
-    for (unsigned i = loop_text_first_directive(unit, to); i-- > 0;) {
-        const ir_directive *d = &unit->directives[i];
-        if (!d->is_skipped && source_skip_blanks(unit->source, d->range.end, to) < to)
-            return NULL;
-        const bool is_compiled = !d->is_skipped || d->range.begin < text_begin;
-        if (d->kind == IR_DIRECTIVE_PRAGMA && is_compiled && directive_is_openmp(d))
-            return d->text;
-        to = d->range.begin;
-    }
-    return NULL;
-}
-
 /* Past blanks, comments, empty statements and directives; where something else begins, or `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
@@ -91,9 +74,9 @@ static reason check_directives(const loop_analysis *j) {
     if (fenv_access)
         return analysis_reason(j, REASON_FENV_ACCESS, j->loop, fenv_access);
     const uint32_t begin = loop_text_begin(unit, j->loop);
-    const char *above = openmp_above(j, begin);
-    if (above)
-        return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, above);
+    const ir_directive *above = loop_text_openmp_above(unit, j->loop);
+    if (above && !directive_is_asleep(unit, above))
+        return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, above->text);
     const ir_directive *obstacle = loop_text_obstacle(unit, j->loop);
     if (obstacle)
         return analysis_reason(

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// OpenMP directives that compilers pass over, since the program is compiled without OpenMP: on the
+// loop, in it, around it by halves, and where _OPENMP chooses the text.
+// covers: row 55
+#include "case.h"
+
+#pragma GCC diagnostic ignored "-Wunknown-pragmas"
+
+enum { N = 9000, M = 700 };
+static int s[N];
+static double w[N], h[M], g[M], f[M], e[M];
+
+static void on_it_and_in_it(void) {
+#pragma omp parallel for schedule(static, 64)
+    for (int t = 0; t < N; t++) { // EXPECT: transformed
+#pragma omp atomic
+        h[s[t]] += w[t];
+    }
+}
+
+static void halves(void) {
+#ifdef _OPENMP
+#pragma omp parallel
+    {
+#pragma omp for
+#endif
+        for (int t = 0; t < N; t++) { // EXPECT: transformed
+#pragma omp atomic
+            g[s[t]] -= w[t];
+        }
+#ifdef _OPENMP
+    }
+#endif
+}
+
+static void chosen(void) {
+    for (int t = 0; t < N; t++) { // EXPECT: transformed
+#if defined(_OPENMP) && defined(TWICE)
+        f[s[t]] += 2 * w[t];
+#else
+        f[s[t]] += w[t];
+#endif
+    }
+}
+
+static void in_a_region(void) {
+#pragma omp parallel
+#pragma omp single
+    {
+#pragma omp critical
+        for (int t = 0; t < N; t++) // EXPECT: transformed
+            e[s[t]] += w[t] * w[t];
+    }
+}
+
+int main(void) {
+    case_values(w, N);
+    case_subscripts(s, N, M);
+    for (int round = 0; round < 3; round++) {
+        on_it_and_in_it();
+        halves();
+        chosen();
+        in_a_region();
+    }
+    CASE_PRINT(h);
+    CASE_PRINT(g);
+    CASE_PRINT(f);
+    CASE_PRINT(e);
+    return 0;
+}
