@@ -387,6 +387,18 @@ static void lifted_one_failing_call(int n, const struct element *restrict e,
     }
 }
 
+/* Where it is not made, the call would fail. */
+static void lifted_calls_of_some(int n, const struct element *restrict e,
+                                 const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double odd = (double)(t % 2);
+        double f = p[e[t].node[0]][1];
+        if (odd > 0.5)
+            f += log(odd * 3.0);
+        b[e[t].node[1]] += f;
+    }
+}
+
 static void lifted_calls_that_fail_alike(int n, const struct element *restrict e,
                                          const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -653,6 +665,7 @@ int main(void) {
             EACH(lifted_read_again_below(n, element, P, single), single);
             EACH(lifted_calls_by_lane(n, element, P, single), single);
             EACH(lifted_one_failing_call(n, element, P, single), single);
+            EACH(lifted_calls_of_some(n, element, P, single), single);
             EACH(lifted_calls_that_fail_alike(n, element, P, single), single);
             EACH(plain_calls_that_fail_in_two_ways(n, element, P, single), single);
             EACH(plain_choice_of_two_types(n, element, P, single), single);
