@@ -48,7 +48,7 @@ static ir_variable ***undeclared_locals(const ir_printer *p) {
     }
     for (unsigned i = 0; i < unit->variable_count; i++) {
         ir_variable *v = unit->variables[i];
-        if (v->function != NULL && !declared[i])
+        if (v->function != NULL && !declared[i] && v->stands_for == NULL)
             lists[v->function->id][counts[v->function->id]++] = v;
     }
     return lists;
