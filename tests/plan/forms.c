@@ -51,7 +51,7 @@ void decided(int n, const int *restrict s, const double *w, double *h) {
 
 /* Or repeat without end; and the sum beside keeps what it is given. Its reads are compared before. */
 void repeated(int n, const int *restrict s, const double *w, double *h) {
-    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; checked
+    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared before
         double d = w[t];
         while (d > 1)
             d -= 1;
@@ -61,7 +61,7 @@ void repeated(int n, const int *restrict s, const double *w, double *h) {
 
 double summed(int n, const int *restrict s, const double *w, double *h) {
     double sum = 0;
-    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; checked
+    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared before
         h[s[t]] += w[t];
         sum += w[t];
     }
@@ -70,7 +70,7 @@ double summed(int n, const int *restrict s, const double *w, double *h) {
 
 /* Without a sum it is compared afterwards. */
 void unsummed(int n, const int *restrict s, const double *w, double *h) {
-    for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; unchecked
+    for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared after
         h[s[t]] += w[t];
 }
 

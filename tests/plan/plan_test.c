@@ -25,7 +25,7 @@ static void describe_bins(buffer *out, const loop_plan *plan) {
     }
     buffer_format(out, "bins: %u records of %u values, %u tags in %u streams; %s; ",
                   plan->bins->record_count, values, tags, plan->bins->stream_count,
-                  plan->bins->is_checked ? "checked" : "unchecked");
+                  plan->bins->is_checked ? "compared before" : "compared after");
 }
 
 static const char *describe(arena *a, const loop_plan *plan) {
