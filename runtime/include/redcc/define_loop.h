@@ -144,7 +144,7 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
 /* Executes iterations whose updates are kept, or made on copies of the thread's own. Are there
  * more to come after others? */
 static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
-                              const REDCC_CONTEXT *given) {
+                             const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
     redcc_bins handed[REDCC_ARRAYS];
     int more;

@@ -2,14 +2,13 @@
 #include "base/safe_load.h"
 
 #include "base/clock.h"
+#include "base/system.h"
 
-#include <errno.h>
-#include <stdatomic.h>
+#include <stdint.h>
 
 #if defined(__linux__)
 #include <sys/syscall.h>
 #include <sys/uio.h>
-#include <unistd.h>
 #endif
 
 /* Some system calls, of 0.3 microseconds, are to be 2 % of it. */
@@ -23,10 +22,9 @@ bool redcc_is_time_to_load(redcc_word *last) {
 
 int redcc_load(void *to, const char *from, redcc_size bytes) {
 #if defined(__linux__) && defined(SYS_process_vm_readv)
-    const int error = errno;
     const struct iovec here = {to, bytes}, there = {(void *)(uintptr_t)from, bytes};
-    const long read = syscall(SYS_process_vm_readv, (long)getpid(), &here, 1L, &there, 1L, 0L);
-    errno = error;
+    const long read = redcc_system(SYS_process_vm_readv, redcc_system(SYS_getpid), (uintptr_t)&here,
+                                   1, (uintptr_t)&there, 1);
     return read == (long)bytes;
 #else
     (void)to;
