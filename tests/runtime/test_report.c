@@ -95,6 +95,7 @@ struct fixture {
 static void fixture_begin(struct fixture *fixture) {
     fixture->problem = problem_new(1, true);
     problem_describe(&fixture->problem, &fixture->described);
+    fixture->described.loop.flags &= ~(unsigned)REDCC_SELECTS; /* no way but a plan */
 }
 
 static void fixture_end(struct fixture *fixture) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * All constants that `auto` learns by, each with what it was measured by. Eleven are of the rule
- * (docs/choosing.md), nine of the cost model: first estimates, which give way to what is measured
+ * All constants that `auto` learns by, each with what it was measured by. Thirteen are of the rule
+ * (docs/choosing.md), ten of the cost model: first estimates, which give way to what is measured
  * in the run. Seconds are of the machines of bench/results.
  */
 #ifndef REDCC_LEARN_CONSTANTS_H
