@@ -142,6 +142,7 @@ static void saturated(int n, const unsigned *at, unsigned char *h) {
 int main(void) {
     static long to[M + N];
     static unsigned char bytes[64];
+    static unsigned own[N];
     case_subscripts(k, N, M);
     case_subscripts(few, N, 4);
     for (int t = 0; t < N; t++) {
@@ -167,9 +168,11 @@ int main(void) {
         lengths(N, k, few, w, to);
         either[1] = round == 1 ? to : table;
         read_in_callee(N, k, to);
-        saturated(N, (const unsigned *)few, round == 1 ? (unsigned char *)(few + 700) : bytes);
+        for (int t = 0; t < N; t++)
+            own[t] = (unsigned)few[t];
+        saturated(N, own, round == 1 ? (unsigned char *)(own + 700) : bytes);
         CASE_PRINT(bytes);
-        CASE_PRINT(few);
+        CASE_PRINT(own);
         CASE_PRINT(to);
     }
 }

@@ -589,7 +589,7 @@ static void lifted_searches_between_updates(int n, const struct element *restric
             if (is_close && q == 1)
                 continue;
             while (at < NODES - 4) {
-                at += 3 + steps[q % 2];
+                at += 3 + steps[q % 2] % 2;
                 steps[0]++;
                 if (at % 7 == e[t].kind % 7)
                     break;

@@ -154,7 +154,8 @@ void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece) {
 }
 
 bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records) {
-    return buffer->blocks - buffer->used >= 2 * records / BLOCK + 2;
+    const double block = BLOCK;
+    return buffer->blocks - buffer->used >= 2 * records / block + 2;
 }
 
 /* The lines at `line` of which the records before number `end` of the bin's last block are not
