@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "analysis/base/loop_loads.h"
 #include "frontend/frontend.h"
 #include "frontend/predefined.h"
 #include "ir/ir_text.h"
@@ -58,8 +57,6 @@ static bool is_same(arena *a, const source *file, const string_list *flags, cons
     for (; *more; more++)
         VECTOR_PUSH(a, &all, *more);
     const frontend_result parsed = frontend_parse(a, file, all.count, all.items);
-    if (parsed.unit)
-        loop_loads_name(parsed.unit); /* as in the unit that it is compared with */
     return parsed.unit && parsed.unit->error_count == 0 &&
            strcmp(text_of(a, parsed.unit), expected) == 0;
 }

@@ -49,10 +49,8 @@
 #define REDCC_TARGET __attribute__((__target__("avx2")))
 #endif
 
-/** Behind REDCC_QUIET_BEGIN: of vectors made of what is no constant. */
-#define REDCC_QUIET_LANES                                                                          \
-    _Pragma("GCC diagnostic ignored \"-Wpedantic\"")                                               \
-        _Pragma("GCC diagnostic ignored \"-Wdeclaration-after-statement\"")
+/** Behind REDCC_QUIET_BEGIN. */
+#define REDCC_QUIET_LANES _Pragma("GCC diagnostic ignored \"-Wdeclaration-after-statement\"")
 
 /* ---- lanes ---------------------------------------------------------------------------------- */
 

@@ -7,6 +7,14 @@
 
 #include <stdint.h>
 
+static inline redcc_int redcc_least(redcc_int a, redcc_int b) {
+    return a < b ? a : b;
+}
+
+static inline redcc_int redcc_most(redcc_int a, redcc_int b) {
+    return a > b ? a : b;
+}
+
 /** The first iteration of share `thread` of `threads`: each thread inspects its share, and executes
  *  it where a method shares iterations evenly. thread == threads: `trip`. */
 static inline redcc_int redcc_share(redcc_int trip, int threads, int thread) {

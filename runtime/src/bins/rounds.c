@@ -58,14 +58,6 @@ static void begin_measure(const struct binning *binning, struct binner *binner) 
         redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
 }
 
-static redcc_int at_least(redcc_int number, redcc_int least) {
-    return number < least ? least : number;
-}
-
-static redcc_int at_most(redcc_int number, redcc_int most) {
-    return number < most ? number : most;
-}
-
 /* Stretches of the thread's share, evenly spread, the first and the last iterations among them. Of
  * a small share a MEASURED-th: its iterations may be expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
@@ -75,13 +67,13 @@ static bool next_stretch(struct binning *binning, struct binner *binner, redcc_w
     const redcc_int trip = binning->call->request.trip;
     const redcc_int begin = redcc_share(trip, binner->threads, binner->thread);
     const redcc_int end = redcc_share(trip, binner->threads, binner->thread + 1);
-    const redcc_int share = end - begin, all = at_most(at_least(share / MEASURED, 2), share);
-    const redcc_int stretches = at_most(all, STRETCHES);
-    const redcc_int length = at_most(at_least(all / STRETCHES, 1), STRETCH);
+    const redcc_int share = end - begin, all = redcc_least(redcc_most(share / MEASURED, 2), share);
+    const redcc_int stretches = redcc_least(all, STRETCHES);
+    const redcc_int length = redcc_least(redcc_most(all / STRETCHES, 1), STRETCH);
     if (binner->sample == stretches)
         return false;
     const redcc_int first =
-        begin + redcc_share(share - length, (int)at_least(stretches - 1, 1), binner->sample);
+        begin + redcc_share(share - length, (int)redcc_most(stretches - 1, 1), binner->sample);
     binner->sample++;
     binner->measured += length;
     hand_out(binning, binner, worker, bins, first, first + length);

@@ -3,6 +3,7 @@
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
+#include "base/share.h"
 #include "ownership/cuts.h"
 #include "plan/method.h"
 
@@ -20,14 +21,6 @@ enum {
     ROWS_OF_A_TOUCH = 64
 };
 
-static redcc_int least_of(redcc_int a, redcc_int b) {
-    return a < b ? a : b;
-}
-
-static redcc_int most_of(redcc_int a, redcc_int b) {
-    return a > b ? a : b;
-}
-
 /* Iterations 0, stride, 2 stride, ... are sampled, however many threads share them. The stride is
  * odd, or it might meet the same corner of each element again and again. Sorting more touches than
  * few owners need would cost more than the sweep of all iterations. */
@@ -37,9 +30,9 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     const bool looks = inspection->call->threads < inspection->call->planned;
     const redcc_int trip = inspection->call->request.trip, few = shares * SAMPLED_FOR_A_LOOK;
     const redcc_int even = trip / SAMPLED_OF < few ? few : trip / SAMPLED_OF;
-    const redcc_int most = least_of(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
-    const redcc_int seen = most_of(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
-    return trip / (looks ? least_of(few, seen) : least_of(even, most)) | 1;
+    const redcc_int most = redcc_least(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
+    const redcc_int seen = redcc_most(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
+    return trip / (looks ? redcc_least(few, seen) : redcc_least(even, most)) | 1;
 }
 
 /* How many of them lie before this thread's share. */

@@ -263,7 +263,7 @@ static struct decision decide_set_up(const struct choice *c) {
  * loops inside, and it tells all that those touch. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
-    return !c->size->looked && !bins->measured && !bins->ruled_out &&
+    return c->now->threads > 1 && !bins->measured && !bins->ruled_out &&
            c->now->kept[WAY_BINS] == KEPT_FITS &&
            redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK;
 }
@@ -282,7 +282,7 @@ static struct decision decide_saving(const struct choice *c) {
     if (ready != WAY_SEQUENTIAL && may_execute(c, ready))
         return take_up(c, ready);
     if (!c->size->looked)
-        return tries_first(c) && c->now->threads > 1 ? try_first(c) : look(c);
+        return tries_first(c) ? try_first(c) : look(c);
     const struct decision decision = decide_set_up(c);
     const enum way guessed = ready_way(c, usual, true);
     return decision.action == ACTION_SEQUENTIAL && guessed != WAY_SEQUENTIAL &&
