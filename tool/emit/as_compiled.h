@@ -19,9 +19,12 @@
 const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis);
 
 /** as_compiled.c: before text that is made of the branches in the loop that this compilation takes,
- *  and after it: they define a word where it takes the same. Nothing, of loops without branches. */
+ *  and after it: they define a word where it takes the same, and where OpenMP is off as it is here.
+ *  Nothing, of loops without branches and without OpenMP directives. */
 void begin_as_compiled(loop_text *loop, buffer *out);
 void end_as_compiled(const loop_text *loop, buffer *out);
+
+/** Has it branches, or OpenMP directives that this compilation passes over? */
 bool has_branches(const loop_text *loop);
 
 #endif

@@ -16,8 +16,8 @@
  * So a loop has this form only if its body leaves the same whether it is executed once or twice,
  * and may be executed before its reads are compared with what is written: no address that it reads
  * or stores at, no divisor and no bound of a loop inside comes from memory that is not proved apart
- * from the reduction arrays. All that it reads beside is in the loop's sources. Any other body has
- * its loop marked REDCC_BINS_CHECKED.
+ * from the reduction arrays. Its other reads are in the loop's sources. The loop of any other body
+ * is marked REDCC_BINS_CHECKED.
  *
  * As runtime.h, this header includes no other of the system and compiles as C89 with GNU
  * extensions.

@@ -54,8 +54,7 @@ static size_t bytes_of_arrays(const struct binning *binning) {
     return bytes;
 }
 
-/* Are private copies the better way? Their merge must not be more work than the updates. They are
- * of rows that were told, no others: beyond them the array may end. */
+/* Are private copies the better way? Their merge must not be more work than the updates. */
 static bool wants_copies(const struct binning *binning) {
     const int kind = binning->call->parameter;
     double rows = 0, records = 0;
