@@ -14,6 +14,12 @@ void *memcpy(void *to, const void *from, size_t bytes);
 /** An object that the program does not write while fuzz_hold(1) holds: it ends the program. */
 #define FUZZ_HELD static __attribute__((section("fuzz_held"), aligned(4096)))
 void fuzz_hold(int is_held);
+void __assert_fail(const char *text, const char *file, unsigned line, const char *function)
+    __attribute__((noreturn));
+#define ASSERT(condition)                                                                          \
+    ((condition) ? (void)0 : __assert_fail(#condition, __FILE__, __LINE__, __func__))
+/** In another file: ends the program. */
+void fuzz_fail(void) __attribute__((noreturn));
 /** In another file: what each thread has for itself. */
 double fuzz_level(int i) __attribute__((pure));
 double fuzz_scaled(double v) __attribute__((const));

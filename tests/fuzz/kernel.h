@@ -106,6 +106,7 @@ typedef struct kernel {
     bool has_parts;   /* programs of seeds that leave 1, divided by 6: loop_over_parts */
     bool has_turns;   /* programs of seeds that leave 6, divided by 7: turns.c */
     bool has_shapes;  /* programs of seeds that leave 1, divided by 3: shapes.c */
+    bool has_leaving; /* programs of seeds that leave 2, divided by 6: leave.c */
     bool has_held;    /* objects that cannot be written during the calls */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
@@ -171,7 +172,7 @@ const char *contribution(kernel *k, const array *a);
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
- * turns.c, shapes.c */
+ * turns.c, shapes.c, leave.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -197,6 +198,7 @@ void call_of_helper(kernel *k);
 void in_pieces(kernel *k);
 void idiom(kernel *k);
 void shape_of_an_attack(kernel *k);
+void leave_or_look(kernel *k);
 void loop_along_a_list(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */

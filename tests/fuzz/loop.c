@@ -439,6 +439,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_parts = seed % 6 == 1;
     k.has_turns = seed % 7 == 6;
     k.has_shapes = seed % 3 == 1;
+    k.has_leaving = seed % 6 == 2;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

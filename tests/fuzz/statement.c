@@ -338,6 +338,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
+    if (k->has_leaving && chance(k, 25)) {
+        leave_or_look(k);
+        end_statement(k, begin);
+        return;
+    }
     if (k->has_shapes && k->scope.depth < 2 && chance(k, 30)) {
         shape_of_an_attack(k);
         end_statement(k, begin);

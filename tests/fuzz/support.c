@@ -48,6 +48,10 @@ void fuzz_hold(int is_held) {
         abort();
 }
 
+void fuzz_fail(void) {
+    abort();
+}
+
 double fuzz_level(int i) {
     return level * i;
 }
