@@ -62,6 +62,24 @@ static void declared_outside(int n, const double (*x)[3], const double (*restric
     }
 }
 
+/* What is read ahead of an iteration is subscripted by a variable that the inspector declares in a block. */
+static void declared_behind_a_loop(int n, const double (*restrict x)[3], const double (*restrict w)[3],
+                                   double (*b)[3]) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        double f[3][3], df[6][3][3];
+        for (int c = 0; c < 5; c++) {
+            int k = block[t][c] % NODES;
+            if (active[t] & 4)
+                k = (k + 3) % NODES;
+            b[k][2] += w[t][0];
+        }
+        const int i = corner[t][2];
+        element(x, i, i, i, w[t], f, df);
+        for (int c = 0; c < 3; c++)
+            b[i][c] += df[c][0][c] + f[c][c];
+    }
+}
+
 static void left_early(int n, const double (*restrict x)[3], const double (*restrict w)[3],
                        double (*b)[3]) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -103,6 +121,7 @@ int main(void) {
         declared_inside(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force,
                         matrix);
         declared_outside(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
+        declared_behind_a_loop(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
         left_early(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
         light(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
     }

@@ -89,9 +89,9 @@ static void close_block(printer *p, const char *text) {
 /**
  * The statements of a block. A declaration after a statement opens a block of its own that reaches
  * to the end of this one: C89 wants it so, and what the slice prints between the user's
- * declarations are statements.
+ * declarations are statements. What `at_end` writes may use all that was declared.
  */
-static void print_children(printer *p, const ir_node *block) {
+static void print_children(printer *p, const ir_node *block, void (*at_end)(printer *p)) {
     unsigned opened = 0;
     const size_t start = p->out->out.length;
     size_t after_declarations = start;
@@ -117,6 +117,8 @@ static void print_children(printer *p, const ir_node *block) {
             length = after_declarations = p->out->out.length;
         }
     }
+    if (at_end)
+        at_end(p);
     while (opened-- > 0)
         close_block(p, "}");
 }
@@ -135,12 +137,13 @@ void print_body(printer *p, const ir_node *body) {
         return;
     if (has_braces)
         open_block(p, "{");
-    if (is_block)
-        print_children(p, body);
-    else
+    if (is_block) {
+        print_children(p, body, p->at_end);
+    } else {
         print_statement(p, body);
-    if (p->at_end)
-        p->at_end(p);
+        if (p->at_end)
+            p->at_end(p);
+    }
     if (has_braces)
         close_block(p, "}");
 }
@@ -150,7 +153,7 @@ static void print_part(printer *p, const ir_node *part) {
     p->out->depth++;
     if (part->kind == IR_BLOCK) {
         if (!p->before || !p->before(p, part))
-            print_children(p, part);
+            print_children(p, part, NULL);
     } else {
         print_statement(p, part);
     }
@@ -327,7 +330,7 @@ void print_statement(printer *p, const ir_node *node) {
         const bool declares = has_kept_declarations(p, node);
         if (declares || !p->keep)
             open_block(p, "{");
-        print_children(p, node);
+        print_children(p, node, NULL);
         if (declares || !p->keep)
             close_block(p, "}");
         break;
