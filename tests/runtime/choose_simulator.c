@@ -130,6 +130,16 @@ static void try_bins(struct simulation *it, const struct simulated_call *call, d
     tell(it, outcome);
 }
 
+static bool is_refused(const struct simulation *it, const struct simulated_call *call) {
+    return it->trace->refused_from > 0 && call - it->trace->call >= it->trace->refused_from;
+}
+
+static void refuse(struct simulation *it, const struct simulated_call *call) {
+    it->so_far.refused++;
+    tell(it, outcome_of(RESULT_REFUSED, WAY_BINS, call, it->trace->refusal));
+    run_sequentially(it, call, true);
+}
+
 static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
     struct kept_plan *plan = !redcc_is_planned(way) ? NULL : find_plan(it, way, call->trip);
     if (!plan || plan->subscripts == call->subscripts) {
@@ -259,7 +269,9 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
         inspect(it, call, &now, decision);
         break;
     case ACTION_REUSE:
-        if (decision.may_lose > 0)
+        if (decision.way == WAY_BINS && is_refused(it, call))
+            refuse(it, call);
+        else if (decision.may_lose > 0)
             try_bins(it, call, decision.may_lose);
         else
             run_by_plan(it, call, decision.way);
@@ -269,7 +281,7 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
 
 /* What one more execution, or the check of a plan, may take beyond the sequential one. */
 static void widen_allowance(struct simulation *it, const struct simulated_call *call) {
-    double most = it->trace->check * call->sequential;
+    double most = fmax(it->trace->check * call->sequential, it->trace->refusal);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         if (it->trace->possible[way] && call->execution[way] - call->sequential > most)
             most = call->execution[way] - call->sequential;

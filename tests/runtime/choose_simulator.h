@@ -37,6 +37,8 @@ struct trace {
     double block;             /**< seconds by which a deadline is passed */
     bool hidden;              /**< a sample of the subscripts does not show that they changed */
     bool compared;            /**< all of them are compared with those of the call before */
+    int refused_from;         /**< call from which on a guard forbids bins; 0: none, */
+    double refusal;           /**< after so many seconds */
 };
 
 struct simulated {
@@ -54,6 +56,7 @@ struct simulated {
     int stopped;      /**< of them, at their deadline */
     int parallel;     /**< executions by a plan */
     int left;         /**< trials in bins that were left in the middle */
+    int refused;      /**< executions in bins that a guard forbade */
     int left_alone;   /**< calls of which redcc_reach said that nothing can be begun */
 };
 

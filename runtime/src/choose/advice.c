@@ -234,7 +234,7 @@ static bool stealing_pays(const struct chooser *chooser, const struct call *call
     /* Where the iterations of a block do not lie together, the subscripts of its neighbours are
      * read with its own. */
     return found->changes < LEARN_FREQUENT ||
-           usual_iteration(chooser, call->request.trip) >= 2 * LEARN_SWITCH;
+           usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
 }
 
 /* ---- after the sample -------------------------------------------------------------------------

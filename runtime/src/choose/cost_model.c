@@ -27,7 +27,7 @@ static void by_copies(const struct findings *it, struct arm *arm) {
 /* Iterations that change owners are told apart, and ask who owns what they write. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
-    const double told = it->touches * LEARN_TOUCH + it->runs * LEARN_SWITCH;
+    const double told = it->touches * LEARN_TOUCH + it->runs * 2 * LEARN_ROW;
     arm->possible = true;
     arm->set_up = it->spent + told * (double)it->trip / it->threads;
     arm->execution =

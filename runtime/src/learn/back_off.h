@@ -14,7 +14,8 @@ struct back_off {
 
 /** The wait after one of `length`; 0: the first. */
 static inline long redcc_longer(long length) {
-    return length == 0 ? LEARN_REST : length < LEARN_REST_MOST / 2 ? 2 * length : LEARN_REST_MOST;
+    const long most = 128L * LEARN_REST;
+    return length == 0 ? LEARN_REST : length < most / 2 ? 2 * length : most;
 }
 
 /** At count `now`: waits for so long. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * All constants that `auto` learns by, each with what it was measured by. Thirteen are of the rule
- * (docs/choosing.md), ten of the cost model: first estimates, which give way to what is measured
+ * All constants that `auto` learns by, each with what it was measured by. Eleven are of the rule
+ * (docs/choosing.md), nine of the cost model: first estimates, which give way to what is measured
  * in the run. Seconds are of the machines of bench/results.
  */
 #ifndef REDCC_LEARN_CONSTANTS_H
@@ -40,19 +40,11 @@
 /** Calls of the first wait of an exponential back-off; the longest is 128 times as long. A trial in
  *  vain costs a part of an execution, so that it is 0.1 % in the end. */
 #define LEARN_REST 16
-#define LEARN_REST_MOST (128 * LEARN_REST)
 /** Calls in a row that met their subscripts, after which they are likely to stay. After half as
  *  many they are not new, and half as many set-ups that did not pay show that subscripts keep
  * changing. Of loops that two keys of millions change in before each call, 4 loses 1 %, 2 loses 6
  * (`count`). */
 #define LEARN_SURE 4
-/** The sequential loop is timed again when that costs so small a part of the time since: half of
- * the share. Each time that the plan was the faster way it is half as much, three times. */
-#define LEARN_CHECK (2 / LEARN_SHARE)
-
-/** Of an execution, what a dry run is taken for until one was made, where the loop needs no plan: a
- *  deadline ends those that take longer than the credit. In loops over blocks it was 0.05. */
-#define LEARN_DRY (1.0 / 16)
 
 /* ---- the cost model: seconds of one thread ---- */
 
@@ -64,11 +56,10 @@
 /** Telling a touch of an iteration that follows alike. A run of iterations begins in three times
  *  that, and keeping a touch takes seven. */
 #define LEARN_TOUCH 1e-9
-/** An iteration that has other owners than the last: 37 to 60 ns. */
-#define LEARN_SWITCH 45e-9
 /** A row that is assigned to an owner by majority vote, or a touch that is put in a level: 13 to 20
- *  ns. Cutting owners from the access graph takes one and a half times as long a row side by side,
- *  and then as long again while the others wait (32 and 25 ns). */
+ *  ns. An iteration that has other owners than the last takes twice as long: 37 to 60 ns. Cutting
+ * owners from the access graph takes one and a half times as long a row side by side, and then as
+ * long again while the others wait (32 and 25 ns). */
 #define LEARN_ROW 20e-9
 /** A byte of a private copy that is filled and brought in; where the system has to find a page for
  *  it four times as long. To read and compare one takes a third to a half (0.05 to 0.07). */

@@ -246,21 +246,36 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
         size->stand = STAND_SAVING;
 }
 
+/* A guard that says so at once may forbid the way in use now and then: that is within the share. */
+static bool is_little(const struct size_state *size, const struct outcome *outcome) {
+    return outcome->seconds <= LEARN_SHARE * redcc_usual(size) * (double)outcome->trip;
+}
+
+/* By its sample, or by a guard, a way is not to be had; refused, SEQUENTIAL: none is. */
+static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
+    const bool refused = outcome->result == RESULT_REFUSED;
+    if (size->stand == STAND_PARALLEL && size->way == outcome->way && is_little(size, outcome))
+        return;
+    const bool another =
+        another_may_do(size, outcome->way) && (!refused || outcome->way != WAY_SEQUENTIAL);
+    if (size->stand == STAND_PARALLEL && size->way != outcome->way)
+        return;
+    if (another)
+        size->stand = STAND_SAVING;
+    else
+        rest(size, refused ? RULE_REFUSED : RULE_UNATTRACTIVE);
+}
+
 static void observe_loss(struct size_state *size, const struct outcome *outcome) {
     if (outcome->result == RESULT_CHANGED) {
         size->stand = STAND_SAVING;
         size->rule = RULE_CHANGED;
     } else if (outcome->result == RESULT_STOPPED) {
         observe_stop(size, outcome);
-    } else if (outcome->result == RESULT_UNATTRACTIVE) {
-        if (outcome->way != WAY_SEQUENTIAL)
+    } else {
+        if (outcome->result == RESULT_UNATTRACTIVE && outcome->way != WAY_SEQUENTIAL)
             count_set_up(size, outcome->way, outcome->seconds);
-        if (!another_may_do(size, outcome->way))
-            rest(size, RULE_UNATTRACTIVE);
-    } else { /* refused: of one way, then another one may do; of all: the loop rests */
-        const bool another = another_may_do(size, outcome->way) && outcome->way != WAY_SEQUENTIAL;
-        if (size->stand != STAND_PARALLEL && !another)
-            rest(size, RULE_REFUSED);
+        observe_refusal(size, outcome);
     }
 }
 
