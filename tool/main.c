@@ -17,9 +17,9 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
 
 typedef struct inputs {
     const options *options;
-    joined_report *joined;           /* where reports are put together */
-    unsigned unmet;                  /* files of which no loop was transformed */
-    unsigned long long unknown_pure; /* names that none of the files declares */
+    joined_report *joined;           /* combines the reports */
+    unsigned unmet;                  /* files without a transformed loop */
+    unsigned long long unknown_pure; /* names that no file declares */
     int status;
 } inputs;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What an execution adds to the report, and what auto is told of it. */
+/** Adds an execution to the report, and informs auto of its result. */
 #include "loop.h"
 
 #include "base/clock.h"
@@ -53,14 +53,14 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
-    case REASON_SAVING: /* it was looked at */
+    case REASON_SAVING: /* the loop was inspected */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;
     }
 }
 
-/* Does the reason concern one way, or (SEQUENTIAL) all of them? */
+/* Does the reason concern one strategy, or (SEQUENTIAL) all of them? */
 static enum way way_concerned(const struct execution *execution) {
     if (execution->call.in_bins)
         return WAY_BINS;
@@ -77,7 +77,7 @@ static enum way way_concerned(const struct execution *execution) {
     }
 }
 
-/* The part of the set-up that was done when its deadline came. */
+/* The fraction of the plan construction that was done at its deadline. */
 static double part_done(const struct execution *execution) {
     const struct inspection *inspection = &execution->inspection;
     if (execution->reason != REASON_DEADLINE)
@@ -168,7 +168,8 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 static void tell_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
-    const bool built = execution->inspected && !plan->method->selects; /* which has no set-up */
+    const bool built = execution->inspected && !plan->method->selects; /* which has no plan
+                                                                        * construction */
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),
@@ -186,7 +187,7 @@ void redcc_count_lost(struct execution *execution) {
     reuse->changed_source = -1;
 }
 
-/* What is learned of the team, whatever became of the loop. */
+/* Reports measurements of the team, whatever the loop's result. */
 static void tell_team(struct execution *execution) {
     const struct call *call = &execution->call;
     const double woken = execution->woken;
@@ -204,7 +205,7 @@ static void note_manner(const struct execution *execution, struct statistics *st
     statistics->last.lanes_reason = execution->run.manner.why;
 }
 
-/* Threads that found their iterations while they executed them know how many there were. */
+/* Threads that find their iterations during execution know their number afterwards. */
 static void count_selected(const struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)
@@ -247,7 +248,7 @@ static void account_execution(struct execution *execution, double now) {
         tell_auto(execution, now);
 }
 
-/* Also where the loop went on sequentially after some rounds. */
+/* Also if the loop continued sequentially after some batches. */
 static void account_binned(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;

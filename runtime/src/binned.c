@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Binned loops in the pipeline: what bins/ does, and what it leaves to the others. */
+/** Binned loops in the pipeline: calls bins/, and returns to the other stages. */
 #include "loop.h"
 
 #include "base/clock.h"
 
 #include <errno.h>
 
-/* All threads know the same of what came of it. */
+/* All threads have the same information about the result. */
 static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;
@@ -29,14 +29,16 @@ void redcc_hold_written(void *execution, uint32_t array, struct range written) {
     redcc_validation_grow(&it->run.validation, it->call.request.loop->array_count, array, written);
 }
 
-/* The first thread executes what is between two rounds; the others wait for it in the next one. */
+/* The first thread executes the iterations between two batches; the others wait for it in the next
+ * batch. */
 static void stretch(struct thread_state *thread, redcc_worker *worker) {
     const struct round *round = &thread->execution->state->binning.round;
     const redcc_int begin = thread->thread == 0 ? round->begin : round->end;
     redcc_run_stretch(worker, begin, round->end);
 }
 
-/* What redcc_next has handed out between two rounds is done, and has left the thread as it was. */
+/* The iterations that redcc_next handed out between two batches are done, and the thread's state is
+ * as before. */
 static void resume(struct thread_state *thread) {
     thread->runner.step = STEP_BEGIN;
     redcc_float_control_take(thread->execution->call.float_control);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A call of a loop: enter, join, leave. pipeline.h draws what lies between. */
+/** A call of a loop: enter, join, leave. pipeline.h draws the stages between them. */
 #include "loop.h"
 
 #include "base/clock.h"
@@ -21,7 +21,7 @@ static redcc_order order_of(const redcc_loop *loop, const struct settings *setti
     return settings->order_given ? settings->order : loop->order;
 }
 
-/* An order asked for explicitly, and a method by name that does not keep it. */
+/* Stops if an order named explicitly contradicts the named method. */
 static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
     const redcc_order order = order_of(loop, settings);
     if (!settings->method || settings->method->keeps <= order ||
@@ -33,29 +33,29 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
                loop->line, redcc_order_name(settings->method->keeps));
 }
 
-/* Does the sequential loop not have these bits: another order of the contributions, other sums?
- * Then one thread executes the loop by a plan as well, also within a parallel region and beside
- * other threads: the bits are to be the same everywhere. */
+/* Do the settings give other bits than the sequential loop: another order of the contributions, or
+ * compensated sums? Then one thread executes the loop by a plan as well, also within a parallel
+ * region and concurrently with other threads, because the bits must always be the same. */
 static bool is_always_planned(const struct settings *settings) {
     return settings->compensated ||
            (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
 }
 
-/* Compensated sums are added up in the order of the loop, each element by one thread. */
+/* Compensated sums are added in the order of the loop, each element by one thread. */
 static const struct method *method_of(const struct settings *settings) {
     if (!settings->method && settings->compensated)
         return &redcc_method_localwrite;
     return settings->method;
 }
 
-/* By lanes one thread may be faster than the sequential loop as well. */
+/* With lanes one thread may be faster than the sequential loop as well. */
 static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
     enum lanes_reason unused;
     const bool in_bins = settings->method && settings->method->in_bins;
     return in_bins || redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0;
 }
 
-/* What forbids running in parallel without a look at the loop's data. */
+/* Reasons against running in parallel that do not depend on the loop's data. */
 static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
                                  int threads, int nested, bool forked) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
@@ -82,7 +82,7 @@ static int serially(struct loop_state *state, enum reason reason) {
     return 0;
 }
 
-/* A call that does not come to redcc_enter. */
+/* Records a call that does not reach redcc_enter. */
 static void note_serial(redcc_loop *loop, enum reason reason) {
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
@@ -96,14 +96,14 @@ void redcc_note_no_memory(redcc_loop *loop) {
 }
 
 int redcc_is_unlinked(redcc_loop *loop) {
-    (void)redcc_is_forked();        /* before anything of the parent's is used */
-    (void)redcc_settings_for(loop); /* the report that they name */
+    (void)redcc_is_forked();        /* before any memory of the parent is used */
+    (void)redcc_settings_for(loop); /* names the report's file */
     note_serial(loop, REASON_UNLINKED);
     return 0;
 }
 
-/* Does an execution take long enough for somebody to wait for its end? Also where that is not
- * known: how long an inspection takes is not. */
+/* May a user be waiting for the end of the execution? Also true if its duration is unknown, as for
+ * an inspection. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
     return statistics->in_loops == 0 || (!execution->call.in_bins && !execution->reuse.found) ||
@@ -111,7 +111,7 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* The loop is released: nothing of the execution's is touched any more. */
+/* Releases the loop: nothing of the execution is touched any more. */
 static void end(struct loop_state *state) {
     const struct within within = state->execution.within;
     redcc_loop_release(state);
@@ -150,7 +150,7 @@ static void take_settings(struct call *call, const struct settings *settings, in
     call->error_before = error_before;
 }
 
-/* What auto says of this call. */
+/* Auto's decision for this call. */
 static struct advice advice_for(struct execution *execution, int threads) {
     struct loop_state *state = execution->state;
     execution->reuse.sampled = 0;
@@ -162,7 +162,7 @@ static struct advice advice_for(struct execution *execution, int threads) {
     return advice;
 }
 
-/* The loop is acquired: begins an execution. False: to be run serially, for *reason. */
+/* The loop is acquired: begins an execution. False: run serially, for *reason. */
 static bool begin_execution(struct execution *execution, const redcc_loop *loop, int threads,
                             enum reason *reason) {
     struct loop_state *state = execution->state;
@@ -212,7 +212,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* The bits of compensated sums are the same at any number of threads. */
+/* Compensated sums have the same bits at any number of threads. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
@@ -225,9 +225,9 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 /* ---- the original loop, timed ----------------------------------------------------------------
  */
 
-/* Of this thread: the original loop that it is about to execute, and since when. An inner loop's
- * takes its place; then the outer one is not timed in this call. */
-enum { MOST_SOURCES = 8 }; /* whose places are remembered */
+/* The original loop that this thread is about to execute, and its start time. An inner loop
+ * replaces it; the outer one is then not timed in this call. */
+enum { MOST_SOURCES = 8 }; /* whose ranges are remembered */
 static _Thread_local struct {
     const redcc_loop *loop; /* NULL: none */
     redcc_int trip;
@@ -251,8 +251,8 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
     original.began = redcc_seconds();
 }
 
-/* Does nobody ask for anything but speed? Then a loop that has no state yet runs as it is; it gets
- * one when it takes long enough. */
+/* Do the settings request only speed? Then a loop without a state runs unchanged; it gets a state
+ * once it takes long enough. */
 static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
                                const redcc_extent *known, bool may_gain) {
     if (redcc_made_state_of(loop) || settings->method || settings->compensated ||
@@ -268,8 +268,8 @@ static void note_left_alone(struct statistics *statistics, enum rule rule) {
     redcc_note_serial(statistics);
 }
 
-/* Is nothing to be decided in this call? Then it is not prepared for either: the loop is released,
- * and timed where that is asked for. */
+/* Is there nothing to decide in this call? Then preparations are skipped: the loop is released, and
+ * timed if requested. */
 static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                   const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
@@ -283,8 +283,8 @@ static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
     return true;
 }
 
-/* Is the sequential loop decided without a look at anything that only threads need? Then the
- * execution ends here. */
+/* Is the loop found to run sequentially without any work that only threads need? Then the execution
+ * ends here. */
 static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                   const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
@@ -299,8 +299,8 @@ static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
     return true;
 }
 
-/* Must the program's allocator stay out of parallel regions? Then the execution ends here. The
- * first call looks at the symbols of many objects, 0.06 ms. */
+/* Must parallel regions avoid the program's allocator? Then the execution ends here. The first call
+ * reads the symbols of many objects, 0.06 ms. */
 static bool is_kept_out(struct loop_state *state, bool always) {
     if (always || !redcc_allocator_is_split())
         return false;
@@ -356,7 +356,7 @@ static int hand_over(struct execution *execution, redcc_call *call) {
     return 1;
 }
 
-/* Before the loop is acquired. */
+/* Reasons that apply before the loop is acquired. */
 static enum reason reason_at_once(struct loop_state *state, const redcc_loop *loop,
                                   const struct settings *settings, int threads, int nested,
                                   bool forked) {
@@ -372,7 +372,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
-    const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
+    const bool forked = redcc_is_forked(); /* before any memory of the parent is used */
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
@@ -439,7 +439,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     if (number == 0) {
         redcc_team_came(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
-        if (!execution->advice.alone || is_dry) /* a sample is over before anybody waits */
+        if (!execution->advice.alone || is_dry) /* a sample is too short for a user to wait for its
+                                                 * end */
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
     }

@@ -14,8 +14,7 @@ static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
     redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
 }
 
-/* Whoever names a method, or asks for bits that the original loop does not give, gets it each time.
- */
+/* A named method, or bits that differ from the original loop's, are provided in each execution. */
 static int may_load(const redcc_loop *loop, redcc_word *last) {
     const struct settings *settings = redcc_settings_for(loop);
     return settings->method || settings->compensated || settings->validate ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The table by which compiled loops call the runtime (redcc/structures.h). */
+/** The table of functions through which compiled loops call the runtime (redcc/structures.h). */
 #ifndef REDCC_LIBRARY_H
 #define REDCC_LIBRARY_H
 

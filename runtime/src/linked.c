@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions of other files: is what runs what was analysed? Each object says of its functions what
- * they are and where (redcc_record). Here the records are compared with what a loop's translation
- * saw, and the addresses with those that the calls go to. */
+/* Functions of other files: checks that the linked definitions are those that were analysed. Each
+ * object describes its functions and their addresses (redcc_record). The records are compared with
+ * those of the loop's translation, and the addresses with the targets of the calls. */
 #include <redcc/runtime.h>
 
 #include <stdbool.h>
 #include <string.h>
 
-/* Functions that call each other in a ring have no summary: a chain is no longer than this. */
+/* Mutually recursive functions have no summary: a call chain is no longer than this. */
 enum { MOST_DEEP = 64 };
 
 static bool is_expected(const redcc_record *record, const redcc_expectation *expected,

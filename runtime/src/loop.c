@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The life of a loop's state: made, held by one execution at a time, freed. */
+/** The lifetime of a loop's state: created, held by one execution at a time, freed. */
 #include "loop.h"
 
 #include "base/memory.h"
@@ -25,7 +25,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_give(state);
 }
 
-/* What the parts of an execution go by, the same for all of them. */
+/* Sets the references shared by all parts of an execution. */
 static void join_parts(struct loop_state *state) {
     struct execution *execution = &state->execution;
     struct inspection *inspection = &execution->inspection;

@@ -2,8 +2,8 @@
 /**
  * The state of a loop over its executions, of one execution, and of one thread in it.
  *
- * The thread that holds the loop (busy) fills the execution in redcc_enter; in the region each
- * thread has its state, and what they share is written only by whoever arrives last at the end of a
+ * The thread that holds the loop (busy) fills the execution in redcc_enter. In the region each
+ * thread has its state. Shared state is written only by the last thread to arrive at the end of a
  * stage (pipeline.h), while the others wait.
  */
 #ifndef REDCC_LOOP_H
@@ -25,29 +25,29 @@ struct execution {
     struct loop_state *state;
     struct call call;
     struct within within; /* of the thread that entered */
-    struct advice advice; /* auto's, at entry */
+    struct advice advice; /* auto's decision at entry */
     struct reuse reuse;
     struct inspection inspection;
-    bool inspected;              /* memory for the inspection is to be given back */
-    const struct method *method; /* that the inspection arrives at */
+    bool inspected;              /* memory for the inspection must be freed */
+    const struct method *method; /* selected by the inspection */
     struct run run;
-    bool binned;        /* it was, all or the first rounds of it */
-    enum stage stage;   /* that all threads go on with, after they met */
+    bool binned;        /* it was binned, entirely or in its first batches */
+    enum stage stage;   /* the next stage of all threads, after a barrier */
     enum reason reason; /* why there is no plan */
-    double woken;       /* when the last thread of the region came, in seconds; 0: none did */
+    double woken;       /* arrival of the last thread of the region, in seconds; 0: none did */
     struct barrier barrier;
 };
 
 /** One thread's part: a sub-structure for each stage. */
 struct thread_state {
-    alignas(64) struct runner runner; /* run; first: redcc_next finds it without a detour */
+    alignas(64) struct runner runner; /* run; first: redcc_next finds it directly */
     struct execution *execution;
     int thread;
     int threads;
     enum stage stage;
-    bool telling;               /* the program was handed iterations to tell, in this stage */
-    int node;                   /* where it ran last (base/node.h); -1: not known */
-    bool moved;                 /* from another one, where it ran at the execution before */
+    bool telling;               /* the program was handed iterations to record, in this stage */
+    int node;                   /* its last NUMA node (base/node.h); -1: not known */
+    bool moved;                 /* its node differs from that in the previous execution */
     struct inspector inspector; /* sample, sweep, log, partition */
     struct hasher hasher;       /* verify, sweep, plan */
     struct binner *binner;      /* of a loop that can be binned; or NULL */
@@ -58,7 +58,7 @@ _Static_assert(offsetof(struct thread_state, runner) == 0, "execute/executor.c g
 struct loop_state {
     struct reported reported;
     atomic_int busy;
-    bool temporary; /* of one execution, beside the loop's own; not in the report */
+    bool temporary; /* of one execution, in addition to the loop's own; not in the report */
     struct chooser chooser;
     struct manners manners;
     struct plan_cache cache;
@@ -70,49 +70,49 @@ struct loop_state {
     int thread_count;
 };
 
-/** The loop's state; of several threads that come first, one makes it. NULL: no memory. */
+/** The loop's state; if several threads arrive first, one creates it. NULL: no memory. */
 struct loop_state *redcc_state_of(redcc_loop *loop);
 
-/** The loop's state, where it has one; else NULL. */
+/** The loop's state, or NULL if it has none. */
 struct loop_state *redcc_made_state_of(redcc_loop *loop);
 
-/** The state for a call: the loop's, which it holds from now on, or, where another thread holds
- * that and must not be waited for (it may be waiting for this one), with `always` one of its own.
- * NULL, with *reason: none. */
+/** Acquires a state for a call: the loop's own. If another thread holds that, which must not be
+ *  waited for (it may be waiting for this one): a temporary state if `always` is set. NULL, with
+ *  *reason: none. */
 struct loop_state *redcc_loop_acquire(struct loop_state *state, redcc_loop *loop, bool always,
                                       enum reason *reason);
 
-/** Ends what redcc_loop_acquire began. */
+/** Releases what redcc_loop_acquire returned. */
 void redcc_loop_release(struct loop_state *state);
 
-/** Sees to it that the loop has a state, as a long loop gets one (unmade.h); for tests. */
+/** For tests: gives the loop a state, as a long loop gets one (unmade.h). */
 void redcc_loop_make(redcc_loop *loop);
 
-/** Ends all that a loop has, its state included, as if it had never been executed; for tests. */
+/** For tests: frees everything of a loop, including its state, as if it had never been executed. */
 void redcc_loop_forget(redcc_loop *loop);
 
-/** Makes sure that there are at least `count` threads' states. False: no memory. */
+/** Ensures that there are at least `count` threads' states. False: no memory. */
 bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int count);
 
-/** Gives back all of them. */
+/** Frees all of them. */
 void redcc_threads_end(struct loop_state *state);
 
-/** An execution is over: counts it for the report, and tells auto. Returns whether the loop is
+/** An execution is over: adds it to the report, and informs auto. Returns whether the loop is
  *  done. */
 bool redcc_account(struct execution *execution);
 
 /** Counts updates of rows that a slice did not name: validation has failed. */
 void redcc_note_misnamed(redcc_loop *loop, long count);
 
-/** Tells auto what came of a call; reason: why there was no plan, or NONE. */
+/** Informs auto of a call's result; reason: why there was no plan, or NONE. */
 void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
                      const struct outcome *outcome, enum reason reason);
 
-/** A written_witness (bins/binning.h) whose `whom` is the execution: with validation, what the
- * bytes hold is kept. */
+/** A written_witness (bins/binning.h) whose `whom` is the execution: with validation, saves the
+ *  bytes' contents. */
 void redcc_hold_written(void *execution, uint32_t array, struct range written);
 
-/** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
+/** Counts a call of a loop that ran sequentially because memory was lacking before redcc_enter. */
 void redcc_note_no_memory(redcc_loop *loop);
 
 /** Counts that a call falls back to the original loop. */
@@ -121,16 +121,16 @@ void redcc_count_fallback(struct loop_state *state, enum reason reason);
 /** Notes the row of auto's table for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);
 
-/** Counts the plan that was lost since this was called last, where one was. */
+/** Counts the plan that was invalidated since the last call of this function, if any. */
 void redcc_count_lost(struct execution *execution);
 
-/** Notes how the last call was executed; thread-safe. */
+/** Records the mode of the last call; thread-safe. */
 void redcc_note_mode(struct statistics *statistics, enum mode mode);
 
-/** Notes an execution of the original loop that was timed; one thread at a time. */
+/** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
-/** Notes that the last call was the sequential loop's. */
+/** Records that the last call was sequential. */
 void redcc_note_serial(struct statistics *statistics);
 
 #endif

@@ -43,7 +43,7 @@ static struct named_method parse_method(const char *value) {
     return named;
 }
 
-/* The digits after the last colon of FILE:LINE, which ends there then; 0: there are none. */
+/* The digits after the last colon of FILE:LINE, which is truncated there; 0: there are none. */
 static int cut_line(char *place) {
     char *colon = strrchr(place, ':'), *end;
     if (!colon || colon == place || colon[1] < '0' || colon[1] > '9')
@@ -55,8 +55,8 @@ static int cut_line(char *place) {
     return (int)line;
 }
 
-/* The end of one file's name is the other, from a folder on: as it was compiled and as it is known
- * to the user may be relative to different folders. */
+/* One file's name is the end of the other, from a folder on: the compiled name and the user's may
+ * be relative to different folders. */
 static bool is_same_file(const char *a, const char *b) {
     const size_t a_length = strlen(a), b_length = strlen(b);
     const char *longer = a_length > b_length ? a : b, *shorter = a_length > b_length ? b : a;
@@ -83,7 +83,7 @@ static void read_loop(struct named *named, char *item, const char *whole) {
     struct named_loop *loop = redcc_memory_take_zeroed(1, sizeof *loop);
     char *file = redcc_memory_take_text(item);
     if (!loop || !file)
-        return; /* auto will do */
+        return; /* auto applies */
     *loop = (struct named_loop){.next = named->loops, .file = file, .line = line, .as = as};
     named->loops = loop;
 }

@@ -16,32 +16,31 @@ struct named_method {
     int parameter;
 };
 
-/** A loop that has a method by name of its own. */
+/** A loop for which REDCC_METHOD names a method. */
 struct named_loop {
     struct named_loop *next;
     char *file; /* as the user wrote it */
     int line;
     struct named_method as;
-    struct settings *settings; /* for that loop, once they are read; NULL: no memory for them */
+    struct settings *settings; /* for that loop, after the first read; NULL: no memory for them */
     atomic_int met;            /* such a loop was executed */
 };
 
-/** What REDCC_METHOD says. */
+/** The contents of REDCC_METHOD. */
 struct named {
     struct named_method all;
-    struct named_loop *loops; /* owned, for good */
+    struct named_loop *loops; /* owned, never freed */
 };
 
-/** Reads `value` (NULL: nothing is said) into *named. What is wrong with it goes to
- *  redcc_complain. */
+/** Parses `value` (NULL: unset) into *named. Errors are reported to redcc_complain. */
 void redcc_named_read(struct named *named, const char *value);
 
-/** The entry of REDCC_METHOD for the loop, which has then been met; NULL: there is none.
+/** The entry of REDCC_METHOD for the loop, which is marked as executed; NULL: there is none.
  *  Thread-safe. */
 const struct named_loop *redcc_named_find(const struct named *named, const redcc_loop *loop);
 
-/** Says on standard error which loops of REDCC_METHOD were never met, and which of those in the
- *  report is the nearest. */
+/** Prints on standard error the loops of REDCC_METHOD that were never executed, each with the
+ *  nearest one of the report. */
 void redcc_named_note_unmet(const struct named *named, const struct reported *reported);
 
 #endif

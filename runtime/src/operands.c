@@ -8,8 +8,8 @@
 #include "series.h"
 #include "settings.h"
 
-/* Without a limit no more than a quarter of the machine's memory: as much again is what the loop's
- * arrays, and their plans, may need. */
+/* Without a limit, at most a quarter of the machine's memory: the loop's arrays and their plans may
+ * need another quarter. */
 static bool are_too_many(size_t bytes) {
     const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
     return there > 0 && bytes > there / 4;
@@ -18,7 +18,7 @@ static bool are_too_many(size_t bytes) {
 void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size) {
     if (trip <= 0)
         return NULL;
-    (void)redcc_is_forked(); /* before anything of the parent's is used */
+    (void)redcc_is_forked(); /* before any memory of the parent is used */
     const bool fits = (redcc_size)trip <= SIZE_MAX / 4 / size;
     void *operands =
         fits && !are_too_many((size_t)trip * size) ? redcc_memory_take((size_t)trip * size) : NULL;

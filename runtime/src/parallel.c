@@ -13,7 +13,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-/* What the threads of one execution share. */
+/* State shared by the threads of one execution. */
 struct shared {
     redcc_call call;
     const redcc_attempt *attempt;
@@ -40,7 +40,7 @@ static void say_other_version(redcc_u32 version) {
 static void prepare(redcc_site *site) {
     if (__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         return;
-    /* The same is stored by each thread that is among the first. */
+    /* If several threads are first, all store the same value. */
     if (site->binned.loop.flags & REDCC_BINNED && !redcc_bins_can_apply(&site->binned))
         site->binned.loop.flags &= ~(unsigned)REDCC_BINNED;
     __atomic_store_n(&site->calls, &redcc_library, __ATOMIC_RELEASE);
@@ -67,8 +67,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         return redcc_is_unlinked(loop);
     if (!redcc_operands_take_all(loop, attempt))
         return 0;
-    /* Also where the loop then runs sequentially: a row that is named for another array may make
-     * arrays seem to overlap. */
+    /* Also if the loop then runs sequentially: a row named for the wrong array may make arrays
+     * appear to overlap. */
     if (redcc_settings()->validate && loop->flags & REDCC_BY_HAND)
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct shared shared = {.attempt = attempt, .member = member, .context = context};

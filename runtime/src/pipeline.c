@@ -12,14 +12,14 @@
 static enum stage refuse(struct execution *execution, enum reason reason) {
     assert(reason != REASON_NONE);
     execution->reason = reason;
-    if (reason != REASON_DEADLINE) /* how far it came is still to be told */
+    if (reason != REASON_DEADLINE) /* its progress is still to be recorded */
         execution->inspection.route = ROUTE_SERIAL;
     return STAGE_OVER;
 }
 
 /* ---- verify ---------------------------------------------------------------------------------- */
 
-/* A method that is named may use any plan; auto only what it has decided for. */
+/* A named method may use any plan; auto only a plan of the strategy it has chosen. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
@@ -59,12 +59,12 @@ static enum stage begin_inspection(struct execution *execution) {
     redcc_reuse_drop_found(&execution->reuse);
     const bool is_direct = redcc_goes_directly(&execution->advice);
     if (!named && !is_direct && !execution->call.in_bins &&
-        execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
+        execution->advice.action == ACTION_REUSE) /* the cost of another plan counts from 0 */
         return refuse(execution, REASON_CHANGED);
     if (is_dry && redcc_may_have_aliases())
         return refuse(execution, REASON_TWO_ADDRESSES);
     execution->inspected = true;
-    /* The sample has none; auto sets it, after that. */
+    /* No limit for the sample; auto sets one after it. */
     execution->inspection.deadline =
         is_dry && !named && !is_direct ? redcc_seconds() + execution->advice.deadline : 0;
     if (!redcc_inspection_begin(&execution->inspection, !named && !is_direct))
@@ -86,7 +86,7 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 static enum stage after_dry_run(struct execution *execution) {
     const enum reason reason = redcc_dry_run_finish(&execution->inspection);
     execution->inspection.deadline = 0;
-    if (reason == REASON_DEADLINE) /* the way is not decided */
+    if (reason == REASON_DEADLINE) /* the strategy is not decided */
         execution->inspection.route = ROUTE_SERIAL;
     return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
 }
@@ -103,7 +103,8 @@ static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
                                                                          : PROGRESS_MEET;
 }
 
-/* The access graph cannot be had: owners by address will do, or what is chosen without it. */
+/* The access graph is not available: falls back to owners by address, or to auto's choice without
+ * it. */
 static enum stage fall_back(struct execution *execution) {
     const struct method *named = execution->call.method;
     if (named && named->in_levels)
@@ -126,7 +127,7 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
     }
 }
 
-/* Of a loop that is to be binned nothing is wanted but extents. */
+/* A loop to be binned needs only extents. */
 static enum stage look_for_extents(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     inspection->route = ROUTE_DIRECT;
@@ -136,8 +137,8 @@ static enum stage look_for_extents(struct execution *execution) {
     return possible ? STAGE_SWEEP : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* To a sweep with groups that do not overlap, as far as is known, newly cut; or, as auto sees by
- * the sample, to nothing. */
+/* Continues with a sweep, after cutting groups that are not known to overlap; or ends, if auto
+ * decides so from the sample. */
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
@@ -192,7 +193,7 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
     return PROGRESS_MEET;
 }
 
-/* The last question before a plan is made: may this method have this loop? */
+/* The last check before a plan is built: may this method execute this loop? */
 static enum reason objection(const struct inspection *inspection, const struct method *method) {
     if (inspection->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
         return REASON_MIXED;
@@ -212,7 +213,7 @@ static void summarise(struct inspection *inspection) {
     }
 }
 
-/* An empty plan by the method, for all to fill. */
+/* Creates an empty plan for the method, which all threads fill. */
 static enum stage begin_plan(struct execution *execution, const struct method *method) {
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
@@ -230,11 +231,11 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
     return execution->run.plan ? STAGE_PLAN : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* All iterations are told: by the method named, or by what auto sees now. */
+/* All iterations are recorded: selects the named method, or the one that auto chooses now. */
 static enum stage choose_method(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     if (inspection->route == ROUTE_COPIES && !redcc_copies_allowed(inspection)) {
-        inspection->no_copies = true; /* the sample had not seen all that is touched */
+        inspection->no_copies = true; /* the sample had not seen the whole touched range */
         return cut(execution);
     }
     const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);
@@ -248,7 +249,7 @@ static enum stage choose_method(struct execution *execution) {
     return begin_plan(execution, method);
 }
 
-/* All touches are kept. */
+/* All touches are logged. */
 static enum stage after_log(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     switch (redcc_log_finish(inspection)) {
@@ -269,7 +270,7 @@ static enum stage after_sweep(struct execution *execution) {
     const enum reason reason = redcc_sweep_finish(inspection);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
-    if (execution->call.in_bins) /* arrays that overlap each other its own guard sees */
+    if (execution->call.in_bins) /* its own guard checks arrays that overlap each other */
         return STAGE_BINS;
     switch (redcc_partition_merge(&inspection->partition, inspection->touched)) {
     case MERGE_REFUSED:
@@ -287,7 +288,7 @@ static enum stage after_sweep(struct execution *execution) {
 static enum progress partition(struct thread_state *thread, redcc_worker *worker) {
     (void)worker;
     struct inspection *inspection = &thread->execution->inspection;
-    if (inspection->route != ROUTE_LEVELS) /* which one thread makes */
+    if (inspection->route != ROUTE_LEVELS) /* one thread computes these */
         redcc_partition_share(inspection, &thread->inspector, false);
     return PROGRESS_MEET;
 }
@@ -369,7 +370,7 @@ _Static_assert(STAGE_OVER + 1 == STAGES, "the last stage");
 static const struct stage_entry {
     enum progress (*each)(struct thread_state *, redcc_worker *);
     enum stage (*then)(struct execution *);
-    enum stage passed; /* where PROGRESS_PASS goes on */
+    enum stage passed; /* the stage after PROGRESS_PASS */
 } stages[STAGES] = {
     [STAGE_RECOUNT] = {come_together, recount, STAGE_OVER},
     [STAGE_VERIFY] = {verify, begin_inspection, STAGE_RUN},
@@ -384,7 +385,7 @@ static const struct stage_entry {
     [STAGE_OVER] = {0}, /* redcc_leave */
 };
 
-/* All threads meet; the last one does what is done once, and all get the stage that follows. */
+/* A barrier; the last thread runs the serial part, and all get the next stage. */
 static enum stage meet(struct thread_state *thread, enum stage (*then)(struct execution *)) {
     struct execution *execution = thread->execution;
     if (redcc_barrier_arrive(&execution->barrier, thread->threads)) {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The pipeline: what becomes of a call of a translated loop.
+ * The pipeline of a call of a translated loop.
  *
  *     redcc_enter    struct call      settings in force, arguments, threads       call.c
  *                    struct advice    auto: serial, timed, or parallel            choose/advice.h
- *                    struct kept_plan one that may serve again                    reuse/kept.h
- *     -- the parallel region: every thread walks through the stages ----------------------------
- *     redcc_inspect  verify     are the subscripts what they were?    yes: run    reuse/kept.h
- *                    dry run    all iterations, in order, where stale values
- *                               would do harm                                     inspect/
+ *                    struct kept_plan one that may be reused                      reuse/kept.h
+ *     -- the parallel region: every thread passes through the stages ---------------------------
+ *     redcc_inspect  verify     are the subscripts unchanged?         yes: run    reuse/kept.h
+ *                    dry run    all iterations, in order, if stale values
+ *                               would be harmful                                  inspect/
  *                    sample     some iterations   -> struct partition (the cuts)
  *                    sweep      all iterations    -> struct summary, one a thread
  *                                                    and the overlap guard
@@ -20,18 +20,18 @@
  *                               extents (REDCC_BINS_CHECKED): records, by bins    bins/
  *     redcc_next     run        chunks, copies and their merge, hooks             execute/
  *     ------------------------------------------------------------------------------------------
- *     redcc_leave    counts for the report, tells auto, keeps the plan            account.c
+ *     redcc_leave    updates the report, informs auto, keeps the plan             account.c
  *
- * A stage is two functions in one table (pipeline.c): `each` is every thread's part, `then` is
- * done by one of them when all have done theirs, and returns the stage that follows. Whatever else
- * decides is in choose/. Rooms include one way: base, ownership, plan, {inspect, reuse, execute,
- * bins}, choose, and the files beside this one (script/rooms).
+ * A stage is two functions in one table (pipeline.c): every thread calls `each`; when all have
+ * finished, one thread calls `then`, which returns the next stage. All other decisions are in
+ * choose/. Rooms include each other in one direction: base, ownership, plan, {inspect, reuse,
+ * execute, bins}, choose, and the files of this folder (script/rooms).
  */
 #ifndef REDCC_PIPELINE_H
 #define REDCC_PIPELINE_H
 
 enum stage {
-    STAGE_RECOUNT, /* fewer threads came than asked for */
+    STAGE_RECOUNT, /* fewer threads arrived than were requested */
     STAGE_VERIFY,
     STAGE_DRY_RUN,
     STAGE_SAMPLE,
@@ -41,20 +41,20 @@ enum stage {
     STAGE_PLAN,
     STAGE_RUN,
     STAGE_BINS, /* without inspection and plan */
-    STAGE_OVER, /* nothing is to be done in parallel */
+    STAGE_OVER, /* nothing runs in parallel */
     STAGES
 };
 
 struct execution;
 
-/** Looks for a kept plan that may serve the call, by the threads that it has now. */
+/** Searches for a kept plan that fits the call, with its current number of threads. */
 void redcc_find_plan(struct execution *execution);
 
-/** What a stage's share returns. */
+/** The result of a stage's `each`. */
 enum progress {
-    PROGRESS_TELL, /* the program has iterations to tell; then it comes again */
-    PROGRESS_MEET, /* done: all threads meet, and one does `then` */
-    PROGRESS_PASS  /* done, and all know that the stage that follows is `passed` */
+    PROGRESS_TELL, /* the program has iterations to record; then `each` is called again */
+    PROGRESS_MEET, /* done: a barrier, and one thread calls `then` */
+    PROGRESS_PASS  /* done, and all know that the next stage is `passed` */
 };
 
 #endif

@@ -37,8 +37,8 @@ void redcc_report_remove(struct reported *reported) {
             at->next = reported->next;
 }
 
-/* Counts the text in a place that is free (count 0) or has it; false: another one is there. The
- * place has room for it. */
+/* Counts the text in a slot that is free (count 0) or has it already; false: the slot has another
+ * one. The slot has space for it. */
 static bool count_text(char *place, long *count, const char *text) {
     if (*count == 0)
         memcpy(place, text, strlen(text) + 1);
@@ -54,7 +54,7 @@ void redcc_report_overlap(struct statistics *statistics, const char *source, con
     for (int i = 0; i < REDCC_TEXTS; i++)
         if (count_text(statistics->overlap[i].text, &statistics->overlap[i].count, text))
             return;
-    atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* too many to tell apart */
+    atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* too many to count separately */
 }
 
 void redcc_report_lost(struct statistics *statistics, const char *array) {
@@ -66,7 +66,7 @@ void redcc_report_lost(struct statistics *statistics, const char *array) {
             return;
 }
 
-/* With the process's id for %p: of several processes each has a report of its own. NULL: no
+/* Expands %p to the process's id, so that each of several processes has its own report. NULL: no
  * memory. */
 static char *spell_name(const char *name) {
     const size_t room = 24 * strlen(name) + 1; /* %p is two letters, an id fewer than 40 */
@@ -87,12 +87,12 @@ static char *spell_name(const char *name) {
 
 /* ---- several runtimes in one process ---------------------------------------------------------
  *
- * A library that brings a runtime of its own writes to the same file, from the same process. Who
- * comes second finds by its first line what the first has written, and adds its loops. */
+ * A library with its own runtime writes to the same file, from the same process. The second one
+ * recognises by the first line what the first has written, and adds its loops. */
 
 static const char end_of_report[] = "]}\n";
 
-/* A plain file; `otherwise`: nothing is known of it. */
+/* A regular file; `otherwise` if unknown. */
 static bool is_regular(const char *name, unsigned flags, bool otherwise) {
 #if defined(__linux__)
     struct statx found;
@@ -105,7 +105,7 @@ static bool is_regular(const char *name, unsigned flags, bool otherwise) {
     return otherwise;
 }
 
-/* All that the file holds, as a text; NULL: it cannot be read. */
+/* The contents of the file as a text; NULL: unreadable. */
 static char *read_all(const char *name) {
 #if defined(__linux__)
     const int file = is_regular(name, 0, false) ? redcc_system_open(name) : -1;
@@ -134,7 +134,7 @@ static char *read_all(const char *name) {
 #endif
 }
 
-/* What another runtime of this process wrote there, without its end; NULL: nothing. */
+/* The report of another runtime of this process, without its end; NULL: none. */
 static char *read_others(const char *name, const char *head) {
     const size_t end = sizeof end_of_report - 1;
     char *text = read_all(name);
@@ -174,8 +174,8 @@ static bool write_through(const char *name, const char *head, const char *others
     return out && write_all(out, head, others);
 }
 
-/* Beside the file, then renamed: nobody reads half a report. Where nothing can be made beside it,
- * the file itself may still be written. */
+/* Written under a temporary name in the same folder, then renamed, so that no reader sees half a
+ * report. If no file can be created there, the file itself may still be written. */
 static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
     char *beside = redcc_memory_take(room);
@@ -191,11 +191,11 @@ static bool replace(const char *name, const char *head, const char *others) {
     return written;
 }
 
-/* What is no plain file (a pipe, a device, a link to a file) is written to, and never replaced. */
+/* Anything but a regular file (a pipe, a device, a link) is written to, and never replaced. */
 static bool write_file(const char *name) {
     char head[REDCC_REPORT_HEAD];
     redcc_report_head(head);
-    if (strcmp(name, "/dev/stdout") == 0) /* opened anew, what the program printed would be lost */
+    if (strcmp(name, "/dev/stdout") == 0) /* opening it again would lose the program's output */
         return write_whole(stdout, head, NULL);
     if (strcmp(name, "/dev/stderr") == 0)
         return write_whole(stderr, head, NULL);
@@ -208,8 +208,8 @@ static bool write_file(const char *name) {
 }
 
 void redcc_report_write(void) {
-    redcc_memory_limit(
-        0); /* it was for the loops, which are over; the report is owed all the same */
+    redcc_memory_limit(0); /* the limit was for the loops, which are over; the report must be
+                            * written all the same */
     char *name = redcc_settings()->report ? spell_name(redcc_settings()->report) : NULL;
     if (!name)
         return;
@@ -226,10 +226,11 @@ static void end_program(void) {
     if (!redcc_report_validation())
         return;
     fflush(NULL);
-    _exit(REDCC_BROKEN); /* exit must not be called here: it is what called this */
+    _exit(REDCC_BROKEN); /* exit must not be called here, within exit's own handlers */
 }
 
-/* What is registered first runs last: the program's own handlers, and all reports, come before. */
+/* The handler registered first runs last: after the program's own handlers, and after all
+ * reports. */
 __attribute__((constructor)) static void register_end(void) {
     const char *value = redcc_environment("REDCC_VALIDATE");
     if (value && strcmp(value, "1") == 0)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What is counted of each loop, and REDCC_REPORT: one JSON object at exit. */
+/** Counters of each loop, and REDCC_REPORT: one JSON object at exit. */
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 
@@ -12,8 +12,8 @@
 #include <stdatomic.h>
 #include <stdio.h>
 
-/** How a loop was executed last: identifier, slug, what it means. docs/report.md has the slugs, and
- *  a test compares. */
+/** Modes of a loop's last execution: identifier, slug, meaning. docs/report.md lists the slugs, and
+ *  a test compares them. */
 #define REDCC_MODE_LIST(X)                                                                         \
     X(MODE_NONE, "none", "no call had an iteration to execute")                                    \
     X(MODE_SEQUENTIAL, "sequential", "the original loop")                                          \
@@ -31,52 +31,52 @@ enum mode {
 
 enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
-/** A text that names things of the user's, and how often it was true. */
+/** A text with names of the user's, and how often it applied. */
 struct told_text {
     char text[REDCC_TEXT];
     long count;
 };
 
-/** Of the last execution. */
+/** The last execution. */
 struct last_execution {
     redcc_int stages;
     redcc_int trip;
-    redcc_int length; /* how long it takes by the schedule, in iterations */
+    redcc_int length; /* its makespan by the schedule, in iterations */
     bool compensated; /* its sums */
     int lanes;        /* iterations at once; 0: one by one */
     enum lanes_reason lanes_reason;
     atomic_int mode; /* enum mode, of the last call */
 };
 
-/** What executions in parallel took beside time. */
+/** Costs of parallel executions other than time. */
 struct extra_work {
-    size_t bytes;       /* the most that a plan took */
-    redcc_int executed; /* iterations, replicated ones counted */
+    size_t bytes;       /* the largest plan */
+    redcc_int executed; /* iterations, counting replicated ones */
 };
 
-/** The original loop, where it was timed. */
+/** Timings of the original loop. */
 struct timed_sequential {
     long calls;
     redcc_int iterations;
     double seconds;
 };
 
-/** Where its threads ran. */
+/** Placement of its threads. */
 struct placement {
-    int nodes;  /* of the machine, in the last execution; 0: not known */
-    long moves; /* threads found on another node than at the execution before, in all */
+    int nodes;  /* NUMA nodes in the last execution; 0: not known */
+    long moves; /* threads found on another node than in the previous execution, in total */
 };
 
-/** Plans that were there and could not be used, since a subscript had changed. */
+/** Plans that could not be reused because a subscript had changed. */
 struct lost_plans {
     long count;
     struct lost_to {
         char name[REDCC_NAME];
         long count;
-    } array[REDCC_LOST]; /* that had changed; others are only counted */
+    } array[REDCC_LOST]; /* that had changed; further ones are only counted */
 };
 
-/** What is counted without holding the loop is atomic. */
+/** Counters that are updated without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
@@ -95,12 +95,12 @@ struct statistics {
     double execute_seconds;
     struct timed_sequential sequential;
     struct extra_work extra;
-    redcc_int in_loops; /* iterations in parallel executions, replicated ones not counted */
+    redcc_int in_loops; /* iterations in parallel executions, not counting replicated ones */
     struct last_execution last;
     struct validated validated;
 };
 
-/** A loop in the report. The texts are copies: the library that a loop is in may be unloaded. */
+/** A loop in the report. The texts are copies, because the loop's library may be unloaded. */
 struct reported {
     struct reported *next;
     char *file;
@@ -109,49 +109,49 @@ struct reported {
     struct statistics statistics;
 };
 
-/** Enters a loop into the report's list, for good. Thread-safe. */
+/** Adds a loop to the report's list permanently. Thread-safe. */
 void redcc_report_add(struct reported *reported);
 
-/** The loops that were executed, the last one first; NULL: none. */
+/** The executed loops, most recent first; NULL: none. */
 const struct reported *redcc_report_loops(void);
 
-/** Takes it out again; for tests. No other thread may be at the list. */
+/** For tests: removes it from the list. No other thread may use the list. */
 void redcc_report_remove(struct reported *reported);
 
-/** Counts a fallback because of an overlap of what the two names stand for. */
+/** Counts a fallback due to an overlap of the two named arrays. */
 void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array);
 
-/** Counts a plan that could not be used, since the array had changed. */
+/** Counts a plan that could not be reused because the array had changed. */
 void redcc_report_lost(struct statistics *statistics, const char *array);
 
 enum { REDCC_BROKEN = 3 /* exit status */ };
 
-/** Tells on standard error what the validation found: a line for each loop, and how many ran in
+/** Prints the validation's results on standard error: a line for each loop, and how many ran in
  *  parallel. Returns whether a promise was broken. */
 bool redcc_report_validation(void);
 
-/** What the process's reports begin with, which no other process's do: an opened object and its
- *  members "process" and "started". */
+/** The beginning of this process's reports, unique to it: an opened object and its members
+ *  "process" and "started". */
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 
-/** The first translated loop begins: seconds and lost cores count from here. */
+/** The first translated loop begins: seconds and lost cores are counted from here. */
 void redcc_report_begin(void);
 
-/** Should a program that lost its cores `lost` times in so many seconds wait asleep? policy:
- *  OMP_WAIT_POLICY, NULL where it is not set; told: another variable says how long to spin. */
+/** Should a program whose cores were preempted `lost` times in this many seconds wait asleep?
+ *  policy: OMP_WAIT_POLICY, NULL if unset; told: another variable sets the spin time. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told);
 
-/** Writes the rest of the object: what holds for all loops, and "loops". */
+/** Writes the rest of the object: data common to all loops, and "loops". */
 void redcc_report_body(FILE *out);
 
 /** Writes the loops, objects with commas between them. */
 void redcc_report_list(FILE *out);
 
-/** Writes a table for people. */
+/** Writes a table for human readers. */
 void redcc_report_table(FILE *out);
 
-/** Writes the file that REDCC_REPORT names; nothing where it names none. */
+/** Writes the file that REDCC_REPORT names, if any. */
 void redcc_report_write(void);
 
 #endif

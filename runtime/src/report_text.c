@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a report says, as JSON and as a table. docs/report.md describes both. */
+/** The contents of a report, as JSON and as a table. docs/report.md describes both. */
 #include "report.h"
 
 #include "base/clock.h"
@@ -45,8 +45,8 @@ static void spell_method(char name[LONGEST_METHOD], const struct statistics *sta
         snprintf(name, LONGEST_METHOD, "%s", method->name);
 }
 
-/* Of an iteration: the sequential loop's seconds over those of parallel executions, with all that
- * inspections and plans took; 0: one of the two was not measured. */
+/* Speed-up per iteration: the sequential loop's seconds over those of parallel executions,
+ * including all inspections and plans; 0: one of the two was not measured. */
 static double speedup_of(const struct statistics *it) {
     const double parallel = it->inspect_seconds + it->execute_seconds;
     if (it->in_loops == 0 || it->sequential.iterations == 0 || parallel <= 0)
@@ -95,7 +95,7 @@ static void write_fallback(FILE *out, const char **separator, enum reason reason
     *separator = ", ";
 }
 
-/* Of the last execution in parallel, where there was one. */
+/* Of the last parallel execution, if any. */
 static void write_lanes(FILE *out, const struct statistics *it) {
     fprintf(out, ", \"lanes\": %d", it->last.lanes > 0 ? it->last.lanes : 1);
     write_text(out, "lanes_why", redcc_lanes_slug(it->last.lanes_reason));
@@ -181,7 +181,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     putc('}', out);
 }
 
-/* What binds the threads and lets them wait, as the environment says it: both are OpenMP's. */
+/* Thread affinity and wait policy, as the environment sets them for OpenMP. */
 static void write_variable(FILE *out, const char *key, const char *variable) {
     const char *value = redcc_environment(variable);
     fprintf(out, "\"%s\": ", key);
@@ -192,7 +192,7 @@ static void write_variable(FILE *out, const char *key, const char *variable) {
     fputs(", ", out);
 }
 
-/* Since the first loop began. */
+/* The time at which the first loop began. */
 static double began_at;
 static long lost_before;
 
@@ -247,8 +247,8 @@ static void write_notes(FILE *out, const struct statistics *it) {
                     it->lost.array[i].count, it->lost.array[i].name);
 }
 
-/* Beside busy neighbours cores are lost some 50 to 200 times a second (docs/report.md), on a quiet
- * machine now and then. */
+/* With busy neighbours cores are preempted some 50 to 200 times a second (docs/report.md), on a
+ * quiet machine rarely. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told) {
     const long many = 10, a_second = 20;
     const bool sleeps = policy && (policy[0] == 'p' || policy[0] == 'P');

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What REDCC_VALIDATE=1 says at the end, on standard error. */
+/** The output of REDCC_VALIDATE=1 at exit, on standard error. */
 #include "report.h"
 
 #include "settings.h"
@@ -15,7 +15,7 @@ static bool ran_in_parallel(const struct reported *loop) {
     return loop->statistics.in_loops > 0;
 }
 
-/* Why a loop never ran in parallel, which most of its calls say. */
+/* The most frequent reason why a loop never ran in parallel. */
 static void tell_why_not(const struct reported *loop) {
     const struct statistics *it = &loop->statistics;
     const char *why = "no call had an iteration to execute";
@@ -52,7 +52,7 @@ static void tell_comparison(const struct reported *loop) {
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
 }
 
-/* The first of them have been named when they were found. */
+/* The first of them were printed when they were found. */
 static bool tell_misnamed(const struct reported *loop) {
     const long count = atomic_load(&loop->statistics.validated.misnamed);
     if (count == 0)

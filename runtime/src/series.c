@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Operands of floating scalars, as many an iteration as it likes (redcc/series.h). An iteration
- * that several threads execute, each for its own elements, has the same operands in each: whichever
- * notes its part last, it is the right one. Those that come to none all note none.
+ * Operands of floating scalars, any number per iteration (redcc/series.h). An iteration that
+ * several threads execute, each for its own elements, has the same operands in each of them. So it
+ * does not matter which of them stores its part last, and whether one stores none.
  *
- * Where memory ends in the midst of the loop the arrays are already written, and the original loop
- * cannot run. What is lost are operands alone, and they depend on nothing that the loop updates: an
- * execution of all iterations that owns nothing comes to the same.
+ * If memory runs out during the loop, the arrays are already written, and the original loop cannot
+ * run. Only operands are lost, and they do not depend on anything that the loop updates: executing
+ * all iterations again, without owning anything, reproduces them.
  */
 #include "series.h"
 
@@ -29,9 +29,9 @@ struct operand_block {
 
 struct redcc_series {
     _Atomic(struct operand_block *) blocks; /* all of them */
-    atomic_size_t bytes;                    /* theirs */
-    size_t most;                            /* that they may take */
-    atomic_bool lost;                       /* some operand is not there */
+    atomic_size_t bytes;                    /* of these blocks */
+    size_t most;                            /* the limit of these bytes */
+    atomic_bool lost;                       /* some operand was lost */
     redcc_int trip;
     _Atomic(redcc_series_part *) part[]; /* [trip] */
 };
@@ -39,7 +39,7 @@ struct redcc_series {
 _Static_assert(offsetof(redcc_series_part, value) % sizeof(double) == 0,
                "parts lie among operands");
 
-/* Without a limit a quarter of the machine's memory, as for what is kept one an iteration. */
+/* Without a limit a quarter of the machine's memory, as for one operand per iteration. */
 static size_t most_bytes(void) {
     const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
     return there > 0 && there / 4 < SIZE_MAX ? (size_t)(there / 4) : SIZE_MAX;
@@ -48,7 +48,7 @@ static size_t most_bytes(void) {
 redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip) {
     if (trip <= 0)
         return NULL;
-    (void)redcc_is_forked(); /* before anything of the parent's is used */
+    (void)redcc_is_forked(); /* before any memory of the parent is used */
     const size_t most = most_bytes();
     redcc_series *series = NULL;
     const size_t each = sizeof series->part[0];
@@ -77,7 +77,7 @@ void redcc_series_join(redcc_series_writer *writer, redcc_series *series) {
     *writer = (redcc_series_writer){.series = series};
 }
 
-/* NULL: there is none. */
+/* NULL: no memory. */
 static struct operand_block *new_block(redcc_series *series) {
     const size_t bytes = sizeof(struct operand_block);
     const size_t taken = atomic_fetch_add_explicit(&series->bytes, bytes, memory_order_relaxed);
@@ -119,7 +119,7 @@ int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
     return 1;
 }
 
-/* By a plan, or in bins; of which all threads know the same. */
+/* By a plan, or in bins; all threads get the same answer. */
 static bool is_executed(const struct thread_state *thread) {
     return thread &&
            (thread->stage == STAGE_RUN ||

@@ -17,13 +17,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of short iterations, which take some nanoseconds, or 0.3 microseconds with functions of
- * mathematics: fewer take less than what an execution must take to be worth a state (unmade.c).
- * Asking costs 20 to 30 nanoseconds, a tenth of 200 iterations. */
+/* For short iterations, which take some nanoseconds, or 0.3 microseconds with mathematical
+ * functions. Fewer of them take less time than is worth a state (unmade.c). The call costs 20 to 30
+ * nanoseconds, a tenth of 200 iterations. */
 enum { LEAST_TRIP = 1024 };
 
-/* Of short iterations, which take 0.3 ns at the least: the pages of the runtime that the first call
- * touches take 2 microseconds, a twentieth of that. Of the longest ones, no more than 0.04 s. */
+/* For short iterations, which take at least 0.3 ns: the first call touches pages of the runtime,
+ * which takes 2 microseconds, a twentieth of that. The longest ones take at most 0.04 s. */
 enum { UNASKED_ITERATIONS = 1 << 17 };
 
 redcc_int redcc_least_trip;
@@ -31,7 +31,7 @@ redcc_int redcc_unasked_iterations;
 
 static struct settings settings;
 static struct named named;
-static char complaint[1024]; /* what the environment says that is unknown; "": nothing */
+static char complaint[1024]; /* the first error in the environment; "": none */
 
 void redcc_stop(const char *format, ...) {
     va_list arguments;
@@ -59,7 +59,7 @@ void redcc_complain(const char *format, ...) {
     va_end(arguments);
 }
 
-/* Appends to a text of at most `size` bytes; what does not fit is left out. */
+/* Appends to a text of at most `size` bytes; the part that does not fit is dropped. */
 static void append(char *text, size_t size, const char *more) {
     const size_t used = strlen(text);
     snprintf(text + used, size - used, "%s", more);
@@ -88,8 +88,8 @@ static void read_order(const char *value) {
     redcc_complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
-/* Which of so many names the value is; `otherwise` where there is none, or, after a complaint,
- * where it is none of them. */
+/* The index of the value among the names; `otherwise` if it is unset or, after a complaint,
+ * unknown. */
 static unsigned read_named(const char *variable, const char *value, const char *const *names,
                            unsigned count, unsigned otherwise) {
     if (!value || !*value)
@@ -176,11 +176,11 @@ static void read_memory_limit(const char *value) {
     if (!redcc_parse_bytes(value, &settings.memory_limit))
         redcc_complain("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
     if (settings.memory_limit == 0)
-        settings.memory_limit = 1; /* nothing at all, not: no limit */
+        settings.memory_limit = 1; /* nothing at all, in contrast to no limit */
 }
 
-/* Under validation every loop that can is executed in parallel, from its first call on: auto would
- * begin with the sequential loop, and end there where the program is short. */
+/* Under validation every loop is executed in parallel if possible, from its first call on: auto
+ * would begin with the sequential loop, and in a short program never leave it. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;
@@ -199,7 +199,7 @@ static void take_methods(void) {
     }
 }
 
-/* Everything else is as for the others. */
+/* The other settings are common to all loops. */
 static void copy_settings(struct named_loop *loop) {
     loop->settings = redcc_memory_take(sizeof *loop->settings);
     if (!loop->settings)
@@ -235,10 +235,10 @@ static void read_environment(void) {
         copy_settings(loop);
     redcc_note_unknown_variables();
     redcc_report_begin();
-    redcc_memory_limit(settings.memory_limit); /* for plans: what was asked for above is heeded */
+    redcc_memory_limit(settings.memory_limit); /* for plans: memory allocated above is counted */
 }
 
-/* Of several threads that come first, one reads. */
+/* If several threads arrive first, one reads. */
 static void read_once(atomic_int *done) {
     static struct spin lock;
     const uint64_t signals = redcc_signals_hold();
@@ -259,8 +259,8 @@ const struct settings *redcc_settings(void) {
     return &settings;
 }
 
-/* Where nobody asks for anything that is known before the program begins: the first execution of a
- * loop of some microseconds would take thrice as long. */
+/* Reads the settings before main if no variable is set: otherwise the first execution of a loop of
+ * some microseconds would take three times as long. */
 __attribute__((constructor)) static void read_early(void) {
     redcc_team_bind();
     if (redcc_any_variable())

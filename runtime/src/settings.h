@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the environment says (variables.h). */
+/** The settings in the environment (variables.h). */
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
@@ -8,35 +8,35 @@
 #include "plan/method.h"
 
 struct settings {
-    const struct method *method; /* named, or asked for by REDCC_VALIDATE; NULL: auto */
+    const struct method *method; /* named, or implied by REDCC_VALIDATE; NULL: auto */
     int parameter;               /* the method's */
     bool order_given;
-    redcc_order order;              /* where given */
+    redcc_order order;              /* if set */
     bool compensated;               /* REDCC_SUM */
     bool validate;                  /* REDCC_VALIDATE */
-    bool watch;                     /* REDCC_WATCH: where it can be done */
+    bool watch;                     /* REDCC_WATCH: track writes if possible */
     enum prefetch_setting prefetch; /* REDCC_PREFETCH */
     enum lanes_setting lanes;       /* REDCC_LANES */
     size_t memory_limit;            /* bytes; 0: none */
     char *report;                   /* file name; NULL: none */
 };
 
-/** The settings; the environment is read at the first call. Stops the program with a message and
- *  status 2 where it says something unknown. Thread-safe. */
+/** The settings; the first call reads the environment. Stops the program with a message and status
+ *  2 if a value is invalid. Thread-safe. */
 const struct settings *redcc_settings(void);
 
 /** The settings for the loop: as redcc_settings, but with the method that REDCC_METHOD names for it
  *  alone. */
 const struct settings *redcc_settings_for(const redcc_loop *loop);
 
-/** What is wrong with the environment: redcc_settings stops with the first of them. */
+/** Reports an error in the environment: redcc_settings stops with the first one. */
 void redcc_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/** The same of a value that is none of `count` known ones: names all, and the nearest. */
+/** The same for a value that is none of `count` known ones: lists all, and suggests the nearest. */
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count);
 
-/** The sizes that REDCC_MEMORY_LIMIT may name: digits and K, M or G. False: it is none. */
+/** Parses a size of REDCC_MEMORY_LIMIT: digits and K, M or G. False if invalid. */
 bool redcc_parse_bytes(const char *text, size_t *bytes);
 
 /** "serial", "fixed", "any". */

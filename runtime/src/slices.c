@@ -12,15 +12,15 @@ enum { ENTRIES = 64, MOST_MESSAGES = 3 };
 
 struct checker;
 
-/* The hook of each array's owner: the body asks it before an update. */
+/* The hook of each array's owner: the body calls it before an update. */
 struct asked {
     struct checker *checker;
     redcc_u32 array;
 };
 
-/* A thread's part in an execution of one iteration after the other. */
+/* A thread's state while it executes one iteration after the other. */
 struct checker {
-    redcc_worker worker; /* first: the calls below are given it */
+    redcc_worker worker; /* first: the functions below get a pointer to it */
     redcc_call call;
     const redcc_attempt *attempt;
     redcc_int k;
@@ -120,7 +120,7 @@ static void report(struct checker *it, redcc_u32 number, const char *address) {
             loop->file, loop->line, loop->function, row, array->name, it->k);
 }
 
-/* No update is made. */
+/* Permits no update. */
 static int ask(struct redcc_hook *hook, const void *address) {
     const struct asked *asked = (const struct asked *)(const void *)hook;
     struct checker *it = asked->checker;

@@ -5,18 +5,18 @@
 
 #include <stdint.h>
 
-/* Of an execution that is worth a state: what is worth waking threads for on a machine that is not
- * busy (the learner asks again, with what that takes on this one). */
+/* The duration of an execution that is worth a state: threads are worth waking for it on an idle
+ * machine (the learner decides again, with the measured cost). */
 static const double least_seconds = LEARN_WAKES * LEARN_LOOK / 40;
 
-/* The state, and what is made once in a process, take 0.04 to 0.3 ms: they are made when that is
- * little beside what the loop has taken. No look could be paid for before. */
+/* The state, and one-time initialisation of the process, take 0.04 to 0.3 ms: they are created when
+ * that is small compared with the loop's total time. Before that no inspection could pay off. */
 static const double enough = 12.5 * LEARN_LOOK;
 
 enum {
     SIZE_BITS = 7,    /* of the word, above the lowest bit, which is 1: a loop's size, */
-    NUMBER_BITS = 12, /* calls that are left until it is timed again, all of these, and */
-    EARNED_BITS = 13  /* microseconds that its executions have taken, where they are long enough */
+    NUMBER_BITS = 12, /* calls until it is timed again, all of these, and */
+    EARNED_BITS = 13  /* microseconds of its executions so far, if they are long enough */
 };
 
 _Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");
@@ -41,7 +41,7 @@ static struct word unpack(const void *state) {
                                    ((1u << EARNED_BITS) - 1)};
 }
 
-/* Where another thread was quicker, its word stays, or the state that it has made. */
+/* If another thread was faster, its word remains, or the state that it created. */
 static void replace(void **state, void *before, struct word word) {
     const uintptr_t it = (uintptr_t)word.size | (uintptr_t)word.left << SIZE_BITS |
                          (uintptr_t)word.length << (SIZE_BITS + NUMBER_BITS) |
@@ -50,8 +50,8 @@ static void replace(void **state, void *before, struct word word) {
                                 __ATOMIC_RELAXED);
 }
 
-/* Does this call count, for so many? A locked instruction takes as long as twenty additions. The
- * steps are the golden ratio's, so that loops that are called in turn are counted alike. */
+/* Does this call count, representing EACH calls? A locked instruction takes as long as twenty
+ * additions. The steps are the golden ratio's, so that loops called in turn are counted alike. */
 enum { EACH = 16 };
 static bool counts(void) {
     static _Thread_local uint32_t place;
@@ -74,7 +74,8 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* Those between took no longer than this one, or than by the timings before. */
+/* The time of the calls since the last timing, each taken as the shorter of this one and the
+ * earlier average. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
     return timed + (between < left ? between : left);

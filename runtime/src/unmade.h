@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops that nothing has been allocated for. Making a loop's state takes some 40 microseconds, five
- * executions of a loop of 20,000 additions; so it is made when an execution has taken long enough
- * for threads to be worth waking, and often enough. Until then one word, in the place of the
- * pointer to the state, says when the loop is timed again. Any thread may call these functions at
- * any time.
+ * Loops without allocated memory. Creating a loop's state takes some 40 microseconds, five
+ * executions of a loop of 20,000 additions. So it is created once an execution has taken long
+ * enough for threads to be worth waking, and often enough. Until then one word, in place of the
+ * pointer to the state, determines when the loop is timed next. Thread-safe.
  */
 #ifndef REDCC_UNMADE_H
 #define REDCC_UNMADE_H
@@ -13,17 +12,18 @@
 
 #include <stdbool.h>
 
-/** Is this no pointer to a state? */
+/** Is this a word, not a pointer to a state? */
 static inline bool redcc_is_unmade(const void *state) {
     return !state || ((__UINTPTR_TYPE__)state & 1);
 }
 
-/** A call of `trip` iterations, which is left to the original loop: counts it, and says whether it
- * is to be timed. */
+/** Counts a call of `trip` iterations that runs the original loop, and returns whether to time
+ *  it. */
 bool redcc_unmade_call(void **state, redcc_int trip);
 
-/** So many seconds were timed. 0: the loop is not worth a state. Else it is, and they stand for so
- *  many executions: this one, and as many before it as were counted at least. */
+/** Records a timing. 0: the loop is not worth a state yet. Otherwise it is, and the result is the
+ *  number of executions that the timing represents: at least this one and those counted before
+ *  it. */
 int redcc_unmade_timed(void **state, redcc_int trip, double seconds);
 
 #endif

@@ -15,8 +15,8 @@ static const char *const names[] = {
 #define REDCC_VARIABLE(name) name,
     REDCC_VARIABLE_LIST(REDCC_VARIABLE)
 #undef REDCC_VARIABLE
-    /* Those that redcc and redcc-cc read, tool/driver; they may still be set when the program runs.
-     */
+    /* Those that redcc and redcc-cc read, tool/driver; they may still be set when the program
+     * runs. */
     "REDCC_BUILD_REPORT",
     "REDCC_CACHE",
     "REDCC_CACHE_SIZE",
@@ -32,11 +32,11 @@ static const char *const names[] = {
 enum {
     NAMES = sizeof names / sizeof *names,
     OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* of them */
-    ALIKE = 3                                       /* letters: a slip of the fingers */
+    ALIKE = 3                                       /* letters that differ: a typing error */
 };
 #undef REDCC_VARIABLE
 
-/* Who starts a program that has more rights than himself may not tell it what to write where. */
+/* A caller that starts a program with more rights than its own must not control where it writes. */
 const char *redcc_environment(const char *name) {
     return redcc_system_is_privileged() ? NULL : getenv(name);
 }
@@ -45,7 +45,7 @@ static bool is_ours(const char *variable) {
     return strncmp(variable, "REDCC_", 6) == 0;
 }
 
-/* "REDCC_CACHE=off", whatever a shell that builds and runs has exported. */
+/* "REDCC_CACHE=off", or other variables that a shell for building and running exports. */
 static bool is_of_build(const char *variable) {
     const size_t length = strcspn(variable, "=");
     for (size_t n = OF_RUN; n < NAMES; n++)
@@ -63,7 +63,7 @@ bool redcc_any_variable(void) {
     return false;
 }
 
-/* A misspelled name of the build's is the build's affair. */
+/* Misspelled names of build variables are left to the build. */
 static void note_if_unknown(const char *name) {
     const size_t nearest = redcc_spelling_nearest(name, names, NAMES);
     const size_t distance = redcc_spelling_distance(name, names[nearest]);

@@ -18,16 +18,15 @@
     X("REDCC_LANES")                                                                               \
     X("REDCC_WATCH")
 
-/** A variable of the environment; NULL: it is not set, or the program has more rights than who
- *  started it (setuid), who must not tell it anything then. */
+/** A variable of the environment; NULL: it is unset, or the program has more rights than its caller
+ *  (setuid), so that the environment must be ignored. */
 const char *redcc_environment(const char *name);
 
-/** Says on standard error, once for each, which variables REDCC_... are set that neither a
- *  translated program nor redcc and redcc-cc know. To be called once. */
+/** Prints on standard error, once for each, the variables REDCC_... that neither a translated
+ *  program nor redcc and redcc-cc know. Called once. */
 void redcc_note_unknown_variables(void);
 
-/** Is any variable set that begins as ours do and is not one of the build alone, or is that not
- * known? */
+/** Is a variable set that begins with REDCC_ and is not for builds only, or is that unknown? */
 bool redcc_any_variable(void);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* What can be done about it. */
+/* Possible remedies. */
 static const char *const advice[REASON_COUNT] = {
     [REASON_NAMED] = "unset it, or name another method",
     [REASON_FORKED] =
@@ -56,8 +56,8 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* Executions of so many seconds after which the credit has covered a look, and a set-up of half an
- * execution. */
+/* The number of executions of this duration after which the credit has paid for an inspection, and
+ * a plan construction of half an execution. */
 static long repaid_after(double seconds) {
     const double look = LEARN_LOOK < LEARN_CLEAR * seconds ? LEARN_LOOK / seconds : LEARN_CLEAR;
     return (long)((look + 0.5) / LEARN_SHARE);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Why is a loop sequential? One answer, in a sentence that its user can act on. */
+/** Explains why a loop is sequential, in a sentence that the user can act on. */
 #ifndef REDCC_WHY_H
 #define REDCC_WHY_H
 
@@ -7,7 +7,7 @@
 
 enum { REDCC_WHY = 256 };
 
-/** Writes the sentence, of the reason that most of its sequential calls had; "": most calls ran in
+/** Writes the sentence for the most frequent reason of its sequential calls; "": most calls ran in
  *  parallel, or there was none. */
 void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]);
 

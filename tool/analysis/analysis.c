@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* All loops of a unit, with what the user says of them. */
+/* Analyses all loops of a unit, with the user's pragmas. */
 #include "analysis/analysis.h"
 
 #include "analysis/invariants.h"

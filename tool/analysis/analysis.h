@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which loops are irregular reductions that may run in parallel, and why the others may not.
+ * Finds the irregular reductions that may run in parallel, and the reasons against the other loops.
  *
- * Pure functions from IR to facts. A fact says what the loop does; the verdict says what follows.
+ * Pure functions from IR to facts. A fact describes the loop; the verdict draws the conclusion.
  * The rule (docs/soundness.md): every access in the loop, through any name, to the memory of a
  * reduction array is an update by one commutative operator whose value is not used; subscripts,
  * contributions and conditions do not depend on that memory; nothing else is carried from one
@@ -18,7 +18,7 @@ typedef struct analysis_result {
     const loop_verdict *verdicts; /* of every loop with an irregular update, in source order */
 } analysis_result;
 
-/** Analyses all loops of the functions of the main file. Everything returned lives in the arena. */
+/** Analyses all loops of the functions of the main file. All results are allocated in the arena. */
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options);
 
 #endif

@@ -86,7 +86,7 @@ static void assert_updates(const loop_facts *facts) {
     }
 }
 
-/* ---- what else the loop touches ------------------------------------------------------------- */
+/* ---- other accesses of the loop ------------------------------------------------------------ */
 
 static void assert_scalar(const loop_facts *facts, const scalar_update *scalar) {
     assert(scalar->target && is_in_loop(facts, scalar->target));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* All loops of a function: which of a nest are analysed, and of which something is said. */
+/* All loops of a function: selects those of a nest that are analysed, and those that are
+ * reported. */
 #include "analysis/nest.h"
 
 #include <stdlib.h>
@@ -24,7 +25,7 @@ static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
     return found;
 }
 
-/* What an update looks like whose loop is listed: its target; or NULL. */
+/* The target of an update whose loop is reported; or NULL. */
 static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     update_group group;
     if (update_group_of(an->facts, node, &group))
@@ -37,8 +38,8 @@ static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
 }
 
-/* Does the call update, through a pointer given to it, an element in which iterations of `loop`
- * meet so? */
+/* Does the call update, through a pointer argument, an element that several iterations of `loop`
+ * may update? */
 static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call,
                          conflict_kind kind) {
     access_list list = {0};
@@ -66,8 +67,8 @@ static bool meets(const analyser *an, const ir_node *loop, const ir_node *node,
     return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }
 
-/* An update below `node` in which iterations of `loop` meet so; NULL: there is none. With
- * `innermost`: and those of no loop inside of it. */
+/* An update below `node` that several iterations of `loop` may make to one element; NULL: none.
+ * With `innermost`: excludes those in inner loops. */
 static const ir_node *meeting(const analyser *an, const ir_node *loop, const ir_node *node,
                               conflict_kind kind, bool innermost) {
     if (meets(an, loop, node, kind)) {
@@ -88,7 +89,7 @@ static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node
     return meeting(an, loop, node, CONFLICT_SHARED, innermost) != NULL;
 }
 
-/* NULL: it stands in none. */
+/* NULL: there is none. */
 static const ir_node *loop_around(const ir_node *loop) {
     const ir_node *outer = loop->parent;
     while (outer && !ir_is_loop(outer))
@@ -107,8 +108,8 @@ static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
     return false;
 }
 
-/* Loops of a few iterations around or inside others are not worth a parallel region, and loops that
- * only repeat what is inside have nothing to share out. */
+/* Loops of a few iterations around or inside of others are not worth a parallel region, and loops
+ * that only repeat inner ones have no work to distribute. */
 static bool is_candidate(const analyser *an, const ir_node *loop) {
     if (candidate_is_tiny(loop) && loop_around(loop))
         return false;
@@ -125,8 +126,8 @@ static bool has_listed_inside(const loop_search *s, unsigned from, const ir_node
     return false;
 }
 
-/* Was a loop directly inside accepted in its place? It has far fewer iterations to share out at a
- * time: whoever wonders why nothing is gained is to learn what was in the way. */
+/* Was an inner loop accepted instead? It has far fewer iterations to distribute at a time, so the
+ * user should learn the reason against the outer one. */
 static bool gives_way(const loop_search *s, unsigned from, const loop_verdict *refused) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&
@@ -146,7 +147,7 @@ static void add_not_a_reduction(loop_search *s, ir_node *loop) {
     VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
-/* Analyses the loops below `node`, outermost first; what is accepted covers all inside of it. */
+/* Analyses the loops below `node`, outermost first; an accepted loop covers all inner ones. */
 static void search(loop_search *s, ir_node *node) {
     if (!ir_is_loop(node)) {
         for (unsigned i = 0; i < node->child_count; i++)
@@ -184,9 +185,8 @@ static void search(loop_search *s, ir_node *node) {
         add_not_a_reduction(s, node);
         return;
     }
-    /* Refused: this loop is named where it is the innermost around one of its updates, where no
-     * loop inside is (a tiny one leaves that to this one), or where one inside was accepted
-     * instead. */
+    /* Refused: this loop is reported if it is the innermost around one of its updates, not counting
+     * tiny inner loops, or if an inner one was accepted instead. */
     if (verdict.loop && (has_irregular(s->an, node, node, true) ||
                          !has_listed_inside(s, from, node) || gives_way(s, from, &verdict)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);

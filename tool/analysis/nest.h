@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loops of a function: which of a nest are analysed, and of which something is said. */
+/** The loops of a function: selects those of a nest that are analysed, and those that are
+ *  reported. */
 #ifndef ANALYSIS_NEST_H
 #define ANALYSIS_NEST_H
 
@@ -7,7 +8,7 @@
 
 typedef struct loop_search {
     const analyser *an;
-    ir_function *function; /* the one that is searched now */
+    ir_function *function; /* the one being searched */
     VECTOR(loop_verdict) verdicts;
 } loop_search;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One loop: the steps of its analysis in turn, and what is said of it. */
+/* One loop: the steps of its analysis in order, and its verdict. */
 #include "analysis/verdict.h"
 
 #include <assert.h>
@@ -23,7 +23,7 @@
 #include "analysis/reduction/scalars.h"
 #include "analysis/reduction/updates.h"
 
-/* Are all scalars of the record of this one type, so that its bytes are elements throughout? */
+/* Do all scalars of the record have this type, so that all its bytes are elements? */
 static bool is_homogeneous(const ir_type *type, const ir_type *element) {
     type = ir_type_innermost(type);
     if (type->kind != IR_RECORD)
@@ -48,8 +48,8 @@ static int64_t greatest_divisor(int64_t a, int64_t b) {
     return a;
 }
 
-/* Do all scalars of the type lie at multiples of their own size, if what is of the type lies at
- * multiples of `grain`? Not so in packed records, and complex numbers need not. */
+/* Do all scalars of the type lie at multiples of their own size if objects of the type lie at
+ * multiples of `grain`? Not in packed records, and complex numbers need not. */
 static bool lies_evenly(const ir_type *type, int64_t grain) {
     const ir_type *inner = ir_type_innermost(type);
     if (inner != type)
@@ -67,7 +67,7 @@ static bool lies_evenly(const ir_type *type, int64_t grain) {
 }
 
 /* Owners are cut between units: no element may lie across such a cut, or it would have two owners
- * where another array overlaps with it. Of records like that the unit is all of one. */
+ * if another array overlaps with it. For such records the unit is a whole record. */
 static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     const ir_type *record = ir_type_innermost(row);
     if (record->kind != IR_RECORD || record->size <= unit || lies_evenly(record, record->size))
@@ -80,12 +80,12 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
         const ir_type *base = arrays[i].base->type;
-        if (arrays[i].is_scattered) { /* its rows do not lie in step with each other */
+        if (arrays[i].is_scattered) { /* its rows are not in step with each other */
             arrays[i].unit = arrays[i].element->size;
             arrays[i].is_interleaved = true;
             continue;
         }
-        /* in a private copy it would be another */
+        /* a private copy would have another address */
         arrays[i].order_is_kept |= has_address_as_value(j->loop, arrays[i].base);
         if (base && base->target && !is_homogeneous(base->target, arrays[i].element))
             arrays[i].is_interleaved = true;
@@ -96,7 +96,7 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     facts->array_count = j->arrays.count;
 }
 
-/* Of a refused loop: what updates of this kind there are, as far as they can be told. */
+/* For a refused loop: its updates of this kind, as far as they are known. */
 static array_list arrays_of_kind(const loop_analysis *j, conflict_kind kind) {
     array_list arrays = {0};
     access_list list = {0};
@@ -163,8 +163,8 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     return facts;
 }
 
-/* ---- the checks, and what becomes of their results ----------------------------------------------
- * Each is given what is known so far, and leaves it as it is; only here is it added to. */
+/* ---- the checks, and the use of their results ---------------------------------------------------
+ * Each gets the facts found so far as constants; only this file adds its results to them. */
 
 /* The first reason found is the verdict's. */
 static bool goes_on(loop_analysis *j, reason why) {
@@ -253,7 +253,7 @@ static bool add_slice(loop_analysis *j) {
     return goes_on(j, result.why);
 }
 
-/* With what holds of this loop alone, and what the user says of it. */
+/* Adds the properties of this loop, and the user's assertions about it. */
 static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
     analyser *own = ARENA_NEW(an->memory, analyser);
     *own = *an;
@@ -270,7 +270,7 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
                    add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
                    add_header_steps(&j) && add_updates(&j);
-    /* What looked like a shared array may be private to each iteration. */
+    /* An apparently shared array may be private to each iteration. */
     if (is_fine && j.arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
     is_fine = is_fine && goes_on(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
@@ -286,7 +286,7 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
                           .facts = facts};
 }
 
-/* Without the stores that may be made after all iterations, where there are some. */
+/* Analyses the loop without the stores that can be made after all iterations, if any. */
 static loop_verdict analysed_without(const analyser *an, ir_function *function, ir_node *loop) {
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const distribution *stores = add_header(&j) ? distribution_find(&j) : NULL;
@@ -298,8 +298,8 @@ static loop_verdict analysed_without(const analyser *an, ir_function *function, 
     return found;
 }
 
-/* With variables in the place of pointers that are read under conditions only, or of which it is to
- * be known when the loop begins where they lead to. */
+/* Analyses the loop with variables in place of pointers that are read only under conditions, or
+ * whose targets must be known when the loop begins. */
 static loop_verdict analysed_loading(const analyser *an, ir_function *function, ir_node *loop,
                                      const loop_exits *exits, loop_verdict found) {
     if (found.kind != VERDICT_REFUSE ||
@@ -314,7 +314,7 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     return loading;
 }
 
-/* Without what leaves it: as it is where no iteration does. */
+/* Analyses the loop without its exits; unchanged if there are none. */
 static loop_verdict analysed_staying(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_exits *exits = loop_exits_find(an->memory, ir_loop_body(loop));
     if (!exits)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One loop: all checks in turn, and what is said of it. */
+/** One loop: all checks in order, and its verdict. */
 #ifndef ANALYSIS_VERDICT_H
 #define ANALYSIS_VERDICT_H
 
@@ -8,11 +8,11 @@
 /** All checks for one loop. */
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);
 
-/** Of a loop with no other than regular updates (conflict.h), of which this is one. */
+/** For a loop with only regular updates (conflict.h), one of which is given. */
 loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
                              const ir_node *update);
 
-/** Of a loop that the user wants left alone, and all in it, by this pragma. */
+/** For a loop that the user wants left alone, with all its inner loops, by this pragma. */
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma);
 

@@ -13,7 +13,7 @@ struct cache {
     store kept;
     digest compiler;
     digest program;       /* the translator without its libraries */
-    digest libraries_key; /* of what is known of them */
+    digest libraries_key; /* of the cached answer about them */
     digest translator;
     word_list folders;
 };
@@ -56,7 +56,7 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* What the compiler answers to some words of its own, which concern no source. */
+/* The compiler's answer to given options, independent of any source. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;
@@ -84,8 +84,8 @@ static const char *ask_compiler(session *s, const store *kept, const digest *of_
     return text;
 }
 
-/* The folders in what -v prints, those that are not there as well, in any language; other paths may
- * be among them. */
+/* The folders in the output of -v, including nonexistent ones, in any language; it may contain
+ * other paths. */
 static void add_printed_folders(arena *a, const char *text, word_list *folders) {
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t end = strcspn(line, "\n");
@@ -97,7 +97,7 @@ static void add_printed_folders(arena *a, const char *text, word_list *folders) 
     }
 }
 
-/* Names of shared libraries may lead to other ones after this file has changed. */
+/* Names of shared libraries may resolve to others once this file has changed. */
 static bool add_loader(session *s, const store *kept, digester *d) {
     static const char path[] = "/etc/ld.so.cache";
     word_list files = {0};
@@ -133,7 +133,7 @@ static bool find_compiler(session *s, struct cache *c) {
 /* ---- the translator
  * ------------------------------------------------------------------------------ */
 
-/* Takes in what the translator has named: its libraries by contents, its folders. */
+/* Reads the translator's list: its libraries, by contents, and its folders. */
 static bool know_translator(session *s, struct cache *c, const char *list, size_t length) {
     digester d = digest_begin();
     digest_add(&d, c->program.bytes, sizeof c->program.bytes);
@@ -149,7 +149,7 @@ static bool know_translator(session *s, struct cache *c, const char *list, size_
     return is_known;
 }
 
-/* Has the translator name its libraries and folders, by an empty source: once, and then kept. */
+/* Has the translator list its libraries and folders for an empty source: once, then cached. */
 static const char *ask_translator(session *s, const struct cache *c, size_t *length) {
     arena *a = s->memory;
     store_part kept;
@@ -216,7 +216,7 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* What one item says of headers; NULL, or why that is not followed. */
+/* The headers that one item adds; NULL, or the reason why it cannot be followed. */
 static const char *add_of_item(session *s, closure_request *request, const item *one) {
     static const char *const folders[] = {"-I", "-iquote", "-isystem", "-idirafter"};
     static const char *const files[] = {"-include", "-imacros"};

@@ -11,7 +11,7 @@
 #include "driver/linked_loops.h"
 #include "support/source.h"
 
-/* One run of the compiler whose messages are held back until it is known to count. */
+/* One run of the compiler, whose messages are held back until its result is accepted. */
 typedef struct attempt {
     int status;
     const char *output;
@@ -33,8 +33,8 @@ static void show_attempt(const session *s, const attempt *made) {
     file_show(made->error, stderr);
 }
 
-/* A signal to this process, or one that ended the compiler, ends the build: nothing is tried again.
- */
+/* A signal to this process, or one that ended the compiler, ends the build without another
+ * attempt. */
 static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
 }
@@ -62,8 +62,8 @@ static bool is_static(const command *c) {
     return false;
 }
 
-/* The runtime, where something that is linked has loops for it: these refer to it weakly, by which
- * a linker takes nothing. */
+/* Adds the runtime if a linked object has loops for it. Their references are weak, so a linker
+ * would not load it from the archive. */
 static void add_runtime(session *s, word_list *list, bool has_loops) {
     arena *a = s->memory;
     if (!build_can_add_runtime(s) || !(has_loops || loops_are_linked(s)))
@@ -78,7 +78,7 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
         words_add(a, list, arena_format(a, "-Wl,-rpath,%s", path_folder(a, library)));
         return;
     }
-    if (is_static(&s->command)) /* what the runtime refers to weakly */
+    if (is_static(&s->command)) /* symbols that the runtime refers to weakly */
         words_add(
             a, list,
             "-Wl,-u,pthread_create,-u,pthread_detach,-u,pthread_attr_init,"
@@ -90,8 +90,7 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
     words_add(a, list, "-Wl,--pop-state");
 }
 
-/* The command as it was given; a link gets the runtime, and where that does not work does without.
- */
+/* Runs the original command; a link gets the runtime, and is repeated without it if that fails. */
 static _Noreturn void build_original(session *s) {
     if (!build_can_add_runtime(s) || !loops_are_linked(s))
         session_become_compiler(s);
@@ -106,7 +105,7 @@ static _Noreturn void build_original(session *s) {
     }
     session_add_original(s, &plain);
     if (file_is_empty(first.error) && file_is_empty(first.output))
-        session_become_compiler(s); /* what it had to say got lost (a full disk) */
+        session_become_compiler(s); /* its messages were lost (a full disk) */
     attempt second = try_command(s, &plain, s->input);
     show_attempt(s, second.status == 0 ? &second : &first);
     if (second.status == 0)
@@ -130,8 +129,8 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
     add_runtime(s, list, true);
 }
 
-/* Adds the compilation of one translated text by itself: to `object`, or (NULL) to where the
- * command's -c or -S would put it. */
+/* Adds the compilation of one translated text: to `object` or, if NULL, to the output of the
+ * command's -c or -S. */
 static void add_alone(session *s, word_list *list, const translation *t, const char *object) {
     arena *a = s->memory;
     words_add_all(a, list, &s->real.words);
@@ -149,7 +148,7 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
     words_add(a, list, t->is_input ? "-" : t->text);
 }
 
-/* Compiles the source itself, for nothing but its messages. */
+/* Compiles the source itself, only for its messages. */
 static attempt compile_for_messages(session *s, const translation *t) {
     arena *a = s->memory;
     word_list words = {0};
@@ -167,9 +166,9 @@ static attempt compile_for_messages(session *s, const translation *t) {
     return try_command(s, &words, t->is_input ? s->input : NULL);
 }
 
-/* Compiles a translated text. A body stands several times in it, and so would every warning; the
- * messages shown are therefore the source's own, and where they are no errors, those in the
- * translated text are none either (-Werror). */
+/* Compiles a translated text. It contains a loop's body several times, and would repeat every
+ * warning. So the messages shown are those of the source itself; warnings that are no errors there
+ * are none in the translated text either (-Werror). */
 static attempt compile_text(session *s, const translation *t, word_list *words) {
     const char *input = t->is_input ? t->text : NULL;
     attempt made = try_command(s, words, input);
@@ -181,7 +180,7 @@ static attempt compile_text(session *s, const translation *t, word_list *words) 
         return plain;
     if (plain.status != 0) {
         made.status = plain.status;
-        made.error = NULL; /* nothing of ours is wrong */
+        made.error = NULL; /* the error is not in the translation */
         return made;
     }
     if (made.status != 0) {
@@ -211,8 +210,8 @@ static bool compile(session *s, const translation *t, word_list *words) {
     return same;
 }
 
-/* Has the compiler write the dependency files that the command asks for, of the sources themselves:
- * their names, and what is in them, are then its own. */
+/* Has the compiler write the requested dependency files for the sources themselves, so that their
+ * names and contents are the compiler's own. */
 static bool write_dependencies(session *s) {
     if (!(s->command.meaning & OPTION_DEPENDENCY))
         return true;
@@ -222,7 +221,7 @@ static bool write_dependencies(session *s) {
     return session_run(s, &words, (process_streams){s->input, "/dev/null", "/dev/null"}) == 0;
 }
 
-/* The command as it was given, although sources were translated: says why of each of them. */
+/* Runs the original command although sources were translated: gives the reason for each of them. */
 static _Noreturn void build_untranslated(session *s, const translation *translations,
                                          unsigned count, const char *why) {
     for (unsigned i = 0; i < count; i++)
@@ -243,7 +242,7 @@ static _Noreturn void build_one(session *s, const translation *t) {
     session_end(s, 0);
 }
 
-/* The translation that stands for this item of the command, NULL where there is none. */
+/* The translation that replaces this item of the command, or NULL. */
 static const translation *translation_of(const item *one, const translation *translations,
                                          const bool *done, unsigned count) {
     for (unsigned i = 0; i < count; i++)
@@ -256,7 +255,7 @@ static const char *object_of(session *s, const translation *t) {
     return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
-/* -c or -S of several sources: each translated text by itself, the others together. */
+/* -c or -S of several sources: compiles each translated text separately, the others together. */
 static _Noreturn void build_separately(session *s, const translation *translations,
                                        const bool *done, unsigned count) {
     word_list rest = {0};
@@ -280,7 +279,7 @@ static bool any_done(const bool *done, unsigned count) {
     return false;
 }
 
-/* Links: the objects of the translated texts stand where their sources stood. */
+/* Links: the objects of the translated texts replace their sources in the command. */
 static _Noreturn void build_linked(session *s, const translation *translations, const bool *done,
                                    unsigned count) {
     arena *a = s->memory;
@@ -301,7 +300,7 @@ static _Noreturn void build_linked(session *s, const translation *translations, 
     }
     add_colour(s, &words);
     add_runtime(s, &words, any_done(done, count));
-    if (s->real.is_clang) /* options for what was compiled before */
+    if (s->real.is_clang) /* options of earlier compilations */
         words_add(a, &words, "-Qunused-arguments");
     attempt made = try_command(s, &words, s->input);
     if (made.status != 0 && !was_interrupted(&made) && !s->strict) {
@@ -321,7 +320,7 @@ static _Noreturn void build_several(session *s, const translation *translations,
                            "an option asks for files beside the objects, and several sources are "
                            "compiled and linked in one command");
     if (!s->command.links && s->command.output)
-        build_original(s); /* one name for several objects: the compiler will complain */
+        build_original(s); /* one name for several objects: the compiler will report it */
     if (!write_dependencies(s))
         build_untranslated(s, translations, count, no_dependencies);
     for (unsigned i = 0; i < count; i++) {
@@ -350,8 +349,8 @@ _Noreturn void build(session *s, const translation *translations, unsigned count
         session_end(s, 0);
     if (translated == 0)
         build_original(s);
-    /* Where files are to be named after the program, its one source is compiled and linked in one
-     * call; else in two, so that the linker's messages are known from the compiler's. */
+    /* If files are to be named after the program, its only source is compiled and linked in one
+     * call. Otherwise two calls distinguish the linker's messages from the compiler's. */
     if (s->command.compiled == 1 && (!s->command.links || s->command.meaning & OPTION_AUXILIARY))
         build_one(s, &translations[0]);
     build_several(s, translations, count);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Compiling and linking: the translated texts where that works, the sources themselves else. */
+/** Compiles and links: the translated texts if that succeeds, else the sources themselves. */
 #ifndef DRIVER_BUILD_H
 #define DRIVER_BUILD_H
 
@@ -8,7 +8,7 @@
 /** Whether the command links a program that the runtime can be added to. */
 bool build_can_add_runtime(const session *s);
 
-/** Does what the command asks, with `count` sources translated or tried. Ends the process. */
+/** Executes the command, with `count` sources translated or attempted. Ends the process. */
 _Noreturn void build(session *s, const translation *translations, unsigned count);
 
 #endif

@@ -20,7 +20,7 @@ const char *build_report_file(bool *by_run) {
     return own && *own ? own : *by_run ? of_run : NULL;
 }
 
-/* JSON without the white space between its tokens, and a line's end. */
+/* JSON without white space between its tokens, and a newline. */
 static void compact(const char *text, buffer *line) {
     bool in_string = false;
     for (; *text; text++) {
@@ -53,7 +53,7 @@ static bool append_line(const char *report, const buffer *line) {
     return close(file) == 0 && good;
 }
 
-/* Adds the object with one more member: the folder from which its names of files lead. */
+/* Adds a member to the object: the folder to which its file names are relative. */
 static void add_directory(buffer *line, const char *object) {
     char here[PATH_MAX];
     json_t *name = getcwd(here, sizeof here) ? json_text(here) : NULL;

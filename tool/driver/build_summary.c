@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the report of a build comes to, for redcc-cc --redcc-summary. */
+/** The summary of a build's report, for redcc-cc --redcc-summary. */
 #include <errno.h>
 #include <jansson.h>
 #include <stdlib.h>
@@ -16,9 +16,10 @@ struct count {
 
 struct totals {
     json_int_t files, translated_files, left_alone, parallel, refused_loops;
-    json_int_t remade, never; /* of those parallel: by a plan for each execution; never so */
-    json_t *refused;          /* reason's id and slug -> how often */
-    json_t *reasons;          /* why a file was left alone -> how often */
+    json_int_t remade, never; /* of the parallel ones: with a plan for each execution; without
+                               * parallel execution by default */
+    json_t *refused;          /* reason's id and slug -> number of loops */
+    json_t *reasons;          /* reason why a file was left alone -> number of files */
 };
 
 static void count_one(json_t *counts, const char *text) {
@@ -45,7 +46,7 @@ static void add_loop(struct totals *totals, const json_t *loop, bool *translated
     count_one(totals->refused, text);
 }
 
-/* False: the object is none of a build's report. */
+/* False if the object does not belong in a build's report. */
 static bool add_file(struct totals *totals, const json_t *file) {
     const json_t *loops = json_object_get(file, "loops");
     if (!json_is_array(loops))
@@ -111,7 +112,7 @@ static void print_totals(const struct totals *totals, FILE *out) {
     arena_free(a);
 }
 
-/* Every line of the stream; returns the number of the first that is wrong, 0: none is. */
+/* Reads every line of the stream; returns the number of the first invalid one, or 0. */
 static long add_lines(struct totals *totals, FILE *in) {
     char *line = NULL;
     size_t size = 0;

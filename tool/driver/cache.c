@@ -21,8 +21,8 @@ typedef struct kept_answer {
 struct cached {
     closure_request request;
     closure found;
-    digest project;       /* of what is read of other files' functions */
-    const char *stranger; /* a file that was read and is not of the closure; NULL: none was */
+    digest project;       /* of the inputs read about functions of other files */
+    const char *stranger; /* a file that was read but is not in the closure; NULL: none */
     VECTOR(kept_answer) fresh;
 };
 
@@ -66,8 +66,8 @@ static bool is_output(const cached_run *run, const char *path) {
     return false;
 }
 
-/* A word, without the name of the temporary folder, which is another in each call; what lies in the
- * folder and is no output is read. */
+/* Adds a word without the name of the temporary folder, which differs in each call. Files in the
+ * folder that are no outputs are read. */
 static void add_word(session *s, digester *d, const cached_run *run, const char *word) {
     const char *at = s->folder ? strstr(word, s->folder) : NULL;
     if (!at) {
@@ -148,13 +148,13 @@ static void keep(session *s, cached *c, const kept_answer *answer) {
     VECTOR_PUSH(s->memory, &c->fresh, *answer);
 }
 
-/* A name of this call's folder in an answer would lead nowhere in the next. */
+/* An answer that names this call's folder is invalid in the next call. */
 static bool names_folder(const session *s, const store_part *part) {
     return memmem(part->bytes, part->length, s->folder, strlen(s->folder)) != NULL;
 }
 
-/* Does the run's answer depend on nothing but its inputs? A translator that fails because of a full
- * disk does not say the same for ever; one that cannot parse the source does. */
+/* Does the run's answer depend only on its inputs? A translator may fail once because of a full
+ * disk, but always if it cannot parse the source. */
 static bool is_lasting(session *s, const cached_run *run, int status) {
     if (status != 1 || run->program != CACHE_TRANSLATOR)
         return status == 0;
@@ -167,7 +167,7 @@ static void check_file(cached *c, const char *path) {
         c->stranger = path;
 }
 
-/* Checks what the translator lists. */
+/* Checks the translator's list of inputs. */
 static void check_list(session *s, cached *c, const char *list) {
     size_t length;
     const char *text = file_read(s->memory, list, &length);
@@ -232,8 +232,8 @@ void cached_keep_text(session *s, cached *c, const char *about, const word_list 
         keep(s, c, &answer);
 }
 
-/* ---- what was read, and the end
- * ------------------------------------------------------------------ */
+/* ---- files read, and the end
+ * -------------------------------------------------------------------- */
 
 void cached_compiler_read(cached *c, const word_list *files) {
     for (unsigned i = 0; c && i < files->count; i++)

@@ -18,7 +18,7 @@ typedef struct place {
 
 static place place_of(const struct stat *about) {
     place p;
-    memset(&p, 0, sizeof p); /* it is a key: no byte may be left to chance */
+    memset(&p, 0, sizeof p); /* it is a key: padding must be deterministic */
     p.device = about->st_dev;
     p.inode = about->st_ino;
     return p;
@@ -26,14 +26,14 @@ static place place_of(const struct stat *about) {
 
 typedef struct search {
     arena *arena;
-    word_list folders; /* of those that are searched, the ones that are there */
+    word_list folders; /* the search folders that exist */
     closure found;
     digester state;
     map *looked;             /* paths */
-    word_list texts, macros; /* of files; that would make names of headers */
-    map *met;                /* files and the folders in which they were met */
-    map *names;              /* that were looked for in all folders */
-    map *below;              /* folders of paths: is each there? */
+    word_list texts, macros; /* of files; that may expand to names of headers */
+    map *met;                /* files and the folders in which they were found */
+    map *names;              /* names searched in all folders */
+    map *below;              /* folders of paths: does each exist? */
     uintptr_t count;
 } search;
 
@@ -53,14 +53,14 @@ static char *read_open(arena *a, int file, size_t size) {
     while (done < size) {
         const ssize_t some = read(file, text + done, size - done);
         if (some <= 0)
-            return NULL; /* it was cut short meanwhile */
+            return NULL; /* the file was truncated meanwhile */
         done += (size_t)some;
     }
     return text;
 }
 
-/* Is this file met for the first time in this folder? "../a/x.h" leads back into a folder under
- * ever longer names, and from there on to the same files. */
+/* Is this file new in this folder? "../a/x.h" leads back into a folder under ever longer names, and
+ * from there to the same files. */
 static bool is_new_in_folder(search *s, const char *name, const struct stat *about) {
     struct stat folder;
     const char *path = path_folder(s->arena, name);
@@ -73,7 +73,7 @@ static bool is_new_in_folder(search *s, const char *name, const struct stat *abo
     return is_first;
 }
 
-/* A file that is there: its name, bytes and number; and what it includes. */
+/* Adds an existing file: its name, contents and identity; and its includes. */
 static void add_file(search *s, const char *name, int file) {
     struct stat about;
     if (fstat(file, &about) != 0 || (!S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode))) {
@@ -112,7 +112,7 @@ static void look_for_precompiled(search *s, const char *path, const char *ending
         s->found.unknown = arena_format(s->arena, "%s is precompiled", other);
 }
 
-/* Is there no folder in which `path` could lie? Most folders have no bits/ or sys/, and half of all
+/* Does no search folder contain the folder of `path`? Most have no bits/ or sys/, and half of all
  * names begin so. */
 static bool lies_nowhere(search *s, const char *path) {
     static const char absent[] = "absent";
@@ -127,7 +127,7 @@ static bool lies_nowhere(search *s, const char *path) {
     return *known == (const void *)absent;
 }
 
-/* A path at which a header may lie. */
+/* Adds a path that may hold a header. */
 static void look_at(search *s, const char *path) {
     if (s->found.unknown || lies_nowhere(s, path) || !is_new(s->looked, path))
         return;
@@ -157,7 +157,7 @@ static void look_everywhere(search *s, const char *name) {
         look_below(s, s->folders.items[i], name);
 }
 
-/* A header of -include. clang takes its other precompiled form, too. */
+/* A header of -include. clang also reads its other precompiled form. */
 static void look_for_included(search *s, const char *name, const char *folder) {
     look_below(s, "", name);
     look_below(s, folder, name);
@@ -186,7 +186,7 @@ static void read_names(search *s, const char *name, const char *text, size_t len
         look_everywhere(s, names.angled.items[i]);
 }
 
-/* Nothing lies in a folder that is not there, and one that comes later makes another state. */
+/* A nonexistent folder holds no header; if it is created later, the state changes. */
 static void find_folders(search *s, const word_list *all) {
     for (unsigned i = 0; i < all->count; i++) {
         struct stat about;
@@ -203,7 +203,7 @@ static void find_folders(search *s, const word_list *all) {
     }
 }
 
-/* May any text or word define a macro that makes the name of a header? */
+/* May any text or word define a macro that expands to the name of a header? */
 static void check_macros(search *s, const word_list *words) {
     for (unsigned i = 0; !s->found.unknown && i < s->macros.count; i++) {
         const char *macro = s->macros.items[i];

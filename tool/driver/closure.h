@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * All files that a preprocessor could read for a source, whichever branches it takes and in
- * whatever order it searches: every file that goes by a name which the source or such a file
- * includes, in every folder that may be searched. Where two closures are equal, all that a
- * preprocessor sees is: a header that appears, vanishes, moves or hides another one makes another
- * closure.
+ * All files that a preprocessor could read for a source, for any branches and any search order:
+ * every file in a search folder whose name the source or such a file includes. If two closures are
+ * equal, so is the preprocessor's input: a header that appears, vanishes, moves or hides another
+ * one changes the closure.
  */
 #ifndef DRIVER_CLOSURE_H
 #define DRIVER_CLOSURE_H
@@ -15,18 +14,18 @@
 #include "driver/words.h"
 #include "support/map.h"
 
-/** Where to begin and to look. */
+/** The starting points and the search path. */
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
-    const char *name;   /**< what it is called; headers are looked for in this name's folder */
+    const char *name;   /**< its name; its folder is searched for headers */
     word_list included; /**< of -include and -imacros */
     word_list folders;  /**< that are searched, in any order */
     word_list words;    /**< of the command, which may define macros */
 } closure_request;
 
 typedef struct closure {
-    const char *unknown; /**< why it cannot be said; NULL: it can */
-    digest state;        /**< of names, contents and which of them are one file */
+    const char *unknown; /**< the reason why the closure is unknown; NULL: it is known */
+    digest state;        /**< of names, contents, and which of them are one file */
     map *files;          /**< their devices and inodes */
 } closure;
 

@@ -53,7 +53,7 @@ const char *item_argument(const item *i) {
     return found ? i->text + strlen(found->name) : "";
 }
 
-/* -Wp,-DA,-UB can be told to the translator, a list with anything else in it cannot. */
+/* The translator accepts -Wp,-DA,-UB, but no list with other elements. */
 static unsigned meaning_of_preprocessor_list(const char *word, unsigned meaning) {
     if (!(meaning & OPTION_PARSE))
         return meaning;
@@ -63,19 +63,20 @@ static unsigned meaning_of_preprocessor_list(const char *word, unsigned meaning)
     return meaning;
 }
 
-/* What depends on the option's own argument. */
+/* The part of the meaning that depends on the option's own argument. */
 static unsigned meaning_with_argument(const option *found, const item *i) {
     const char *argument = i->value ? i->value : i->text + strlen(found->name);
     if (strcmp(found->name, "-fopt-info") == 0 && !strchr(argument, '='))
-        return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* writes no file, but messages */
+        return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* writes only messages, no file */
     if (strcmp(found->name, "-ftree-parallelize-loops=") == 0 && strcmp(argument, "1") == 0)
         return found->meaning & ~(unsigned)OPTION_THREADS;
     if (strcmp(found->name, "-fsanitize=") == 0 && strstr(argument, "thread"))
-        return found->meaning | OPTION_GIVE_UP; /* it does not see what OpenMP's threads wait for */
+        return found->meaning | OPTION_GIVE_UP; /* it does not model the synchronisation of OpenMP's
+                                                 * threads */
     if (strcmp(found->name, "-MF") == 0 &&
         (strcmp(argument, "-") == 0 || strncmp(argument, "/dev/", 5) == 0) &&
         strcmp(argument, "/dev/null") != 0)
-        return found->meaning | OPTION_GIVE_UP; /* to a stream, with other things */
+        return found->meaning | OPTION_GIVE_UP; /* to a stream, mixed with other output */
     return found->meaning;
 }
 
@@ -87,7 +88,7 @@ static item read_option(const word_list *words, unsigned *next) {
         return i;
     bool takes_next = (found->meaning & OPTION_ARGUMENT) && strcmp(i.text, found->name) == 0;
     if (takes_next && *next >= words->count) {
-        /* nothing may be added that would become its argument */
+        /* an added word would become its argument */
         i.meaning = found->meaning | OPTION_GIVE_UP | OPTION_NO_RUNTIME;
         return i;
     }
@@ -108,7 +109,7 @@ static void count_item(command *c, const item *i) {
         c->output = item_argument(i);
 }
 
-/* -fwrapv, which setuptools gives to every extension, is undone by a later -fno-wrapv. */
+/* A later -fno-wrapv undoes -fwrapv, which setuptools passes for every extension. */
 static void undo_wrapping(item *items, unsigned count) {
     bool is_undone = false;
     for (unsigned i = count; i-- > 0;) {
@@ -120,7 +121,7 @@ static void undo_wrapping(item *items, unsigned count) {
     }
 }
 
-/* A header is compiled to its precompiled form, and nothing is linked. */
+/* A header is compiled to its precompiled form; nothing is linked. */
 static bool has_header(const command *c) {
     static const char *const headers[] = {".h", ".h++", ".hh", ".hp", ".hpp", ".hxx", NULL};
     for (unsigned i = 0; i < c->count; i++) {
@@ -162,7 +163,7 @@ command command_parse(arena *a, const word_list *words, bool c_is_cxx) {
     return c;
 }
 
-/* A file or folder that only a probe of the compiler has. */
+/* A file or folder that only a compiler test of a configure script has. */
 static bool is_probe_path(const char *path) {
     static const char *const folders[] = {"CMakeFiles/CMakeTmp",
                                           "CMakeFiles/CMakeScratch",

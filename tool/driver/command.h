@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A compiler's command line, taken apart: what is compiled, how far, and what must stay together.
- */
+/** A parsed compiler command line: the inputs, the last stage, and the words that belong
+ *  together. */
 #ifndef DRIVER_COMMAND_H
 #define DRIVER_COMMAND_H
 
@@ -16,37 +16,36 @@ typedef enum input_kind {
     INPUT_LINK     /**< an object, a library, a linker script */
 } input_kind;
 
-/** One option with what belongs to it, or one input. */
+/** One option with its argument, or one input. */
 typedef struct item {
     const char *text;  /**< the word as written */
-    const char *value; /**< the next word where the option takes one; NULL: it has none */
+    const char *value; /**< the next word if the option takes one; else NULL */
     unsigned meaning;  /**< of enum option_meaning, 0 for inputs and options not in the table */
     input_kind kind;
-    const char *language; /**< of an input: what -x says there; NULL: the file's name decides */
+    const char *language; /**< of an input: as set by -x; NULL: the file's name decides */
 } item;
 
 typedef struct command {
     unsigned count;
     const item *items;
-    unsigned meaning;     /**< all of the items' meanings together */
+    unsigned meaning;     /**< union of the items' meanings */
     unsigned c_count;     /**< inputs of kind INPUT_C */
     unsigned compiled;    /**< inputs of kind INPUT_C and INPUT_COMPILE */
     unsigned linked;      /**< inputs of kind INPUT_LINK, and -l */
     const char *output;   /**< of -o; NULL: none is named */
-    const char *language; /**< what -x says at the end; NULL: nothing */
-    bool compiles;        /**< makes an object or assembler text of at least one input */
+    const char *language; /**< as set by -x at the end; NULL: not set */
+    bool compiles;        /**< writes an object or assembler text for at least one input */
     bool links;
 } command;
 
-/** Takes apart the words after the compiler's name, response files already replaced.
- *  `c_is_cxx`: the compiler takes C files for C++ (g++). */
+/** Parses the words after the compiler's name, with response files already expanded. `c_is_cxx`:
+ *  the compiler treats C files as C++ (g++). */
 command command_parse(arena *a, const word_list *words, bool c_is_cxx);
 
-/** Whether a configure script, CMake or Meson tries out the compiler with this command. */
+/** Whether a configure script, CMake or Meson tests the compiler with this command. */
 bool command_is_probe(const command *c, const char *folder);
 
-/** What an item's option was given, joined or as a word of its own: "x.o" of "-ox.o"; "" if none.
- */
+/** The argument of an item's option, joined or as the next word: "x.o" of "-ox.o"; "" if none. */
 const char *item_argument(const item *i);
 
 /** Adds an item's words. */
@@ -55,7 +54,7 @@ void item_add(arena *a, word_list *list, const item *i);
 /** Adds every option whose meaning shares no bit with `without`; neither inputs nor -o nor -x. */
 void command_add_options(arena *a, word_list *list, const command *c, unsigned without);
 
-/** Adds what the translator must see of the options. */
+/** Adds the options that the translator's parser needs. */
 void command_add_parse_options(arena *a, word_list *list, const command *c);
 
 /** Whether the word looks like a source, object or library by its ending. */

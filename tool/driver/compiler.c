@@ -15,8 +15,8 @@ static bool is_self(const char *self, const char *path) {
     return self && path_same_file(self, path);
 }
 
-/* Where execvp would find `name`, entries that lead back to this program left out (they are counted
- * in *skipped); NULL: nowhere. */
+/* The path that execvp would use for `name`, skipping entries that lead back to this program
+ * (counted in *skipped); NULL: none. */
 static const char *find_program(arena *a, const char *self, const char *name, unsigned *skipped) {
     if (strchr(name, '/')) {
         *skipped += is_self(self, name);
@@ -39,7 +39,7 @@ static const char *find_program(arena *a, const char *self, const char *name, un
     return NULL;
 }
 
-/* Adds a program's name, by its full path where the plain name would lead back to this program. */
+/* Adds a program's name; its full path if the plain name would lead back to this program. */
 static bool add_program(arena *a, word_list *list, const char *self, const char *name) {
     unsigned skipped = 0;
     const char *path = find_program(a, self, name, &skipped);
@@ -48,7 +48,7 @@ static bool add_program(arena *a, word_list *list, const char *self, const char 
     return path != NULL;
 }
 
-/* Programs that run the compiler named after them. */
+/* Programs that run the compiler given after their name. */
 bool compiler_is_launcher(const char *word) {
     static const char *const names[] = {"ccache", "sccache", "distcc", "icecc", "colorgcc"};
     for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++)
@@ -63,7 +63,7 @@ static bool names_compiler(arena *a, const char *word) {
            find_program(a, NULL, word, &skipped);
 }
 
-/* Launcher form: takes the compiler's name, and those of further launchers, off the front. */
+/* Launcher form: removes the compiler's name, and those of further launchers, from the front. */
 static void take_from_front(arena *a, const char *self, unsigned count, char *const *words,
                             compiler *c) {
     while (c->taken < count && names_compiler(a, words[c->taken])) {
@@ -85,7 +85,8 @@ static void take_from_environment(arena *a, const char *self, compiler *c) {
     if (words.count == 0 || !add_program(a, &c->words, self, words.items[0])) {
         unsigned skipped = 0;
         if (words.count > 0 && !find_program(a, NULL, words.items[0], &skipped))
-            words_add(a, &c->words, words.items[0]); /* not there at all: running it will say so */
+            words_add(a, &c->words, words.items[0]); /* it does not exist: running it reports
+                                                      * that */
         return;
     }
     for (unsigned i = 1; i < words.count; i++)
@@ -102,7 +103,7 @@ static void take_default(arena *a, const char *self, const char *called, compile
             return;
 }
 
-/* "x86_64-linux-gnu-gcc-12" is for the machine x86_64; "gcc-12" is for this one. */
+/* "x86_64-linux-gnu-gcc-12" compiles for the machine x86_64; "gcc-12" for this one. */
 static bool is_for_another_machine(const char *base) {
     struct utsname host;
     const char *dash = strchr(base, '-');

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An operator's text, and how strongly it binds: larger binds first. */
+/* An operator's text and precedence: larger binds tighter. */
 typedef struct binary_operator {
     const char *text;
     int strength;
 } binary_operator;
 
-/* Longer texts before their beginnings. */
+/* Longer texts before their prefixes. */
 static const binary_operator binary_operators[] = {
     {"||", 1}, {"&&", 2}, {"==", 6}, {"!=", 6}, {"<<", 8}, {">>", 8},
     {"<=", 7}, {">=", 7}, {"<", 7},  {">", 7},  {"|", 3},  {"^", 4},
@@ -44,7 +44,7 @@ static condition_value unknown(const char *text, size_t length) {
     return (condition_value){.form = mix(14695981039346656037u, text, length)};
 }
 
-/* An unknown made of `text` and two parts. */
+/* An unknown combined from `text` and two parts. */
 static condition_value combined(const char *text, const condition_value *left,
                                 const condition_value *right) {
     condition_value made = unknown(text, strlen(text));
@@ -107,7 +107,7 @@ static condition_value read_defined(reader *r) {
     return combined("defined", &of, &nothing);
 }
 
-/* A name, or the call of a macro: its arguments may not speak of versions. */
+/* A name, or the call of a macro: its arguments must not refer to versions. */
 static condition_value read_name(reader *r) {
     const char *name = r->at;
     size_t length = name_length(name);
@@ -221,7 +221,7 @@ static condition_value apply(const char *operator, const condition_value * left,
         return wrong;
     if (left->is_known && right->is_known)
         return compute(operator, left->value, right->value);
-    /* 0 && u and u && 0 are 0, 1 || u and u || 1 are 1, whatever u is */
+    /* 0 && u and u && 0 are 0, 1 || u and u || 1 are 1, for any u */
     const bool is_and = strcmp(operator, "&&") == 0, is_or = strcmp(operator, "||") == 0;
     const condition_value *one = left->is_known ? left : right;
     if (one->is_known && ((is_and && !one->value) || (is_or && one->value)))
@@ -229,7 +229,7 @@ static condition_value apply(const char *operator, const condition_value * left,
     return combined(operator, left, right);
 }
 
-/* Operators that bind at least as strongly as `least`; those of one strength from the left. */
+/* Operators with precedence of at least `least`; left-associative. */
 static condition_value read_binary(reader *r, int least) {
     condition_value left = read_unary(r);
     const binary_operator *next;

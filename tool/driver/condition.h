@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The value of an #if condition as far as it depends on which compiler it is. */
+/** The value of an #if condition as a function of the compiler's version. */
 #ifndef DRIVER_CONDITION_H
 #define DRIVER_CONDITION_H
 
@@ -13,8 +13,8 @@ typedef struct condition_version {
     bool is_clang;
 } condition_version;
 
-/** Known, with a value; or unknown: `form` is then a hash of what it is made of, so that two
- *  conditions of the same form have the same value, whatever the unknown names stand for. */
+/** Known, with a value; or unknown. An unknown has a `form`, the hash of its expression, so that
+ *  two conditions of the same form have the same value, whatever the unknown names are. */
 typedef struct condition_value {
     bool is_wrong; /**< not an expression that is understood */
     bool is_known;
@@ -22,11 +22,11 @@ typedef struct condition_value {
     uint64_t form;
 } condition_value;
 
-/** Evaluates an expression of the preprocessor (C17 6.10.1). Names but those of the version are
- *  unknown; `defined` is known of these alone. */
+/** Evaluates a preprocessor expression (C17 6.10.1). Only the names of the version are known, and
+ *  only for them is `defined`. */
 condition_value condition_evaluate(const char *expression, condition_version version);
 
-/** Whether both are the same value, or the same unknown; false where either is wrong. */
+/** Whether both are the same value, or the same unknown; false if either is wrong. */
 bool condition_equal(const condition_value *left, const condition_value *right);
 
 #endif

@@ -61,7 +61,7 @@ static bool is_listed(const word_list *list, const char *name) {
     return false;
 }
 
-/* One that only translated text includes. */
+/* A header that only translated text includes. */
 static bool is_the_runtimes(const char *name) {
     static const char *const headers[] = {
         "/redcc/bins.h",   "/redcc/entry.h",    "/redcc/lanes.h",
@@ -74,8 +74,8 @@ static bool is_the_runtimes(const char *name) {
     return false;
 }
 
-/* The headers of a list: without the source itself, the runtime's headers, and what stands there
- * for a second time (gcc repeats a header that is found by two ways). */
+/* The headers of a list: without the source itself, the runtime's headers, and repetitions (gcc
+ * repeats a header that is found by two paths). */
 static word_list headers_of(arena *a, const word_list *list, const char *path) {
     word_list headers = {0};
     const char *itself = without_dot_slash(path);
@@ -112,7 +112,7 @@ static bool mentions(const char *text, size_t length, const char *word) {
     return false;
 }
 
-/* glibc's <math.h> asks for _OPENMP there only to choose between two spellings of one thing. */
+/* glibc's <math.h> tests _OPENMP here, only to choose between two equivalent spellings. */
 static const char indifferent_header[] = "/bits/math-vector.h";
 
 bool dependencies_mention(arena *a, const word_list *files, const char *word) {

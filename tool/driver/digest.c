@@ -23,8 +23,8 @@ static uint64_t turned(uint64_t word, unsigned by) {
     return word >> by | word << (64 - by);
 }
 
-/* Inlined into rounds that are written out, every index is a constant and `v` lies in registers:
- * a third of the instructions. */
+/* Inlined into unrolled rounds, every index is a constant and `v` stays in registers: a third of
+ * the instructions. */
 __attribute__((always_inline)) static inline void
 mix(uint64_t *v, unsigned a, unsigned b, unsigned c, unsigned d, uint64_t x, uint64_t y) {
     v[a] += v[b] + x;
@@ -74,7 +74,7 @@ digester digest_begin(void) {
 void digest_add(digester *d, const void *bytes, size_t count) {
     const unsigned char *at = bytes;
     while (count > 0) {
-        if (d->filled == sizeof d->block) { /* the last block is not compressed before the end */
+        if (d->filled == sizeof d->block) { /* the last block is compressed only at the end */
             d->length += d->filled;
             compress(d, d->block, 0);
             d->filled = 0;

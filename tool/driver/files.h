@@ -9,34 +9,34 @@
 
 #include "support/arena.h"
 
-/** The bytes of a file and a 0 after them; *length is set where length is not NULL. NULL where it
- *  cannot be read. */
+/** The bytes of a file followed by a 0; sets *length unless length is NULL. NULL if it cannot be
+ *  read. */
 char *file_read(arena *a, const char *path, size_t *length);
 
 /** Whether both can be read and hold the same bytes. */
 bool file_equal(arena *a, const char *left, const char *right);
 
-/** Copies through a temporary beside `to` and a rename: nobody sees half a file. */
+/** Copies through a temporary file in the folder of `to` and a rename, so that no reader sees a
+ *  partial file. */
 bool file_copy(arena *a, const char *from, const char *to);
 
-/** Whether a file holds nothing, or is not there. */
+/** Whether a file is empty or does not exist. */
 bool file_is_empty(const char *path);
 
-/** Copies a file's bytes to a stream; a file that is not there has none. */
+/** Copies a file's bytes to a stream; a missing file counts as empty. */
 void file_show(const char *path, FILE *stream);
 
-/** Creates the folder that `path` is to lie in, and those above it. */
+/** Creates the folder of `path`, and those above it. */
 bool folder_create_for(arena *a, const char *path);
 
-/** What stands after the last slash; what stands before it ("" without a slash, "/" for the root).
- */
+/** The part after the last slash; the part before it ("" without a slash, "/" for the root). */
 const char *path_base(const char *path);
 const char *path_folder(arena *a, const char *path);
 
 /** Whether `path` names a file, not a folder, that this process may execute. */
 bool path_is_executable(const char *path);
 
-/** Whether both paths lead to one file; false where either leads nowhere. */
+/** Whether both paths lead to one file; false if either does not exist. */
 bool path_same_file(const char *left, const char *right);
 
 #endif

@@ -8,7 +8,7 @@
 #include "driver/files.h"
 #include "support/source.h"
 
-/* What depends on the compiler's version, or on options that redcc is not told. */
+/* Macros that depend on the compiler's version, or on options that are not passed to redcc. */
 static const char *const sensitive[] = {
     "__CET__",
     "__EXCEPTIONS",
@@ -42,7 +42,8 @@ static const char *const sensitive[] = {
     "__pie__",
 };
 
-/* What `gcc -dM -E` and `clang -dM -E` define differently besides (gcc 12, clang 19, x86-64). */
+/* Further macros that `gcc -dM -E` and `clang -dM -E` define differently (gcc 12, clang 19,
+ * x86-64). */
 static const char *const sensitive_for_gcc[] = {
     "__BIGGEST_ALIGNMENT__",
     "__BITINT_MAXWIDTH__",
@@ -78,7 +79,7 @@ static const char *const sensitive_for_gcc[] = {
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
-/* What clang says it is, and what gcc 5 and later say. */
+/* The gcc version that clang claims, and the versions of gcc 5 and later. */
 enum { CLANG_MAJOR = 4, CLANG_MINOR = 2, FIRST_MAJOR = 5, LAST_MAJOR = 40, LAST_MINOR = 9 };
 
 static bool is_word_byte(char c) {
@@ -118,7 +119,7 @@ static bool is_version(const char *word) {
            strcmp(word, "__clang__") == 0;
 }
 
-/* The line around `at`, lines that end in a backslash joined to it, without the backslashes. */
+/* The line around `at`, joined with the lines that end in a backslash, without the backslashes. */
 static char *logical_line(arena *a, const char *text, const char *at) {
     const char *first = at;
     while (first > text && !(first[-1] == '\n' && !(first > text + 1 && first[-2] == '\\') &&
@@ -151,7 +152,7 @@ static bool is_same_for_all_versions(const char *expression) {
     return true;
 }
 
-/* Whether `word`, which stands in this line, makes no difference. */
+/* Whether this occurrence of `word` in its line is irrelevant. */
 static bool is_harmless(const char *line, const char *word) {
     line += strspn(line, " \t");
     if (*line != '#')
@@ -162,7 +163,7 @@ static bool is_harmless(const char *line, const char *word) {
     const char *rest = line + length;
     if ((length == 5 && strncmp(line, "ifdef", 5) == 0) ||
         (length == 6 && strncmp(line, "ifndef", 6) == 0))
-        return strcmp(word, "__clang__") != 0; /* the others are defined by all concerned */
+        return strcmp(word, "__clang__") != 0; /* all these compilers define the others */
     bool is_condition = (length == 2 && strncmp(line, "if", 2) == 0) ||
                         (length == 4 && strncmp(line, "elif", 4) == 0);
     return is_condition && is_same_for_all_versions(rest);
@@ -178,7 +179,7 @@ const char *identity_asked(arena *a, const char *text, bool is_clang) {
             continue;
         }
         const char *word = arena_copy(a, at, length);
-        /* of C23's compilers say 2020.. or 2023.. */
+        /* compilers for C23 define it as 2020.. or 2023.. */
         const bool asks_c23 = strcmp(word, "__STDC_VERSION__") == 0 &&
                               strstr(logical_line(a, text, at), "202") != NULL;
         if (is_sensitive(word, is_clang) || (!is_clang && asks_c23) ||

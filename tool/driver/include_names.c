@@ -12,7 +12,7 @@ static bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-/* Behind the line's end that a backslash at `at` takes out; NULL: it takes none out. */
+/* The text after the line end that a backslash at `at` removes; NULL if there is none. */
 static const char *after_splice(const char *at) {
     do
         at++;
@@ -21,7 +21,7 @@ static const char *after_splice(const char *at) {
     return *at == '\n' || *at == '\r' ? at + 1 : NULL;
 }
 
-/* The text with spliced lines joined: a word or a directive may lie in two. */
+/* The text with spliced lines joined: a word or a directive may extend over two. */
 static const char *without_splices(arena *a, const char *text, size_t length) {
     const char *first = strchr(text, '\\');
     while (first && !after_splice(first))
@@ -59,7 +59,7 @@ static const char *skip_blanks(const char *at) {
     }
 }
 
-/* Does what stands before `at` begin a line? A comment may, and so may a byte order mark. */
+/* Is `at` at the beginning of a line, except for comments and a byte order mark? */
 static bool begins_line(const char *text, const char *at) {
     while (at > text && is_blank(at[-1]))
         at--;
@@ -74,16 +74,16 @@ static bool is_directive(const char *text, const char *at) {
         at--;
     if (at == text)
         return false;
-    if (at >= text + 2 && at[-1] == '/' && at[-2] == '*') /* # with a comment behind it, maybe */
+    if (at >= text + 2 && at[-1] == '/' && at[-2] == '*') /* # may be followed by a comment */
         return true;
     if (at[-1] == '#')
         return begins_line(text, at - 1);
     return at >= text + 2 && at[-1] == ':' && at[-2] == '%' && begins_line(text, at - 2);
 }
 
-/* Adds the macro at `at`, which may make a name. False where a compiler may define it by itself
- * (reserved names, `linux`), or its name has other bytes than letters, digits and _. What is no
- * name is no directive that includes: words of a comment, or an error. */
+/* Adds the macro at `at`, which may expand to a name. False if a compiler may predefine it
+ * (reserved names, `linux`), or its name has bytes other than letters, digits and _. A word that is
+ * no name is no include directive: words of a comment, or an error. */
 static bool add_macro(arena *a, const char *at, include_names *names) {
     size_t length = 0;
     bool has_capital = false;
@@ -97,7 +97,7 @@ static bool add_macro(arena *a, const char *at, include_names *names) {
     return has_capital && *at != '_';
 }
 
-/* Adds the <name>, "name" or macro at `at`; false where the name cannot be seen. */
+/* Adds the <name>, "name" or macro at `at`; false if the name cannot be determined. */
 static bool add_name(arena *a, const char *at, include_names *names) {
     if (*at != '<' && *at != '"')
         return add_macro(a, at, names);
@@ -113,7 +113,8 @@ static bool is(const char *word, size_t length, const char *name) {
     return strlen(name) == length && strncmp(word, name, length) == 0;
 }
 
-/* Adds what the word, `length` bytes at `at`, asks for. False where that cannot be seen. */
+/* Adds the header requested by the word, `length` bytes at `at`. False if it cannot be
+ * determined. */
 static bool add_of_word(arena *a, const char *text, const char *at, size_t length,
                         include_names *names) {
     const char *next = skip_blanks(at + length);
@@ -151,7 +152,7 @@ const char *include_names_find(arena *a, const char *text, size_t length, includ
     return NULL;
 }
 
-/* Is the word before `at` one that asks for a macro, or takes it away? */
+/* Does the word before `at` test a macro or undefine it? */
 static bool is_asked_for(const char *text, const char *at) {
     static const char *const askers[] = {"defined", "ifdef",        "ifndef", "undef",
                                          "include", "include_next", "import"};

@@ -13,7 +13,7 @@
 #define REDCC_LIBRARY_FOLDER "lib"
 #endif
 
-/* Where things lie, relative to a root. */
+/* Paths relative to a root. */
 typedef struct layout {
     const char *translator;
     const char *library;

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where this program's own companions lie: found from its place, never compiled in. */
+/** Finds the files that belong to this program, relative to its own path; no path is compiled
+ *  in. */
 #ifndef DRIVER_INSTALLATION_H
 #define DRIVER_INSTALLATION_H
 
 #include "support/arena.h"
 
-/** Absolute paths; NULL for what is not there. */
+/** Absolute paths; NULL for missing files. */
 typedef struct installation {
     const char *self;       /**< this program */
     const char *translator; /**< redcc */
@@ -13,12 +14,12 @@ typedef struct installation {
     const char *include;    /**< the folder that holds redcc/runtime.h */
 } installation;
 
-/** Looks below $REDCC_ROOT where it is set, else around this program: first as installed
- *  (bin, lib, include side by side), then as built. */
+/** Searches below $REDCC_ROOT if it is set, else around this program: first an installed tree (bin,
+ *  lib, include side by side), then a build tree. */
 installation installation_find(arena *a);
 
-/** The URI of the folder that holds the pages, reasons.md and refused.md: where the project said
- * that they are to be read (REDCC_DOCUMENTS_URI), else as installed. NULL: there is none. */
+/** The URI of the folder with the pages reasons.md and refused.md: the one given at configuration
+ *  (REDCC_DOCUMENTS_URI), else the installed one. NULL: none. */
 const char *installation_documents(arena *a);
 
 #endif

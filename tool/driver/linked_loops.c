@@ -6,8 +6,8 @@
 #include "driver/files.h"
 #include "support/source.h"
 
-/* What was linked already has a runtime of its own, if any: the one of an archive is hidden, and
- * would not be found by it. */
+/* A file that is already linked has its own runtime, if any: an archive's runtime is hidden, and
+ * not found here. */
 static bool is_served(const session *s, const char *path) {
     const bool is_shared = source_ends_with(path, ".so") || strstr(path_base(path), ".so.");
     return is_shared && !source_ends_with(s->tools.library, ".so");

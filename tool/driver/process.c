@@ -32,7 +32,7 @@ void process_catch_signals(void) {
     sigemptyset(&action.sa_mask);
     for (unsigned i = 0; i < CAUGHT_COUNT; i++) {
         struct sigaction old;
-        /* what the parent chose to ignore (nohup) stays ignored */
+        /* signals that the parent ignores (nohup) stay ignored */
         if (sigaction(caught_signals[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
             sigaction(caught_signals[i], &action, NULL);
     }
@@ -74,7 +74,8 @@ int process_run(arena *a, const word_list *words, process_streams streams) {
     sigemptyset(&caught);
     for (unsigned i = 0; i < CAUGHT_COUNT; i++)
         sigaddset(&caught, caught_signals[i]);
-    sigprocmask(SIG_BLOCK, &caught, &before); /* none may come between fork and `child = pid` */
+    sigprocmask(SIG_BLOCK, &caught, &before); /* no signal may arrive between fork and `child =
+                                               * pid` */
     if (last_signal) {
         sigprocmask(SIG_SETMASK, &before, NULL);
         return -last_signal;
@@ -107,7 +108,8 @@ _Noreturn void process_become(arena *a, const word_list *words) {
 _Noreturn void process_end_as(int status) {
     fflush(NULL);
     if (status < 0) {
-        const struct rlimit no_core = {0, 0}; /* the child may have left one; this is not a crash */
+        const struct rlimit no_core = {0, 0}; /* the child may have dumped core; this process has
+                                               * not crashed */
         setrlimit(RLIMIT_CORE, &no_core);
         signal(-status, SIG_DFL);
         raise(-status);

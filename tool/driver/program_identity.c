@@ -13,11 +13,11 @@
 
 extern char **environ;
 
-/* A file that changed so lately may change again without its times telling. */
+/* A file that changed this recently may change again without a new time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
-/* Adds which file it is and when it changed; false where it is not there. *is_settled is cleared
- * for one that changed lately. */
+/* Adds a file's identity and times; false if it does not exist. Clears *is_settled if it changed
+ * recently. */
 static bool add_times(digester *d, const char *path, bool *is_settled) {
     struct stat about;
     if (stat(path, &about) != 0 || !S_ISREG(about.st_mode))
@@ -32,7 +32,7 @@ static bool add_times(digester *d, const char *path, bool *is_settled) {
     return true;
 }
 
-/* Libraries have hundreds of megabytes: never as a whole in memory. */
+/* Libraries have hundreds of megabytes: read in pieces. */
 static bool add_contents(digester *d, const char *path) {
     FILE *file = fopen(path, "rb");
     char part[65536];
@@ -79,7 +79,7 @@ static bool add_file(arena *a, const store *s, digester *d, const char *path) {
     return identity_add_files(a, s, d, &one);
 }
 
-/* Adds one file that is started; false where it is no machine code. */
+/* Adds one executable file; false if it is no machine code. */
 static bool add_executable(arena *a, const store *s, digester *d, const char *path) {
     char magic[4] = "";
     FILE *file = fopen(path, "rb");
@@ -122,7 +122,7 @@ static int compare_texts(const void *left, const void *right) {
     return strcmp(*(const char *const *)left, *(const char *const *)right);
 }
 
-/* Does the variable that `entry` sets change an answer? */
+/* Does the variable set by `entry` affect an answer? */
 static bool counts(const char *entry) {
     static const char *const beginnings[] = {"C_INCLUDE_PATH=",
                                              "CCC_",

@@ -33,7 +33,7 @@ static bool is_c_source(const char *name) {
     return length > 2 && strcmp(name + length - 2, ".c") == 0;
 }
 
-/* Returns false once there is too much. */
+/* Returns false once the limit is exceeded. */
 static bool list_folder(listing *all, const char *folder, int depth) {
     DIR *stream = opendir(folder);
     bool is_small = true;
@@ -68,8 +68,8 @@ static bool describes_build(arena *a, const char *folder) {
     return false;
 }
 
-/* The outermost folder with a description of a build, a few levels up; the home folder and what is
- * above it are no project. NULL: there is none. */
+/* The outermost folder with a build description, a few levels up; the home folder and its parents
+ * are no project. NULL: there is none. */
 static const char *root_of(arena *a, const char *folder) {
     const char *root = NULL, *home = getenv("HOME");
     char *at = arena_string(a, folder);
@@ -97,16 +97,17 @@ static path_list list_files(arena *a, const char *folder) {
     return all.files;
 }
 
-/* ---- what is in them ------------------------------------------------------------------------- */
+/* ---- contents of the files
+ * --------------------------------------------------------------------- */
 
 typedef struct scanner {
     arena *memory;
     const char *at, *end;
     project_file *file;
-    project_function *function; /* whose body this is; NULL: outside of all */
+    project_function *function; /* the function of the current body; NULL: outside of all */
     int braces, parentheses;
     const char *name;          /* outside: before the first parenthesis of a declaration */
-    bool is_static, is_called; /* `static` was met; the parentheses are closed */
+    bool is_static, is_called; /* `static` was seen; the parentheses are closed */
     bool has_loop, has_update;
 } scanner;
 
@@ -191,7 +192,7 @@ static void close_brace(scanner *s) {
     begin_declaration(s);
 }
 
-/* `op=`, `] =`, `]++`, `++a[`: something may be updated. */
+/* `op=`, `] =`, `]++`, `++a[`: a possible update. */
 static void note_operator(scanner *s) {
     const char *at = s->at;
     if (s->end - at < 2)
@@ -255,8 +256,8 @@ static void scan(arena *a, project_file *file, const char *text, size_t length) 
     }
 }
 
-/* ---- who defines and calls what ----------------------------------------------------------------
- */
+/* ---- definitions and calls
+ * --------------------------------------------------------------------- */
 
 typedef struct project_definers {
     VECTOR(unsigned) files;
@@ -284,9 +285,7 @@ static const project_definers *definers_of(const project *p, const char *name) {
     return known ? known : &no_definers;
 }
 
-/* The files that define a function, where they are asked for by `seen` for the first time; else
- * none.
- */
+/* The files that define a function, on the first query recorded in `seen`; else none. */
 static const project_definers *new_definers_of(const project *p, map *seen, const char *name) {
     void **is_seen = map_at(seen, name, strlen(name));
     const bool is_new = !*is_seen;
@@ -294,7 +293,8 @@ static const project_definers *new_definers_of(const project *p, map *seen, cons
     return is_new ? definers_of(p, name) : &no_definers;
 }
 
-/* Notes what the function calls, and what all functions do that lie in the files with these. */
+/* Records the calls of the function, and those of all functions in the files that define the
+ * callees. */
 static void note_calls(project *p, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];
@@ -309,7 +309,7 @@ static void note_calls(project *p, map *seen, const project_function *function) 
     }
 }
 
-/* A static function may be what leads from a loop to others. */
+/* A static function may connect a loop with others. */
 static void note_called(project *p) {
     p->called = map_new(p->memory);
     for (unsigned i = 0; i < p->files.count; i++) {
@@ -349,7 +349,8 @@ project *project_around(arena *a, const char *path) {
     return p;
 }
 
-/* ---- questions ------------------------------------------------------------------------------- */
+/* ---- queries
+ * ----------------------------------------------------------------------------------- */
 
 /* value for a/value.c */
 static const char *stem(arena *a, const char *path) {
@@ -381,7 +382,7 @@ bool project_calls_in_loop(const project *p, const char *name) {
     return map_get(p->called, name, strlen(name)) != NULL;
 }
 
-/* Adds the files that define what the function calls, and what is called there. */
+/* Adds the files that define the function's callees, and their callees. */
 static void add_called(const project *p, digester *d, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The C sources around a source, and which of them define and call what, by their text alone. It
- * may be wrong of macros and of unusual text: what is found is where to look, never a fact.
+ * The C sources around a source, with the functions that they define and call, judged by their text
+ * alone. Macros and unusual text may mislead it: a result says only which file to read, and is
+ * never used as a fact.
  */
 #ifndef DRIVER_PROJECT_H
 #define DRIVER_PROJECT_H
@@ -16,7 +17,7 @@
 typedef struct project_function {
     const char *name;
     bool is_static;
-    bool has_loop; /* in which something is written through a subscript, or updated */
+    bool has_loop; /* it contains an update, or an assignment through a subscript */
     VECTOR(const char *) calls;
 } project_function;
 
@@ -28,27 +29,29 @@ typedef struct project_file {
 
 typedef struct project {
     arena *memory;
-    const char *own; /* the source that was asked about */
+    const char *own; /* the source of the query */
     VECTOR(project_file) files;
     map *definers; /* the name of an external function -> project_definers */
-    map *called;   /* the name of what functions with loops of other files lead to -> not NULL */
+    map *called;   /* the names of functions called, directly or not, from functions with loops in
+                    * other files -> not NULL */
 } project;
 
-/** The sources of the project that `path` is a source of: all below the outermost of the folders
- *  around it that hold a build's description. Of a project that is too large the source's own
- *  folder; without any files where that is too large too. */
+/** The sources of the project that contains `path`: all below the outermost enclosing folder with a
+ *  build description. If the project is too large, only the source's own folder; if that is too
+ *  large as well, no files. */
 project *project_around(arena *a, const char *path);
 
-/** A file other than the source itself that defines an external function of this name. Of several
- *  the one that is called as the header which declares the function (NULL: none does), else one in
- *  the source's own folder, else the first. NULL: there is none. */
+/** A file other than the source that defines an external function of this name. Among several, the
+ *  one named like the header that declares the function (NULL: none does), else one in the source's
+ *  own folder, else the first. NULL: there is none. */
 const char *project_definer(const project *p, const char *name, const char *header);
 
-/** Of what the answers to questions about the source's functions, and what is read for it, depend
- *  on: of the files that define what it calls, and what these call, all bytes. */
+/** Digest of everything that queries about the source's functions depend on: all bytes of the files
+ *  that define its callees and their callees. */
 digest project_digest(const project *p);
 
-/** Does a function with a loop, in another file than the source itself, lead to this function? */
+/** Does a function with a loop, in another file than the source itself, call this function,
+ *  directly or not? */
 bool project_calls_in_loop(const project *p, const char *name);
 
 #endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * redcc-cc: takes what a C compiler takes and gives what it gives, with the reduction loops of each
- * C source made parallel by redcc. Where anything stands in the way the compiler runs as if this
- * program were not there.
+ * redcc-cc: a compiler wrapper. redcc makes the reduction loops of each C source parallel; whenever
+ * that is impossible, the compiler runs on the original command.
  */
 #include <errno.h>
 #include <limits.h>
@@ -20,8 +19,8 @@
 #include "driver/temporary.h"
 #include "html/html.h"
 
-/* How many redcc-cc stand above this one: one may (the compiler is a script that calls it by its
- * other name), two go round in a circle. */
+/* Nesting depth of redcc-cc. One level is possible (the compiler is a script that calls it by its
+ * other name); two are an endless recursion. */
 static const char depth_variable[] = "REDCC_CC_DEPTH";
 
 static const char help_text[] =
@@ -86,7 +85,7 @@ static void read_arguments(session *s, unsigned count, char **words) {
     s->command = command_parse(s->memory, &expanded, s->real.is_cxx);
 }
 
-/* A source from standard input is read by the translator and the compiler: it goes to a file. */
+/* Both the translator and the compiler read a source from standard input: it is saved to a file. */
 static bool store_input(session *s) {
     const char *path = arena_format(s->memory, "%s/input", s->folder);
     FILE *file = fopen(path, "wb");
@@ -108,7 +107,8 @@ static bool reads_input(const command *c) {
     return false;
 }
 
-/* The compiler refuses to write over what it reads; the translated text would be another file. */
+/* The compiler refuses to overwrite its input; the translated text would be another file, and
+ * escape that check. */
 static bool would_write_over_input(const command *c) {
     for (unsigned i = 0; c->output && i < c->count; i++)
         if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))
@@ -116,8 +116,8 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Whether a word is none of what it was taken for: a file that is missing, for which clang looks
- * before it begins, or the argument of an option that the table does not know. */
+/* Whether a word is not what it was parsed as: a missing file, which clang checks before it begins,
+ * or the argument of an option that is not in the table. */
 static bool misses_input(const command *c) {
     for (unsigned i = 0; i < c->count; i++) {
         const char *word = c->items[i].text;
@@ -137,12 +137,12 @@ static const char *obstructing_option(const command *c) {
     return NULL;
 }
 
-/* Coverage counts how often each line of the source is executed; a translated text has others. */
+/* Coverage counts executions of each source line; a translated text has other lines. */
 static bool is_for_coverage(const char *word) {
     return strstr(word, "coverage") || strcmp(word, "-fprofile-arcs") == 0;
 }
 
-/* What is in the way of translating any source of this command; NULL: nothing. */
+/* The reason why no source of this command can be translated, or NULL. */
 static const char *general_obstacle(const session *s) {
     if (s->command.c_count == 0)
         return "no C source";
@@ -185,7 +185,7 @@ static _Noreturn void translate_and_build(session *s) {
     build(s, translations, count);
 }
 
-/* Why an input that is compiled, and is no C source, is passed through; NULL: it was never C. */
+/* The reason why a compiled input that is no C source is passed through; NULL: it was never C. */
 static const char *other_input(const session *s, const item *one) {
     static const char *const cxx[] = {".C", ".CPP", ".c++", ".cc", ".cp", ".cpp", ".cxx", ".ii"};
     const char *dot = strrchr(path_base(one->text), '.');
@@ -198,8 +198,8 @@ static const char *other_input(const session *s, const item *one) {
     return is_cxx ? "it is C++, which redcc does not translate" : NULL;
 }
 
-/* Names in the report what is not translated, whatever else is: C sources for which the command has
- * an obstacle, preprocessed C, and C++. */
+/* Adds files that are not translated to the report: C sources that the command forbids to
+ * translate, preprocessed C, and C++. */
 static void name_left_alone(session *s, const char *obstacle) {
     for (unsigned i = 0; i < s->command.count; i++) {
         const item *one = &s->command.items[i];
@@ -220,7 +220,7 @@ static void warn_of_missing_runtime(session *s) {
     for (unsigned i = 0; i < s->command.count; i++) {
         const item *one = &s->command.items[i];
         if (strcmp(one->text, "-r") == 0)
-            return; /* the object that it makes is linked later */
+            return; /* its output is linked later */
         if (one->kind == INPUT_LINK && has_loops(s, one->text)) {
             session_warn(
                 s,
@@ -232,9 +232,8 @@ static void warn_of_missing_runtime(session *s) {
     }
 }
 
-/* The compiler's own --help or --version, and then what this program is: tools that ask which
- * compiler they have read the first lines. In the launcher form the answer is the compiler's alone.
- */
+/* Prints the compiler's own --help or --version, then this program's: tools that identify the
+ * compiler have read the first lines. In the launcher form the output is the compiler's alone. */
 static void introduce(session *s) {
     const bool is_version = s->given.count == 1 && strcmp(s->given.items[0], "--version") == 0;
     const bool is_help = s->given.count == 1 && strcmp(s->given.items[0], "--help") == 0;

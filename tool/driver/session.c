@@ -10,8 +10,8 @@
 #include "driver/files.h"
 #include "driver/temporary.h"
 
-/* Above this many bytes a command line goes through a response file; Linux takes 2 MiB at the
- * default stack limit, the environment included. */
+/* Command lines above this size use a response file; Linux accepts 2 MiB at the default stack
+ * limit, including the environment. */
 enum { COMMAND_BYTES_MAX = 512 * 1024 };
 
 void session_read_options(session *s) {
@@ -165,7 +165,7 @@ _Noreturn void session_become_compiler(session *s) {
         show(s, &words, (process_streams){NULL, NULL, NULL});
         exit(0);
     }
-    if (s->input || s->fallbacks.count > 0) { /* input that was read must come from the copy */
+    if (s->input || s->fallbacks.count > 0) { /* consumed standard input must come from the copy */
         int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
         session_end(s, status);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What one call of redcc-cc knows and uses; the steps are in translate.h and build.h. */
+/** The state of one call of redcc-cc; translate.h and build.h have the steps. */
 #ifndef DRIVER_SESSION_H
 #define DRIVER_SESSION_H
 
@@ -14,19 +14,19 @@ typedef struct session {
     installation tools;
     compiler real;       /**< the compiler */
     word_list given;     /**< its arguments as given */
-    command command;     /**< the same, taken apart */
+    command command;     /**< the same, parsed */
     word_list options;   /**< $REDCC_OPTS */
     bool contracts;      /**< order any: the compiler may fuse multiply and add */
-    bool show;           /**< --redcc-show: print what would run, run nothing */
+    bool show;           /**< --redcc-show: print the commands, run nothing */
     bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
-    bool strict;         /**< $REDCC_STRICT: a source that would be left alone ends the build */
-    struct cache *cache; /**< where answers are kept (cache.h); NULL: nowhere */
-    const char *report;  /**< where the build's report goes; NULL: nowhere */
+    bool strict;         /**< $REDCC_STRICT: a source that cannot be translated ends the build */
+    struct cache *cache; /**< the cache (cache.h); NULL: none */
+    const char *report;  /**< the file for the build's report; NULL: none */
     const char *folder;  /**< for temporaries; NULL before there is one */
     VECTOR(shared_folder) shared; /**< those that other calls may use at the same time */
-    const char *input;   /**< what standard input held, in a file; NULL where it is no source */
-    unsigned attempts;   /**< made so far: their files are numbered */
+    const char *input;   /**< a file with the contents of standard input; NULL if it is no source */
+    unsigned attempts;   /**< number of attempts so far, which numbers their files */
     word_list fallbacks; /**< sources whose translated text did not compile */
     word_list unlinked;  /**< sources whose translated objects did not link */
 } session;
@@ -34,7 +34,7 @@ typedef struct session {
 /** Reads $REDCC_OPTS into the session. */
 void session_read_options(session *s);
 
-/** Reads into the session where the build's report goes, and whether the build is strict. */
+/** Reads the file name of the build's report, and whether the build is strict, into the session. */
 void session_read_environment(session *s);
 
 /** Prints a command and returns 0 under --redcc-show; else runs it (process_run). A command line
@@ -44,25 +44,24 @@ int session_run(session *s, const word_list *words, process_streams streams);
 /** One line on standard error, "redcc-cc: LEVEL: ...". */
 void session_warn(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** The same, for what is worth telling only to who asked for it by -v. */
+/** The same, but only with -v. */
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/** An input is passed to the compiler as it is, for this reason, and rightly so: says so to who
- * asked for it by -v, and in the build's report. */
+/** An input is passed to the compiler unchanged, as it should be: reports the reason under -v, and
+ *  in the build's report. */
 void session_pass_by(session *s, const char *file, const char *why);
 
-/** A C source is compiled as it is, for this reason: says so to who asked for it by -v, and in the
- *  build's report. Under $REDCC_STRICT an error, which ends the process with status 1. */
+/** A C source is compiled unchanged: reports the reason under -v, and in the build's report. With
+ *  $REDCC_STRICT this is an error, which ends the process with status 1. */
 void session_leave_alone(session *s, const char *file, const char *why);
 
-/** Removes the temporaries and ends the process as `status` (process_run's) says, or as a signal
- *  that came in the meantime. Where all went well in the end, names the sources whose translated
- *  text did not compile. */
+/** Removes the temporaries and ends the process with `status` (process_run's), or by a signal that
+ *  was caught. On success, names the sources whose translated text did not compile. */
 _Noreturn void session_end(session *s, int status);
 
-/** Removes the temporaries and becomes the compiler, with the arguments given; runs it instead
- * where something is left to do after it. Under --redcc-report the process ends here. */
+/** Removes the temporaries and replaces this process by the compiler, with the given arguments;
+ *  runs it as a child if work remains after it. With --redcc-report the process ends here. */
 _Noreturn void session_become_compiler(session *s);
 
 /** Adds the compiler and its arguments as they were given. */

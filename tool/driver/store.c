@@ -15,11 +15,11 @@
 #include "support/buffer.h"
 #include "support/vector.h"
 
-/* Entries lie in 16 folders by the first digit of their keys; each has its part of the limit. */
+/* Entries lie in 16 folders by the first digit of their keys; the limit is divided among them. */
 enum { SHARES = 16, KEPT_OF_TEN = 8, FRESH_SECONDS = 600, ABANDONED_SECONDS = 3600 };
 static const uint64_t DEFAULT_LIMIT = UINT64_C(1) << 30;
 
-/* Begins every entry. Another layout gets another word. */
+/* The first bytes of every entry; they change with its layout. */
 static const char magic[8] = "redcc-1";
 static const char partial[] = ".new-";
 
@@ -69,7 +69,7 @@ store store_open(arena *a, const char **wrong) {
     struct stat about;
     if (!s.folder)
         return s;
-    /* what is in it becomes part of programs: it must be this user's alone to write */
+    /* its contents become part of programs: only this user may write it */
     if (!folder_create_for(a, arena_format(a, "%s/", s.folder)) || stat(s.folder, &about) != 0 ||
         !S_ISDIR(about.st_mode) || about.st_uid != geteuid() || (about.st_mode & S_IWOTH))
         s.folder = NULL;
@@ -98,7 +98,7 @@ static digest digest_of(const char *bytes, size_t length) {
     return digest_end(&d);
 }
 
-/* Takes the parts out of an entry's bytes; false where it is not as it was written. */
+/* Splits an entry's bytes into parts; false if it is corrupt. */
 static bool take_apart(const char *bytes, size_t length, unsigned count, store_part *parts) {
     if (length < HEADER || memcmp(bytes, magic, sizeof magic) != 0)
         return false;
@@ -120,7 +120,7 @@ static bool take_apart(const char *bytes, size_t length, unsigned count, store_p
     return at == end;
 }
 
-/* An entry that is used counts as young; its time is not written at every use. */
+/* A used entry counts as recent; its time is not written at every use. */
 static void touch(const char *path) {
     struct stat about;
     if (stat(path, &about) == 0 && time(NULL) - about.st_mtime > FRESH_SECONDS)
@@ -156,8 +156,8 @@ static int older_first(const void *left, const void *right) {
     return (l->used.tv_nsec > r->used.tv_nsec) - (l->used.tv_nsec < r->used.tv_nsec);
 }
 
-/* Removes what was used least recently from a share that is over its part of the limit, and what
- * writers that were killed have left. */
+/* Removes the least recently used entries from a share that exceeds its limit, and files that
+ * killed writers have left. */
 static void evict(arena *a, const char *share, uint64_t limit) {
     VECTOR(old_entry) entries = {0};
     uint64_t sum = 0;
@@ -222,7 +222,7 @@ void store_put(arena *a, const store *s, const digest *key, unsigned count,
     buffer_append(&whole, (const char *)sum.bytes, sizeof sum.bytes);
     buffer_append(&whole, rest.data, rest.length);
     const char *path = path_of(a, s, key), *share = share_of(a, s, key);
-    /* no two processes of one machine or of two have a name in common: the key is part of it */
+    /* unique among all processes and machines: the key is part of it */
     const char *fresh =
         arena_format(a, "%s/%s%s-%ld", share, partial, path_base(path), (long)getpid());
     if (whole.length <= s->limit / SHARES && folder_create_for(a, path)) {

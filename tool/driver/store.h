@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A folder of entries that processes share: each a file named after its key, written beside and
- * renamed, so that readers see a whole entry or none, without locks. What is not as it was written
- * is no entry.
+ * A folder of entries that processes share. Each is a file named after its key, written under a
+ * temporary name and renamed, so that readers see a whole entry or none, without locks. A corrupt
+ * entry counts as missing.
  */
 #ifndef DRIVER_STORE_H
 #define DRIVER_STORE_H
@@ -14,7 +14,7 @@
 
 typedef struct store {
     const char *folder; /**< NULL: there is none */
-    uint64_t limit;     /**< bytes that entries may take, about */
+    uint64_t limit;     /**< approximate limit of the entries' bytes */
 } store;
 
 typedef struct store_part {
@@ -22,17 +22,17 @@ typedef struct store_part {
     size_t length;
 } store_part;
 
-/** The folder that $REDCC_CACHE names, else redcc below $XDG_CACHE_HOME or ~/.cache; created where
- *  it is missing. No folder where REDCC_CACHE says off, where it cannot be created or is another
- *  user's. The limit is $REDCC_CACHE_SIZE (bytes, with K, M or G), else 1 GiB. What is wrong with
- *  either variable is left in *wrong, in the arena. */
+/** Opens the folder that $REDCC_CACHE names, else redcc below $XDG_CACHE_HOME or ~/.cache; creates
+ *  it if missing. No folder if REDCC_CACHE is off, or if the folder cannot be created or belongs to
+ *  another user. The limit is $REDCC_CACHE_SIZE (bytes, with K, M or G), else 1 GiB. A message
+ *  about an invalid variable is left in *wrong, in the arena. */
 store store_open(arena *a, const char **wrong);
 
-/** Fetches an entry of `count` parts into the arena; false where there is none. */
+/** Fetches an entry of `count` parts into the arena; false if there is none. */
 bool store_get(arena *a, const store *s, const digest *key, unsigned count, store_part *parts);
 
-/** Keeps an entry; where the limit is exceeded, those that were not used for longest go. Does
- *  nothing where there is no room, or the folder cannot be written. */
+/** Stores an entry; if the limit is exceeded, the least recently used ones are removed. Does
+ *  nothing if the disk is full, or the folder cannot be written. */
 void store_put(arena *a, const store *s, const digest *key, unsigned count,
                const store_part *parts);
 

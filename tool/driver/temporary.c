@@ -17,7 +17,7 @@
 static const char prefix[] = "redcc-cc-";
 static const char placeholder[] = "XXXXXX"; /* of mkdtemp */
 
-/* A folder this young may not be locked yet by who made it. */
+/* The creator of a younger folder may not have locked it yet. */
 enum { YOUNG_SECONDS = 60 };
 
 static const char *parent_folder(void) {
@@ -34,8 +34,8 @@ static bool is_named_as_ours(const char *name) {
     return rest == sizeof placeholder - 1 || rest == KEY_DIGITS;
 }
 
-/* Whether the open folder was left behind: this user's, not young, and nobody holds its lock. Where
- * the file system has no locks it counts as in use. */
+/* Whether the open folder is abandoned: this user's, not young, and unlocked. On a file system
+ * without locks it counts as in use. */
 static bool is_left_behind(int folder) {
     struct stat about;
     return fstat(folder, &about) == 0 && about.st_uid == geteuid() &&
@@ -66,8 +66,7 @@ const char *temporary_create(arena *a) {
     char *folder = mkdtemp(arena_format(a, "%s/%s%s", parent, prefix, placeholder));
     if (!folder)
         return NULL;
-    /* never closed: the lock is to last as long as the process, and the programs it runs do not
-     * inherit it */
+    /* never closed: the lock lasts until the process ends, and child programs do not inherit it */
     int lock = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock >= 0)
         flock(lock, LOCK_SH);
@@ -75,7 +74,7 @@ const char *temporary_create(arena *a) {
     return folder;
 }
 
-/* Whether the open folder is still what the path names, and this user's alone. */
+/* Whether the path still names the open folder, and only this user has access. */
 static bool is_usable(int folder, const char *path) {
     struct stat opened, named;
     return fstat(folder, &opened) == 0 && lstat(path, &named) == 0 &&
@@ -84,7 +83,7 @@ static bool is_usable(int folder, const char *path) {
 }
 
 shared_folder temporary_share(arena *a, uint64_t key) {
-    enum { TRIES = 10 }; /* one is lost where the last user removes the folder in between */
+    enum { TRIES = 10 }; /* an attempt fails if the last user removes the folder in between */
     const char *path = arena_format(a, "%s/%s%0*llx", parent_folder(), prefix, (int)KEY_DIGITS,
                                     (unsigned long long)key);
     for (unsigned i = 0; i < TRIES; i++) {
@@ -101,7 +100,8 @@ shared_folder temporary_share(arena *a, uint64_t key) {
 }
 
 void temporary_leave(shared_folder folder) {
-    /* a lock that cannot be had is given up, so that of two that leave at once one gets it */
+    /* a lock that is taken is not waited for, so that of two processes that leave at once one gets
+     * it */
     if (flock(folder.lock, LOCK_EX | LOCK_NB) == 0)
         temporary_remove(folder.path);
     close(folder.lock);

@@ -23,7 +23,7 @@ static const char *temporary(session *s, const translation *t, const char *name)
     return arena_format(s->memory, "%s/%s", t->folder, name);
 }
 
-/* The first line of a file that holds a message, for a message of ours. */
+/* The first line of a file that holds a message, to be quoted. */
 static const char *first_line(session *s, const char *path) {
     char *text = file_read(s->memory, path, NULL);
     if (!text || !*text)
@@ -39,8 +39,8 @@ static bool wants_remarks(const session *s) {
     return false;
 }
 
-/* Where the linker compiles, it may inline a function of another file into one form of a loop and
- * contract it there: what is said of the function is said of its own object. */
+/* With link-time optimisation, the linker may inline a function of another file into one form of a
+ * loop and contract it there; the record of the function describes its own object. */
 static bool sees_project(const session *s) {
     for (unsigned i = 0; i < s->command.count; i++)
         if (strncmp(s->command.items[i].text, "-flto", 5) == 0)
@@ -58,10 +58,10 @@ static int run_translator(session *s, const translation *t, const char *messages
     if (sees_project(s))
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
-    words_add(a, &words, "--in-process"); /* this process stands behind it */
+    words_add(a, &words, "--in-process"); /* this process handles its failure */
     words_add(a, &words,
               t->predefined ? arena_format(a, "--predefined=%s", t->predefined)
-                            : "--compiler=known"); /* translate_for_compiler looks */
+                            : "--compiler=known"); /* translate_for_compiler decides */
     if (t->report) {
         words_add(a, &words, "--report=json");
         words_add(a, &words, arena_format(a, "--report-file=%s", t->report));
@@ -95,8 +95,8 @@ static outcome try_translator(session *s, const translation *t) {
     if (s->show)
         return OUTCOME_CHANGED;
     if (status == 1 || status < 0) {
-        /* most often the source has an error, which the compiler is about to show; or the parser
-         * came to its end with it */
+        /* usually an error in the source, which the compiler is about to report; or the parser
+         * crashed */
         session_leave_alone(s, t->source->text,
                             arena_format(s->memory, "redcc: %s", first_line(s, messages)));
         return OUTCOME_FAILED;
@@ -110,7 +110,7 @@ static outcome try_translator(session *s, const translation *t) {
     return file_equal(s->memory, t->file, t->text) ? OUTCOME_UNCHANGED : OUTCOME_CHANGED;
 }
 
-/* Lists the files that the source is made of, as the compiler finds them. */
+/* Lists the source's files, as the compiler finds them. */
 static bool list_files(session *s, translation *t) {
     arena *a = s->memory;
     const char *rule = temporary(s, t, "original.d");
@@ -150,8 +150,8 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* An answer about the texts of the source and its headers, NULL or not, that is kept with them: to
- * search them again would take longer than all else that a kept translation takes. */
+/* An answer about the texts of the source and its headers, NULL or not, which is cached with them:
+ * to search them again would take longer than all other work for a cached translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {
     word_list words = {0};
@@ -164,8 +164,8 @@ static const char *kept_answer_of(session *s, const translation *t, const char *
     return answer && *answer ? answer : NULL;
 }
 
-/* What the source or a header of its says that the translated text would be given another meaning
- * by; NULL: nothing. */
+/* Text in the source or one of its headers that would give the translated text another meaning, or
+ * NULL. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
@@ -173,8 +173,8 @@ static const char *sensitive_word(session *s, const translation *t) {
     return NULL;
 }
 
-/* A header that the compiler may take from a precompiled form, which is for its own options alone:
- * gcc 12 crashes where OpenMP was off when it was made. NULL: there is none. */
+/* A header that the compiler may read in precompiled form, which is valid only for the options it
+ * was made with: gcc 12 crashes if OpenMP was off then. NULL: there is none. */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
     for (unsigned i = 0; i < t->read.count; i++)
@@ -186,13 +186,13 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Why the text cannot be compiled in the source's place; NULL: it can. */
+/* The reason why the text cannot replace the source; NULL: it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
         return "its headers could not be listed";
     if (s->show)
         return NULL;
-    if (strchr(t->text, '=')) /* a prefix map would part at it */
+    if (strchr(t->text, '=')) /* a prefix map would be split at it */
         return "its name, or that of the temporary folder, holds a '='";
     const char *precompiled = precompiled_header(s, t);
     if (precompiled)
@@ -201,8 +201,8 @@ static const char *obstacle(session *s, translation *t) {
     return kept_answer_of(s, t, "a word that forbids it", sensitive_word);
 }
 
-/* The macros that the compiler defines by itself where it compiles the translated text, in a file;
- * NULL: it does not tell. */
+/* The macros that the compiler predefines when it compiles the translated text, in a file; NULL if
+ * it does not list them. */
 static const char *list_predefined(session *s, const translation *t) {
     arena *a = s->memory;
     const char *list = temporary(s, t, "predefined");
@@ -228,9 +228,8 @@ static const char *compiler_asked_for(session *s, const translation *t) {
     return identity_asked_in(s->memory, &files, s->real.is_clang);
 }
 
-/* A text that asks which compiler this is was read as clang's: it is translated once more, read
- * with the compiler's own macros. Returns why that does not help; NULL: it does, or was not needed.
- */
+/* A text that tests the compiler was parsed as clang's: it is translated again, with the compiler's
+ * own macros. Returns the reason if that fails; NULL if it succeeds or was not needed. */
 static const char *translate_for_compiler(session *s, translation *t) {
     const char *asked =
         s->show ? NULL : kept_answer_of(s, t, "the compiler it asks for", compiler_asked_for);
@@ -242,7 +241,7 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
 }
 
-/* Does the text seem to include a C source, #include "x.c"? */
+/* Does the text appear to include a C source, #include "x.c"? */
 static bool seems_to_include_source(const char *text) {
     for (const char *at = text; (at = strstr(at, ".c")); at++) {
         if (at[2] != '"' && at[2] != '>')
@@ -258,7 +257,7 @@ static bool seems_to_include_source(const char *text) {
 }
 
 /* Loops of C sources that this one includes (a unity build) are not analysed: the translator writes
- * one file. The compiler says which there are. */
+ * one file. The compiler lists these sources. */
 static void name_included_sources(session *s, translation *t) {
     const char *text = s->show ? NULL : file_read(s->memory, t->file, NULL);
     if (!text || !seems_to_include_source(text) || (t->read.count == 0 && !list_files(s, t)))
@@ -275,8 +274,8 @@ static void name_included_sources(session *s, translation *t) {
     }
 }
 
-/* What the user's own --report asks for. The translator writes one form: where the build's report
- * was wanted as well, it runs once more. */
+/* The output of the user's own --report. The translator writes one form: if the build's report is
+ * needed as well, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
     if (t->report) {
@@ -336,10 +335,9 @@ translation translate(session *s, const item *source, unsigned number) {
     return t;
 }
 
-/* The folder where an #include "x.h" of the source is looked for first. Headers found there are to
- * be called as those found beside the source are: src/x.h for src/; for the current folder clang
- * says ./x.h and gcc x.h, which no spelling of the folder gives: a prefix map makes it of ././x.h.
- */
+/* The folder searched first for an #include "x.h" of the source. Headers found there must get the
+ * names that they have next to the source: src/x.h for src/. For the current folder clang says
+ * ./x.h and gcc x.h, which no spelling of the folder gives: a prefix map changes ././x.h to it. */
 static const char *quote_folder(session *s, const translation *t) {
     const char *folder = path_folder(s->memory, t->source->text);
     if (*folder)
@@ -349,16 +347,16 @@ static const char *quote_folder(session *s, const translation *t) {
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
     if (t->is_input)
-        return; /* compiled as standard input again: headers are looked for where they were */
+        return; /* compiled from standard input again: headers are searched in the same folders */
     words_add(s->memory, list, "-iquote");
     words_add(s->memory, list, quote_folder(s, t));
-    /* Parts the folder above from the first -I: the compiler would take the two for one and use the
-     * spelling of the latter in __FILE__. */
+    /* Separates the folder above from the first -I: the compiler would treat the two as one and use
+     * the spelling of the latter in __FILE__. */
     words_add(s->memory, list, "-iquote");
     words_add(s->memory, list, path_folder(s->memory, t->text));
 }
 
-/* How the user's own prefix maps, the last that fits, spell a path. */
+/* The spelling of a path after the user's own prefix maps; the last that fits applies. */
 static const char *mapped(session *s, const char *path) {
     const char *spelling = path;
     for (unsigned i = 0; i < s->command.count; i++) {
@@ -373,7 +371,7 @@ static const char *mapped(session *s, const char *path) {
     return spelling;
 }
 
-/* What names the temporary file in the object is to name the source. */
+/* Makes the object refer to the source in place of the temporary file. */
 static void add_prefix_maps(session *s, word_list *list, const translation *t) {
     arena *a = s->memory;
     const char *source = mapped(s, t->source->text);

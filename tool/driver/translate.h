@@ -1,28 +1,27 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** From a C source of the command to the text that is to be compiled in its place. */
+/** Translates a C source of the command to the text that is compiled in its place. */
 #ifndef DRIVER_TRANSLATE_H
 #define DRIVER_TRANSLATE_H
 
 #include "driver/session.h"
 
 typedef struct translation {
-    const item *source; /**< of the command */
-    const char *file; /**< where the source's bytes are: its path, or the copy of standard input */
+    const item *source;     /**< of the command */
+    const char *file;       /**< the source's bytes: its path, or the copy of standard input */
     const char *folder;     /**< the source's own folder for temporaries */
     const char *text;       /**< the translated text; NULL: compile the source itself */
-    const char *predefined; /**< lists the compiler's own macros; NULL: clang's were good enough */
-    struct cached *cached;  /**< what is kept of the source (cache.h); NULL: nothing is */
+    const char *predefined; /**< lists the compiler's own macros; NULL: clang's were sufficient */
+    struct cached *cached;  /**< cached answers about the source (cache.h); NULL: none */
     const char *report;     /**< the JSON report, to be kept; NULL: none */
-    word_list read;         /**< all files that the source is made of, itself first */
+    word_list read;         /**< all files of the source, itself first */
     bool is_input;          /**< the source is standard input */
 } translation;
 
-/** Translates `source`, the command's C input number `number`. text is set only where something was
- *  transformed and what was transformed can be compiled: the runtime is there. */
+/** Translates `source`, the command's C input number `number`. Sets text only if a loop was
+ *  transformed and the result can be compiled: the runtime is available. */
 translation translate(session *s, const item *source, unsigned number);
 
-/** Adds the options that the translated text must be compiled with, to stand before and after the
- *  user's own. */
+/** Adds the options that the translated text needs, before and after the user's own. */
 void translation_add_before(session *s, word_list *list, const translation *t);
 void translation_add_after(session *s, word_list *list, const translation *t);
 
@@ -30,8 +29,8 @@ void translation_add_after(session *s, word_list *list, const translation *t);
  *  source. */
 bool translation_read_same(session *s, const translation *t);
 
-/** Keeps what the user wants kept of the translation: its report ($REDCC_REPORT), and its text
- *  ($REDCC_KEEP) where `used` or `messages`, a file of compiler messages, says why it was not. */
+/** Stores the requested results of the translation: its report ($REDCC_REPORT), and its text
+ *  ($REDCC_KEEP) with the reason if it was not used: `messages`, a file of compiler messages. */
 void translation_keep(session *s, const translation *t, bool used, const char *messages);
 
 #endif

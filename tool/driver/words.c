@@ -8,7 +8,7 @@
 
 #include "driver/files.h"
 
-enum { RESPONSE_FILES_MAX = 2000 }; /* gcc's own limit against files that name themselves */
+enum { RESPONSE_FILES_MAX = 2000 }; /* gcc's own limit against recursive response files */
 
 void words_add(arena *a, word_list *list, const char *word) {
     VECTOR_PUSH(a, list, word);
@@ -26,8 +26,8 @@ char **words_argv(arena *a, const word_list *list) {
     return argv;
 }
 
-/* Reads one word that begins at `text`; returns where it ends. A backslash between single quotes
- * stands for itself to a shell only. */
+/* Reads one word that begins at `text`; returns its end. A backslash between single quotes is
+ * literal only in a shell. */
 static const char *read_word(const char *text, bool is_shell, buffer *word) {
     char quote = 0;
     for (; *text && (quote || !isspace((unsigned char)*text)); text++) {

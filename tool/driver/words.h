@@ -18,19 +18,19 @@ void words_add_all(arena *a, word_list *list, const word_list *more);
 /** The list as execvp takes it: items, then NULL. */
 char **words_argv(arena *a, const word_list *list);
 
-/** Adds the words of `text`: parted by white space, quoted with ' or ", or by a backslash, much as
- * a shell has it. */
+/** Adds the words of `text`, separated by white space, quoted with ' or ", or by a backslash, much
+ *  as in a shell. */
 void words_split(arena *a, const char *text, word_list *list);
 
-/** Adds `count` words, each @FILE replaced by what the file holds, as gcc does (in its
- *  single quotes, too, a backslash quotes what follows it): an @FILE that
- * cannot be read stays as it is. Returns whether any was replaced. */
+/** Adds `count` words, each @FILE replaced by the file's words, as gcc does (a backslash quotes the
+ *  next character even in single quotes): an @FILE that cannot be read is kept. Returns whether any
+ *  was replaced. */
 bool words_expand(arena *a, unsigned count, char *const *given, word_list *list);
 
-/** Writes the words to `path` as a response file. Returns false where it cannot be written. */
+/** Writes the words to `path` as a response file. Returns false on failure. */
 bool words_write(const word_list *list, const char *path);
 
-/** Appends one word as a shell would have to read it. */
+/** Appends one word in a form that a shell reads back. */
 void word_for_shell(buffer *b, const char *word);
 
 #endif

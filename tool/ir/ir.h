@@ -2,11 +2,11 @@
 /**
  * The intermediate representation: one translation unit as trees of one node type.
  *
- * The frontend builds it, everything after only reads it. All of it lives in one arena and is
- * never freed piecewise; names are stored once. It says what the source says: implicit conversions
- * are dropped (types tell them), parentheses are dropped (the printer puts back what is needed),
- * typedefs are looked through. What the frontend cannot say exactly is an IR_OPAQUE node, of which
- * nothing may be assumed.
+ * The frontend builds it; all later stages only read it. All of it lives in one arena and is never
+ * freed piecewise; names are stored once. It represents the source: implicit conversions are
+ * dropped (types show them), parentheses are dropped (the printer restores the necessary ones),
+ * typedefs are resolved. Anything that the frontend cannot represent exactly is an IR_OPAQUE node,
+ * of which nothing may be assumed.
  */
 #ifndef IR_IR_H
 #define IR_IR_H
@@ -25,19 +25,21 @@ typedef struct ir_range {
     uint32_t end;
 } ir_range;
 
-/** A declaration, as it can be found again in another text of the same program. */
+/** A declaration, so that it can be found again in another text of the same program. */
 typedef struct ir_declared {
     const char *name;
     const char *file;              /* NULL: the main file */
-    uint32_t offset;               /* of its first declaration's name, macros looked through */
-    bool is_external;              /* of external linkage: another of this name is the same thing */
+    uint32_t offset;               /* of its first declaration's name, outside of macro
+                                    * expansions */
+    bool is_external;              /* of external linkage: the same name elsewhere is the same
+                                    * object */
     const struct ir_declared *tag; /* of a type name: the structure, union or enumeration that it
-                                      stands for, or points to; NULL: none */
+                                    * names, or points to; NULL: none */
 } ir_declared;
 
-/** A name in the text of a function, and what it means there. */
+/** A name in the text of a function, and the declaration it refers to. */
 typedef struct ir_reference {
-    uint32_t offset; /* in the main file; where the macro is expanded that makes it */
+    uint32_t offset; /* in the main file; for a name made by a macro, the place of the expansion */
     bool is_type;    /* of a tag or a type name */
     const ir_declared *declared;
 } ir_reference;
@@ -45,7 +47,7 @@ typedef struct ir_reference {
 /** A name, an element by its subscript, or an expression in parentheses in the text of a function.
  */
 typedef struct ir_typed_place {
-    uint32_t offset; /* where it begins, as of references */
+    uint32_t offset; /* its first byte, as for references */
     const struct ir_type *type;
 } ir_typed_place;
 
@@ -68,14 +70,14 @@ typedef struct ir_type ir_type;
 typedef struct ir_record ir_record;
 
 typedef struct ir_field {
-    const char *name; /* "" where anonymous */
+    const char *name; /* "" if anonymous */
     const ir_type *type;
     int64_t offset; /* bytes from the record's start; -1 for a bit-field */
     bool is_bit_field;
 } ir_field;
 
 struct ir_record {
-    const char *name; /* tag or typedef name; "" where it has none and cannot be spelled */
+    const char *name; /* tag or typedef name; "" if it has none and cannot be spelled */
     bool is_union;
     bool is_complete;
     int64_t size;         /* bytes; -1: unknown */
@@ -100,13 +102,14 @@ struct ir_type {
     const ir_declared *tag; /* of records and enumerations. Not in the text form */
 };
 
-/** Qualifiers apart, also those of pointees and elements. Compares what a type is, not how it is
- *  written: an enumeration equals its integer type, long equals a long long of the same size. */
+/** Ignores qualifiers, also those of pointees and elements. Compares the types themselves, not
+ *  their spelling: an enumeration equals its integer type, long equals a long long of the same
+ *  size. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
-/** An integer of at most 64 bits, neither volatile nor atomic; NULL is none. */
+/** An integer of at most 64 bits, neither volatile nor atomic; false for NULL. */
 bool ir_type_is_plain_integer(const ir_type *type);
-/** Is an array of no or of variable length a part of it, or of what it points to? */
+/** Does the type, or the type it points to, contain an array of variable length or of length 0? */
 bool ir_type_is_variably_modified(const ir_type *type);
 /** The element of an array of arrays ..., or the type itself. */
 const ir_type *ir_type_innermost(const ir_type *type);
@@ -132,33 +135,33 @@ typedef struct ir_variable {
     const ir_function *function; /* of locals and parameters */
     unsigned id;                 /* dense in the unit */
     ir_range range;              /* of its first declarator */
-    bool address_taken;          /* by &, or as an array that decays other than under a subscript
-                                    or as an argument */
+    bool address_taken;          /* by &, or by the decay of an array other than as a subscript's
+                                  * base or an argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
-    bool is_unnamed; /* of another file: no text of this one can name it. Not in the text form */
+    bool is_unnamed; /* of another file: no text of this file can name it. Not in the text form */
     const ir_declared *declared; /* NULL: not known. Not in the text form */
-    const ir_node *stands_for;   /* the translator's own: a pointer that loops of the function read
-                                    through others (analysis/base/loop_loads.h). Not in the text form
-                                  */
+    const ir_node *stands_for;   /* the translator's own: a pointer that the function's loops load
+                                  * through other pointers (analysis/base/loop_loads.h). Not in the
+                                  * text form */
 } ir_variable;
 
-/** Where a body of another file comes from. */
+/** The origin of a body that another file defines. */
 typedef struct ir_import {
     const char *file;
-    uint64_t digest; /* of the definition (ir_digest.h); 0: of a static function, which is part of
-                        those that lead to it */
+    uint64_t digest; /* of the definition (ir_digest.h); 0: of a static function, which belongs to
+                      * its callers' digests */
 } ir_import;
 
-/** What of a function the linker knows. */
+/** A function's properties for the linker. */
 typedef struct ir_linkage {
     bool is_static;
-    bool is_weak;    /* what runs may be another definition than the one in this unit */
-    bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
-    bool is_interposable;    /* is_weak, because a shared object exports it: the program may have
-                                another of its name. Not in the text form */
-    bool is_hidden;          /* no other object can name it, or put another in its place */
-    const ir_import *import; /* the body is another file's (ir_adopt.h); NULL: it is this unit's.
-                                Not in the text form */
+    bool is_weak;            /* the definition that runs may differ from the one in this unit */
+    bool is_renamed;         /* it has another symbol name, so its C name identifies nothing */
+    bool is_interposable;    /* is_weak, because a shared object exports it: the program may define
+                              * the name, too. Not in the text form */
+    bool is_hidden;          /* no other object can refer to it or replace it */
+    const ir_import *import; /* another file defines the body (ir_adopt.h); NULL: this unit does.
+                              * Not in the text form */
 } ir_linkage;
 
 struct ir_function {
@@ -166,18 +169,18 @@ struct ir_function {
     const ir_type *type; /* IR_FUNCTION_TYPE; target is the result */
     unsigned parameter_count;
     ir_variable *const *parameters;
-    ir_node *body;       /* IR_BLOCK; NULL where only declared */
+    ir_node *body;       /* IR_BLOCK; NULL if only declared */
     unsigned id;         /* dense in the unit */
     unsigned node_count; /* ids of the body's nodes are below it */
     ir_range range;
     bool is_variadic, is_noreturn;
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
     ir_linkage linkage;
-    bool is_from_system; /* one of the system's headers declares it. Not in the text form */
-    bool has_attributes; /* others than pure and const, of whatever kind. Not in the text form */
-    bool has_other_attributes; /* some of them may mean something (support/attributes.h) */
+    bool is_from_system;       /* a system header declares it. Not in the text form */
+    bool has_attributes;       /* any others than pure and const. Not in the text form */
+    bool has_other_attributes; /* some of them may have a meaning (support/attributes.h) */
     unsigned reference_count;  /* how often the unit's bodies name it */
-    bool has_errors;           /* the compiler complained inside it: analyse nothing in it */
+    bool has_errors;           /* the compiler reported an error inside it: analyse nothing in it */
     bool is_in_main_file;
     const ir_declared *declared; /* NULL: not known. Not in the text form */
 };
@@ -186,30 +189,30 @@ struct ir_function {
 
 typedef enum ir_kind {
     /* expressions: `type` is set */
-    IR_NUMBER,       /* text; value, where integer (enumerators and character constants too) */
+    IR_NUMBER,       /* text; value, if integer (enumerators and character constants too) */
     IR_STRING,       /* text */
     IR_VARIABLE,     /* variable */
     IR_FUNCTION,     /* function */
     IR_INDEX,        /* array, subscript (in this order, also for 3[a]) */
-    IR_MEMBER,       /* object or pointer, field; flag IR_ARROW where the child is a pointer */
+    IR_MEMBER,       /* object or pointer, field; flag IR_ARROW if the child is a pointer */
     IR_UNARY,        /* operand; op */
     IR_BINARY,       /* left, right; op; the comma and && || too */
     IR_ASSIGN,       /* target, value; op: IR_OP_NONE for =, IR_OP_ADD for +=, ... */
     IR_CONDITIONAL,  /* condition, then, else */
     IR_CALL,         /* callee, arguments */
     IR_CAST,         /* operand; type; written by the user */
-    IR_SIZEOF,       /* text; value, where constant */
+    IR_SIZEOF,       /* text; value, if constant */
     IR_INITIALIZERS, /* { values } in source order; flag IR_DESIGNATED if any is designated */
-    IR_OPAQUE,       /* text says what it was; children are what it mentions, if known. Also as a
-                        statement (statement expressions, inline assembly, ...) */
+    IR_OPAQUE,       /* text names the construct; children are the operands, if known. Also as a
+                      * statement (statement expressions, inline assembly, ...) */
     /* statements */
     IR_BLOCK,       /* statements */
     IR_DECLARATION, /* IR_DECLARATORs */
     IR_DECLARATOR,  /* variable; initialiser, if any */
     IR_EXPRESSION,  /* an expression as a statement: the expression */
     IR_IF,          /* condition, then, [else] */
-    IR_FOR,         /* always four: initialisation, condition, increment, body; what the source
-                       leaves out is IR_EMPTY; initialisation is a declaration or an expression */
+    IR_FOR,         /* always four: initialisation, condition, increment, body; IR_EMPTY for each
+                     * omitted one; initialisation is a declaration or an expression */
     IR_WHILE,       /* condition, body */
     IR_DO,          /* body, condition */
     IR_SWITCH,      /* value, body */
@@ -262,17 +265,17 @@ typedef enum ir_operator {
 enum {
     IR_ARROW = 1,
     IR_DESIGNATED = 2,
-    IR_FROM_MACRO = 4, /* some of its tokens stand in a macro's body: its bytes cannot be edited.
-                          (An argument of a macro is the user's text, but counts here as well.)
-                          Not set on a statement to which all of the expansion at its end (or, but
-                          for loops, at its beginning) belongs: it may be replaced as a whole. */
-    IR_HAS_VALUE = 8,  /* `value` is the integer constant it is */
+    IR_FROM_MACRO = 4, /* some of its tokens come from a macro's body: its bytes cannot be edited.
+                        * (A macro's argument is the user's text, but counts as well.) Not set on a
+                        * statement that contains the whole expansion at its end (or, except for
+                        * loops, at its beginning): it may be replaced as a whole. */
+    IR_HAS_VALUE = 8,  /* `value` is its constant integer value */
     IR_COMPOUND_LITERAL = 16, /* of IR_INITIALIZERS */
-    IR_SEQUENCE = 64, /* of a block: it is a comma expression that is a statement. Its parts, all
-                         IR_FROM_MACRO, have the one range of it, without the `;` */
-    IR_FROM_CALL = 32 /* it stands for a call that reaches variables which the call's text
-                         does not name (ir_accessors.h): a copy that gives variables other
-                         names, or other memory, cannot have that text. IR_FROM_MACRO too */
+    IR_SEQUENCE = 64, /* of a block: it is a comma expression used as a statement. Its parts, all
+                       * IR_FROM_MACRO, have its range, without the `;` */
+    IR_FROM_CALL = 32 /* it replaces a call that reaches variables which the call's text does not
+                       * name (ir_accessors.h): the text cannot be copied to a place with other
+                       * variables or other memory. IR_FROM_MACRO too */
 };
 
 struct ir_node {
@@ -283,7 +286,7 @@ struct ir_node {
         id; /* dense in its function, in evaluation-independent preorder: indexes side tables */
     unsigned child_count;
     ir_node **children;
-    ir_node *parent; /* NULL for a body, and for what belongs to no function */
+    ir_node *parent; /* NULL for a body, and for nodes outside of functions */
     const ir_type *type;
     ir_variable *variable;
     ir_function *function;
@@ -291,8 +294,8 @@ struct ir_node {
     const char *text;
     int64_t value;
     ir_range range; /* of the expression or statement, without the `;` of expression statements,
-                       return, break, continue, goto and do; with it for declarations; the
-                       expansion's range where macros are concerned */
+                     * return, break, continue, goto and do; with it for declarations; the
+                     * expansion's range if macros are involved */
 };
 
 /* ---- the unit ------------------------------------------------------------------------------ */
@@ -309,50 +312,54 @@ typedef struct ir_directive {
     ir_directive_kind kind;
     ir_range range; /* the logical line */
     const char *text;
-    bool is_skipped; /* what stands behind it is not compiled: a pragma of such a branch is not, and
-                        neither is the branch that an #if or #else begins */
+    bool is_skipped; /* the text after it is not compiled: true for a pragma in such a branch, and
+                      * for an #if or #else that begins one */
 } ir_directive;
 
 /** The language that the compiler's options choose. Only strict_aliasing is in the text form. */
 typedef struct ir_dialect {
-    bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
-    bool is_c89;          /* names that C99 reserved are the program's */
+    bool strict_aliasing; /* strict aliasing: objects of different types do not overlap */
+    bool is_c89;          /* C89: the program may use names that C99 reserved */
     bool math_errno;      /* mathematical functions set errno */
-    bool is_sanitized;    /* arithmetic without a meaning may end the program */
-    bool has_openmp;      /* its directives are on; else compilers pass over them */
-    const char *refusing_option; /* by it the program is another than this. NULL: none */
-    const char *inexact_option;  /* by it floating-point bits, of which the file has some, depend on
-                                    what else is compiled. NULL: none */
+    bool is_sanitized;    /* undefined arithmetic may end the program */
+    bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
+    const char *refusing_option; /* an option that makes the program differ from this tree. NULL:
+                                  * none */
+    const char *inexact_option;  /* an option by which the bits of floating-point operations (of
+                                  * which the file has some) depend on other code in the same
+                                  * compilation. NULL: none */
 } ir_dialect;
 
-/** What the text of the file and its headers says beside the tree. Not in the text form. */
+/** Properties of the text of the file and its headers, in addition to the tree. Not in the text
+ *  form. */
 typedef struct ir_text {
     bool includes_itself;      /* it may be compiled several times */
-    const char *compiler_word; /* a name in the program's own text by which it may ask for the
-                                  compiler: "__clang"; NULL: none */
-    const char *unseen_word;   /* of what the parser does not know and a compiler may: the tree is
-                                  not what that compiles. NULL: none */
-    bool names_optimize;       /* the attribute, somewhere in the program's own text: no declaration
-                                  in the tree says it */
+    const char *compiler_word; /* a name in the program's own text that may test for the compiler:
+                                * "__clang"; NULL: none */
+    const char *unseen_word;   /* a name unknown to the parser but perhaps not to a compiler, which
+                                * would compile another tree. NULL: none */
+    bool names_optimize;       /* the attribute occurs somewhere in the program's own text: no
+                                * declaration in the tree shows it */
     bool names_target;  /* the same of the attributes target and target_clones, or a macro of the
                            options */
-    bool names_counter; /* __COUNTER__ stands in some file of the program or an option: macros may
-                           make it */
+    bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
+                         * expand to it */
     unsigned header_pragma_count; /* of the program's own headers, as text */
     const char **header_pragmas;
-    map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
-                    those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
-                    their own name, as far as that was looked for. NULL: none */
-    map *macros_before; /* the same of those that the command line, or a file it includes, defines
-                           before the main file begins; the compiler's own apart */
-    map *pragma_macros; /* the name of each macro of the program that may make a pragma -> not NULL.
-                           NULL: none */
-    bool may_make_fenv_access; /* they are there, and so is FENV_ACCESS somewhere */
-    map *names; /* each name that the program, its headers included, gives to a function, type, tag,
-                   enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL: none
-                 */
-    map *inner_names; /* each name that a function's body gives to an enumerator, type or tag -> not
-                         NULL. NULL: none */
+    map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, if all its
+                  * definitions have parameters, IR_MACRO_AS_FUNCTION; excludes macros found to
+                  * expand to their own name. NULL: none */
+    map *macros_before; /* the same for macros defined by the command line, or by a file it
+                         * includes, before the main file begins; without the compiler's predefined
+                         * ones */
+    map *pragma_macros; /* the name of each macro of the program that may expand to a pragma -> not
+                         * NULL. NULL: none */
+    bool may_make_fenv_access; /* there are such macros, and FENV_ACCESS occurs somewhere */
+    map *names;       /* each name that the program or its headers declare as a function, type, tag,
+                       * enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL:
+                       * none */
+    map *inner_names; /* each name that a function's body declares as an enumerator, type or tag ->
+                       * not NULL. NULL: none */
 } ir_text;
 
 typedef struct ir_unit {
@@ -367,8 +374,9 @@ typedef struct ir_unit {
     ir_dialect dialect;
     ir_text text;
     unsigned error_count;     /* compiler errors anywhere */
-    unsigned reference_count; /* the names in the bodies of the main file's functions, by their
-                                 place; of one place in any order. Not in the text form */
+    unsigned reference_count; /* the names in the bodies of the main file's functions, in order of
+                               * their offsets; in any order at equal offsets. Not in the text
+                               * form */
     const ir_reference *references;
     unsigned typed_place_count; /* those in the same bodies, likewise */
     const ir_typed_place *typed_places;
@@ -376,7 +384,7 @@ typedef struct ir_unit {
 
 #define IR_MACRO_AS_OBJECT ((void *)1)
 #define IR_MACRO_AS_FUNCTION ((void *)2)
-#define IR_NAME_AS_QUERY ((void *)1) /* of nothing but functions `int name(void)`, not static */
+#define IR_NAME_AS_QUERY ((void *)1) /* declared only as `int name(void)`, not static */
 #define IR_NAME_AS_OTHER ((void *)2)
 
 /* ---- looking around ------------------------------------------------------------------------ */
@@ -387,32 +395,32 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
 bool ir_is_expression(const ir_node *node);
 /** The loop kinds: IR_FOR, IR_WHILE, IR_DO. */
 bool ir_is_loop(const ir_node *node);
-/** What a loop executes in each iteration. */
+/** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
-/** Is the node, or one below it, of that kind? */
+/** Does the tree below `node`, including itself, contain that kind? */
 bool ir_has_kind(const ir_node *node, ir_kind kind);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
-/** Is there a `continue` of the loop whose body this is, or is in? */
+/** Does the body contain a `continue` of its own loop? */
 bool ir_continues(const ir_node *node);
-/** ({ ... }): opaque, but the block below it is all that it does. */
+/** ({ ... }): opaque, but the block below it is complete. */
 bool ir_is_statement_expression(const ir_node *node);
-/** May evaluating the expression do more than give a value: does it assign, call, or hold what is
- *  opaque? */
+/** May evaluating the expression have a side effect: an assignment, a call, or an opaque part? */
 bool ir_has_effect(const ir_node *node);
-/** Is the value of this expression used by what is around it? (not: an expression statement, the
- *  left side of a comma, the header's initialisation and increment, a cast to void) */
+/** Does the parent use the value of this expression? (not: an expression statement, the left side
+ *  of a comma, the header's initialisation and increment, a cast to void) */
 bool ir_value_is_used(const ir_node *node);
-/** The variable's declarator in the tree; NULL: it is not declared there. Places in the text do not
- *  tell: all that one macro makes has one range. */
+/** The variable's declarator in the tree, or NULL. Offsets cannot decide this: everything that one
+ *  macro expands to has one range. */
 const ir_node *ir_declarator_in(const ir_node *tree, const ir_variable *variable);
-bool ir_contains(const ir_node *outer, const ir_node *inner); /* by parent links; itself too */
+bool ir_contains(const ir_node *outer, const ir_node *inner); /* by parent links; true if both are
+                                                               * the same */
 /** The variable at the bottom of an access path a, a[i], a.b, a->b, *a, &a[i], (T)a; or NULL. */
 ir_variable *ir_root_variable(const ir_node *node);
 const ir_function *ir_function_named(const ir_unit *unit, const char *name);
 
-/** Calls `visit` for node and all below it in preorder, children in evaluation-text order; a visit
- *  that returns false keeps out of that node's children. */
+/** Calls `visit` for node and all below it in preorder, children in evaluation-text order; if it
+ *  returns false, that node's children are skipped. */
 typedef bool (*ir_visitor)(ir_node *node, void *context);
 void ir_walk(ir_node *node, ir_visitor visit, void *context);
 

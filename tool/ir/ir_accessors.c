@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <string.h>
 
-enum { MOST_NODES = 200 }; /* of one place; calls within arguments multiply them */
+enum { MOST_NODES = 200 }; /* of one address; calls within arguments multiply them */
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
 
@@ -21,15 +21,15 @@ static bool is_of_file(const ir_variable *variable) {
            variable->storage == IR_THREAD_LOCAL;
 }
 
-/* Of the file, or a parameter of the function itself; not one whose rows are as long as the
- * function's own variables say. */
+/* A variable of the file, or a parameter of the function itself; but not one whose row length
+ * depends on the function's local variables. */
 static bool can_be_named(const ir_variable *variable, const ir_function *function) {
     return is_of_file(variable) ||
            (variable->storage == IR_PARAMETER && variable->function == function &&
             !ir_type_is_variably_modified(variable->type));
 }
 
-/* Only such operators, as all others would say more than where something is. */
+/* Only these operators, because others compute more than an address. */
 static bool is_operator(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -56,14 +56,14 @@ static bool is_place(const ir_node *node, const ir_function *function) {
     return true;
 }
 
-/* Does its body not tell all that a call does? */
+/* May a call do more than the body shows? */
 static bool is_unknown(const ir_function *function) {
     return function->body == NULL || function->is_variadic || function->has_errors ||
            function->has_other_attributes || function->linkage.is_weak ||
            function->linkage.is_renamed;
 }
 
-/* What the function returns, where that is all it does; NULL: it does something else. */
+/* The address that the function returns, if it does nothing else; NULL otherwise. */
 static const ir_node *returned_place(accessors *a, ir_function *function) {
     if (is_unknown(function) || a->functions[function->id] == BEGUN)
         return NULL;
@@ -92,7 +92,7 @@ static bool reads_volatile(const ir_node *node) {
     return false;
 }
 
-/* What is handed over may be evaluated once, several times or not at all. */
+/* An argument may be evaluated once, several times or not at all. */
 static bool can_be_put_in(const ir_node *call, const ir_function *function) {
     if (call->child_count != function->parameter_count + 1)
         return false;
@@ -133,7 +133,7 @@ static bool has_variable(const ir_unit *unit, const ir_function *caller, const c
     return false;
 }
 
-/* Does the caller have another variable of a name that the place says? */
+/* Does the caller have another variable with a name that the address uses? */
 static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir_node *place) {
     if (place->kind == IR_VARIABLE && is_of_file(place->variable) &&
         has_variable(unit, caller, place->variable->name))
@@ -144,13 +144,13 @@ static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir
     return false;
 }
 
-/* What an address says must be declared where the caller's text stands. */
+/* The names in an address must be declared before the caller. */
 static bool is_defined_before(const ir_function *function, const ir_function *caller) {
     return !function->is_in_main_file || !caller->is_in_main_file ||
            function->range.begin < caller->range.begin;
 }
 
-/* The address in the caller's terms; the call itself where it is no call of an accessor. */
+/* The address in the caller's terms; the call itself if it does not call an accessor. */
 static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *call) {
     const ir_node *callee = call->children[0];
     ir_function *function = callee->kind == IR_FUNCTION ? callee->function : NULL;
@@ -165,7 +165,7 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     return copy;
 }
 
-/* *&x is x, and so is what (&x)->m is a member of; *(p + k) is p[k]. */
+/* *&x becomes x, (&x)->m becomes x.m, *(p + k) becomes p[k]. */
 static void simplify(accessors *a, ir_node *node) {
     ir_node *pointer = node->child_count ? node->children[0] : NULL;
     const bool is_arrow = node->kind == IR_MEMBER && (node->flags & IR_ARROW);

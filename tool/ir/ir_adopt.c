@@ -13,10 +13,10 @@ typedef struct adoption {
     ir_adoptable may_be;
     void *context;
     map *functions, *variables, *types, *records; /* of `from` -> the unit's */
-    uint64_t *digests; /* of the functions of `from`, by id, before anything in them is changed */
+    uint64_t *digests; /* of the functions of `from`, by id, before anything in them changes */
     map *own_records;  /* spelling -> a type of the unit */
     VECTOR(ir_function *) added;
-    VECTOR(ir_function *) bodies; /* to be gone through */
+    VECTOR(ir_function *) bodies; /* to be processed */
     VECTOR(ir_variable *) more;   /* of the unit's variables */
 } adoption;
 
@@ -57,8 +57,8 @@ static bool same_text(const char *a, const char *b) {
 
 static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth);
 
-/* Two parses' types: records by their names and, as deep as they lie in one another, by what is in
- * them. */
+/* Compares types of two parses: records by their names and, to the given depth, by their
+ * contents. */
 static bool types_alike(const ir_type *a, const ir_type *b, unsigned depth) {
     bool is_pointee = false;
     while (a && b && a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY)) {
@@ -93,7 +93,7 @@ static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth
 
 static const ir_type *take_type(adoption *d, const ir_type *type);
 
-/* The unit's own record, where it has the same; else this one, which has no name here. */
+/* The unit's own record, if it has the same; else this one, which has no name here. */
 static const ir_record *take_record(adoption *d, const ir_record *record) {
     void **known = map_at(d->records, &record, sizeof record);
     if (*known)
@@ -179,7 +179,7 @@ static ir_variable *take_variable(adoption *d, ir_variable *v) {
     v->range = (ir_range){0};
     v->declared = NULL;
     v->is_unnamed = true;
-    if (v->storage == IR_STATIC) { /* the other file's other functions may do anything with it */
+    if (v->storage == IR_STATIC) { /* other functions of that file may change it in any way */
         v->storage = IR_GLOBAL;
         v->name = arena_format(d->unit->arena, "%s of %s", v->name, d->from->source->path);
     }
@@ -206,7 +206,7 @@ static bool is_taken(const adoption *d, const ir_function *function) {
            (function->linkage.is_static || d->may_be(d->from, function, d->context));
 }
 
-/* One type; or pointers to one structure, which only the definition's file knows. */
+/* One type; or pointers to one structure that only the defining file completes. */
 static bool is_passed_as(const ir_type *own, const ir_type *other) {
     if (ir_type_equal(own, other))
         return true;
@@ -215,7 +215,7 @@ static bool is_passed_as(const ir_type *own, const ir_type *other) {
     return x && y && !x->is_complete && x->name[0] && strcmp(x->name, y->name) == 0;
 }
 
-/* Do caller and definition agree on what is passed? */
+/* Do caller and definition agree on arguments and result? */
 static bool agrees(adoption *d, const ir_function *own, const ir_function *other) {
     if (own->parameter_count != other->parameter_count || own->is_variadic || own->is_noreturn ||
         other->is_noreturn || own->has_other_attributes || own->linkage.is_renamed ||
@@ -268,13 +268,13 @@ static ir_function *take_function(adoption *d, ir_function *function) {
     if (is_body_taken && !own)
         take_body(d, function, function, digest);
     else
-        function->body = NULL; /* nothing is known of it */
+        function->body = NULL; /* unknown body */
     return function;
 }
 
 /* ---- bodies ---------------------------------------------------------------------------------- */
 
-/* Names of constants mean nothing here. */
+/* Names of constants have no meaning in this file. */
 static void spell_number(arena *a, ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) ||
         (node->kind == IR_NUMBER && node->text && isdigit((unsigned char)node->text[0])))
@@ -305,7 +305,7 @@ static bool take_node(ir_node *node, void *context) {
     return true;
 }
 
-/* After all fields: these are found by their objects' types. */
+/* After all fields, which are found by their objects' types. */
 static bool take_node_type(ir_node *node, void *context) {
     node->type = take_type(context, node->type);
     return true;

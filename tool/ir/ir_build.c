@@ -59,7 +59,7 @@ static bool is_scalar_or_array(const ir_type *type) {
     return ir_type_is_scalar(type) || type->kind == IR_ARRAY;
 }
 
-/* Does passing a value of type `from` to a parameter of type `to` leave it as it is? */
+/* Does passing a value of type `from` to a parameter of type `to` preserve it? */
 static bool passes_unchanged(const ir_type *from, const ir_type *to) {
     if (from == NULL || to == NULL || !is_scalar_or_array(from) || !ir_type_is_scalar(to))
         return true;

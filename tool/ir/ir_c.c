@@ -112,7 +112,8 @@ static bool print_between(c_printer *p, const ir_node *node, const char *op, lev
     return print(p, node->children[1], right);
 }
 
-/* Where precedence is right but seldom remembered, and compilers warn (gcc's -Wparentheses). */
+/* Correct precedence that is rarely remembered, and of which compilers warn (gcc's
+ * -Wparentheses). */
 static bool is_doubtful(level outer, level inner) {
     switch (outer) {
     case LEVEL_OR:
@@ -135,7 +136,7 @@ static level least_of_operand(level outer, const ir_node *operand, level by_gram
     return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
 }
 
-/* 2 ^ 5 is taken for a power by clang (-Wxor-used-as-pow), but not where a macro stood there. */
+/* clang warns of 2 ^ 5 as a power (-Wxor-used-as-pow), but not inside a macro. */
 static bool looks_like_power(const ir_node *node) {
     const ir_node *left = node->children[0];
     return node->op == IR_OP_BIT_XOR && left->kind == IR_NUMBER && left->text;
@@ -242,8 +243,8 @@ static bool is_anonymous_member(const ir_node *node) {
     return node->kind == IR_MEMBER && node->field->name[0] == 0;
 }
 
-/* Members of anonymous members are members of what these stand in (C17 6.7.2.1 p13): the names of
- * the anonymous ones between are left out. */
+/* Members of anonymous members are members of the enclosing record (C17 6.7.2.1 p13): the names of
+ * the anonymous ones are left out. */
 static bool print_member(c_printer *p, const ir_node *node) {
     if (is_anonymous_member(node))
         return false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Do a unit's trees keep the rules that ir.h states? */
+/* Checks the rules that ir.h states for a unit's trees. */
 #include "ir/ir_text.h"
 #include "ir/ir_words.h"
 
@@ -8,7 +8,7 @@ typedef struct checker {
     const ir_unit *unit;
     const ir_function *function;
     unsigned next_id;
-    bool nests_ranges;   /* else a node may lie elsewhere than its parent */
+    bool nests_ranges;   /* else a node may lie outside of its parent */
     const char *problem; /* the first one */
 } checker;
 

@@ -8,7 +8,7 @@
 typedef struct digester {
     uint64_t state;
     arena *scratch;
-    map *numbers; /* what has been met -> its number, from 1 on */
+    map *numbers; /* object or type seen -> its number, from 1 on */
     uintptr_t count;
     VECTOR(const ir_function *) pending;
 } digester;
@@ -31,7 +31,7 @@ static void add_text(digester *d, const char *text) {
         add_bytes(d, text, strlen(text));
 }
 
-/* Adds the number of what is met; returns whether it is met for the first time. */
+/* Adds the number of an object or type; returns whether it is seen for the first time. */
 static bool add_met(digester *d, const void *thing) {
     void **number = map_at(d->numbers, &thing, sizeof thing);
     const bool is_new = *number == NULL;
@@ -85,7 +85,7 @@ static void add_variable(digester *d, const ir_variable *v) {
         return;
     add_number(d, v->storage);
     add_number(d, v->address_taken | v->has_other_name << 1);
-    if (!v->function) /* the names of a function's own mean nothing */
+    if (!v->function) /* the names of local variables do not count */
         add_text(d, v->name);
     add_type(d, v->type);
 }
@@ -109,8 +109,8 @@ static void add_field(digester *d, const ir_field *field) {
     add_number(d, field->offset);
 }
 
-/* A string may be the file's name as a command gives it, and an argument of what ends the program a
- * line's number: neither tells anything of the function. */
+/* A string may be the file's name as a command gives it, and an argument of a function that ends
+ * the program may be a line number: both are irrelevant to the function. */
 static void add_node(digester *d, const ir_node *node) {
     add_number(d, node->kind);
     if (node->kind == IR_STRING)

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a function is, in a number: two parses of one program agree on it. */
+/** A function's digest: two parses of one program agree on it. */
 #ifndef IR_IR_DIGEST_H
 #define IR_IR_DIGEST_H
 
 #include "ir/ir.h"
 
 /**
- * A digest of the function's body, of the static functions that it leads to, of all types and
- * objects in them, and of the dialect: of everything that an analysis may use. Of other functions
- * it has the declaration alone. Places in the text and macros do not count.
+ * A digest of the function's body, of the static functions that it calls, directly or indirectly,
+ * of all types and objects in them, and of the dialect: of everything that an analysis may use.
+ * Other functions enter with their declarations only. Offsets and macros do not count.
  */
 uint64_t ir_digest(const ir_unit *unit, const ir_function *function);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Types of expressions from those of their parts, by the rules of C (C17 6.3.1, 6.5). The text form
- * leaves out what can be inferred; nothing but its size depends on how much that is. */
+ * leaves out types that can be inferred; only its size depends on how many these are. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -130,7 +130,8 @@ static const ir_type *promoted(arena *a, const ir_type *type) {
     return unqualified(a, type);
 }
 
-/* Ranks by kind and size; long long outranks long, which text cannot hide: both have size 8. */
+/* Ranks by kind and size; long long outranks long of the same size 8, which the text form
+ * preserves. */
 static int rank(const ir_type *type) {
     int base = type->kind == IR_COMPLEX ? 200 : type->kind == IR_FLOATING ? 100 : 0;
     int is_long_long = type->spelling != NULL && strstr(type->spelling, "long long") != NULL;

@@ -4,17 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** What `#line 12 "name"` or `# 12 "name" 1` says of the line after it. */
+/** A line directive `#line 12 "name"` or `# 12 "name" 1`. */
 typedef struct line_directive {
     unsigned line;
-    const char *file; /* NULL: as before */
+    const char *file; /* NULL: unchanged */
 } line_directive;
 
 static const char *skip_spaces(const char *text) {
     return text + strspn(text, " \t");
 }
 
-/** The string literal at `text`, escapes resolved; NULL where there is none. */
+/** The string literal at `text`, escapes resolved; NULL if there is none. */
 static const char *file_of_literal(arena *a, const char *text) {
     if (*text != '"')
         return NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where the user takes a byte of the file to be: `#line` directives of his text are followed. */
+/** Line and column of a byte as compilers report them: `#line` directives are followed. */
 #ifndef IR_IR_POSITION_H
 #define IR_IR_POSITION_H
 

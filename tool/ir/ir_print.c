@@ -7,7 +7,8 @@
 #include "ir/ir_text.h"
 #include "ir/ir_words.h"
 
-/* Deeper lines stay at this depth, so that the text grows with the number of nodes only. */
+/* Deeper lines are indented to this depth, so that the size of the text is linear in the number of
+ * nodes. */
 enum { DEEPEST_INDENTATION = 40 };
 
 void ir_print_line(const ir_printer *p, unsigned depth) {
@@ -25,7 +26,7 @@ static void print_quoted(const ir_printer *p, const char *text) {
     ir_print_quoted(p->out, text, strlen(text));
 }
 
-/* Is it one atom that cannot be taken for an attribute? */
+/* Is it one atom that cannot be mistaken for an attribute? */
 static bool is_word(const char *text) {
     if (text[0] == 0 || (text[0] == '.' && !isdigit((unsigned char)text[1])))
         return false;
@@ -77,7 +78,7 @@ static void print_field(const ir_printer *p, const ir_node *node) {
         buffer_format(p->out, " #%u", (unsigned)(node->field - record->fields));
 }
 
-/* What stands behind the first word: names, texts. */
+/* The operands after the first word: names, texts. */
 static void print_operands(const ir_printer *p, const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:
@@ -144,7 +145,7 @@ static void print_attributes(const ir_printer *p, const ir_node *node) {
     ir_print_range(p, node->range);
 }
 
-/* An expression statement whose expression says all of it. */
+/* An expression statement that its expression determines. */
 static bool is_implied_statement(const ir_node *node) {
     if (node->kind != IR_EXPRESSION)
         return false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* How the text form tells apart variables of one name, and records of one name. */
+/* Keys of the text form: they distinguish variables of one name, and records of one name. */
 #include <stdint.h>
 #include <string.h>
 

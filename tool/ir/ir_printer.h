@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Inside the printer of the text form: keys (how the text tells things of one name apart), types.
- */
+/** Internals of the text form's printer: keys (which distinguish objects of one name), types. */
 #ifndef IR_IR_PRINTER_H
 #define IR_IR_PRINTER_H
 
@@ -12,10 +11,10 @@
 typedef struct ir_printer {
     buffer *out;
     arena *scratch;
-    const ir_unit *unit;               /* NULL: a node alone, all names as they are */
+    const ir_unit *unit;               /* NULL: a single node, with all names unchanged */
     VECTOR(const ir_record *) records; /* all that are reachable, in order of first use */
     map *record_numbers;               /* record -> 1 for the first of its name, 2 ... */
-    map *record_names;                 /* name -> how many */
+    map *record_names;                 /* name -> number of records */
     map *seen_types;
     map *variable_names;        /* likewise, of the file, and "function's id, name" */
     unsigned *variable_numbers; /* by id: as for records, in the variable's function */
@@ -33,7 +32,7 @@ void ir_print_type(const ir_printer *p, const ir_type *type);
 
 /** " @begin-end", or nothing for the empty range. */
 void ir_print_range(const ir_printer *p, ir_range range);
-/** Appends the text as it is where it is one atom, else quoted. */
+/** Appends the text unquoted if it is one atom, else quoted. */
 void ir_print_word(const ir_printer *p, const char *text);
 /** Appends the text in quotes, with \\ \" \n \r \t and \ooo. */
 void ir_print_quoted(buffer *out, const char *text, size_t length);

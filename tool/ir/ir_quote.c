@@ -2,7 +2,7 @@
 /* Quoted texts of the text form. */
 #include "ir/ir_printer.h"
 
-/* The letter of the escape that stands for the byte, or 0. */
+/* The escape letter of the byte, or 0. */
 static char escape_letter(char c) {
     switch (c) {
     case '\n':

@@ -13,11 +13,11 @@ void ir_print(buffer *out, const ir_unit *unit);
 void ir_print_node(buffer *out, const ir_node *node);
 
 /** Checks the rules stated in ir.h (child counts, parents, ids, types present, ranges nested and
- *  inside the file). Returns NULL, or what is wrong, in the arena. */
+ *  inside the file). Returns NULL, or a message in the arena. */
 const char *ir_check(arena *a, const ir_unit *unit);
 
-/** As ir_check, but for the nesting of ranges: where a macro uses a parameter twice, libclang may
- * say of a node that it lies outside its parent. */
+/** As ir_check, but without the nesting of ranges: if a macro uses a parameter twice, libclang may
+ *  place a node outside of its parent. */
 const char *ir_check_parsed(arena *a, const ir_unit *unit);
 
 #endif

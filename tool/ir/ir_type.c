@@ -26,7 +26,7 @@ bool ir_type_equal(const ir_type *a, const ir_type *b) {
         return a->count == b->count && ir_type_equal(a->target, b->target);
     case IR_RECORD:
         return a->record == b->record;
-    case IR_FUNCTION_TYPE: /* parameters are not kept: the spelling tells them */
+    case IR_FUNCTION_TYPE: /* parameters are not stored, but their spelling is */
     case IR_OTHER_TYPE:
         return a->spelling != NULL && b->spelling != NULL && strcmp(a->spelling, b->spelling) == 0;
     }
@@ -88,7 +88,7 @@ static const char *without_last_blank(arena *a, const char *text) {
 
 static const char *spell(arena *a, const ir_type *type, const char *declarator);
 
-/* As spell, of a pointee or element: what stands at the bottom is spelled as it was given. */
+/* As spell, for a pointee or element: the innermost type keeps the spelling it was given. */
 static const char *spell_target(arena *a, const ir_type *target, const char *declarator) {
     if (target->spelling == NULL)
         return NULL;
@@ -100,8 +100,8 @@ static const char *spell_target(arena *a, const ir_type *target, const char *dec
     return arena_format(a, "%s%s%s", target->spelling, blank, declarator);
 }
 
-/* `type` as the specifiers of a declaration and `declarator` inside what surrounds it: the pointer
- * to an array of three is "double (*)[3]". */
+/* `type` as the specifiers of a declaration and `declarator` inside the surrounding text: the
+ * pointer to an array of three is "double (*)[3]". */
 static const char *spell(arena *a, const ir_type *type, const char *declarator) {
     if (type->kind == IR_POINTER) {
         bool is_array = type->target->kind == IR_ARRAY;
@@ -123,7 +123,7 @@ const char *ir_type_default_spelling(arena *a, const ir_type *type) {
     return spell(a, type, "");
 }
 
-/* The parameters' types as a prototype spells them; false: one cannot be. */
+/* The parameters' types as a prototype spells them; false: one has no spelling. */
 static bool spell_parameters(arena *a, buffer *out, const ir_function *function) {
     for (unsigned i = 0; i < function->parameter_count; i++) {
         const ir_type *type = function->parameters[i]->type;

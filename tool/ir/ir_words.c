@@ -145,7 +145,7 @@ const char *ir_operator_spelling(ir_operator op) {
     return operators[op];
 }
 
-/* "++_" and "_++": the place of the operand tells pre from post. */
+/* "++_" and "_++": the place of the operand distinguishes pre from post. */
 static const char *operator_word(ir_operator op) {
     switch (op) {
     case IR_OP_PRE_INCREMENT:

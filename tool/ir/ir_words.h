@@ -20,14 +20,15 @@ extern const unsigned ir_scalar_count;
 
 const ir_scalar *ir_scalar_named(const char *word, size_t length);
 /** The one with this spelling if it fits, else the first of the same structure; size may differ.
- *  NULL where none is alike. */
+ *  NULL if none matches. */
 const ir_scalar *ir_scalar_of(const ir_type *type);
-/** "unsigned long"; NULL where the type is no scalar known by name. */
+/** "unsigned long"; NULL if the type is no scalar known by name. */
 const char *ir_scalar_spelling(const ir_type *type);
 /** Fills in a type, unqualified, with spelling. */
 void ir_scalar_type(ir_type *type, const ir_scalar *scalar);
 
-/** The size that kind, target, count and record say under LP64; -1 unknown. Scalars: their size. */
+/** The size that kind, target, count and record imply under LP64; -1 unknown. Scalars: their
+ *  size. */
 int64_t ir_type_default_size(const ir_type *type);
 
 /* ---- operators ----------------------------------------------------------------------------- */
@@ -39,7 +40,7 @@ const char *ir_operator_spelling(ir_operator op);
 
 enum { IR_ANY_NUMBER = 1000000 };
 
-/** How the text form names a kind, and how many children ir.h gives it. */
+/** The text form's word for a kind, and its number of children by ir.h. */
 typedef struct ir_kind_word {
     const char *word; /* NULL: named by its operator */
     unsigned least, most;
@@ -47,15 +48,15 @@ typedef struct ir_kind_word {
 
 const ir_kind_word *ir_kind_words(ir_kind kind);
 
-/** The first word of a node's list: "for", "arrow", "+", "+=", "_++". Returns false for a node that
- *  none fits. `word` has room for 16 bytes. */
+/** The first word of a node's list: "for", "arrow", "+", "+=", "_++". Returns false if no word
+ *  fits. `word` has room for 16 bytes. */
 bool ir_node_word(const ir_node *node, char word[16]);
-/** The reverse; unary and binary operators of one spelling are told apart by the number of
- *  children. Sets kind, op and IR_ARROW. Returns false for an unknown word. */
+/** The reverse; the number of children distinguishes unary and binary operators of one spelling.
+ *  Sets kind, op and IR_ARROW. Returns false for an unknown word. */
 bool ir_word_node(const char *word, unsigned child_count, ir_node *node);
 
-/** Does a statement stand at this place of the node? There the text form may leave out
- * IR_EXPRESSION around an expression. */
+/** Is child number `index` of this kind a statement? Then the text form may leave out IR_EXPRESSION
+ *  around an expression. */
 bool ir_is_statement_place(ir_kind kind, unsigned index);
 
 /** The storage's word: "global", "static-local". */
@@ -63,17 +64,17 @@ const char *ir_storage_word(ir_storage storage);
 
 /* ---- types of expressions that the text may leave out -------------------------------------- */
 
-/** What C's rules give the expression from its children, variable, field or text; NULL: not known.
- *  The text form leaves out a type that is the inferred one. */
+/** The type that C's rules give the expression from its children, variable, field or text; NULL:
+ *  not known. The text form leaves out a type that is the inferred one. */
 const ir_type *ir_infer_type(arena *a, const ir_node *node);
 /** The type of a function with this result, its spelling made of the parameters' types. */
 const ir_type *ir_function_default_type(arena *a, const ir_function *function,
                                         const ir_type *result);
-/** Same in every respect, qualifiers, sizes and spellings included. */
+/** Equal in every respect, including qualifiers, sizes and spellings. */
 bool ir_type_identical(const ir_type *a, const ir_type *b);
 
 /** The value of an integer literal as the text form and the frontend understand it. Returns false
- *  where the text is no integer literal or does not fit. */
+ *  if the text is no integer literal or does not fit. */
 bool ir_literal_value(const char *text, int64_t *value);
 
 #endif

@@ -68,7 +68,7 @@ int operand_number(const bins_record *record, const ir_node *node) {
     return -1;
 }
 
-/** A variable that has a value whatever the iteration does. */
+/** A variable that has a value in any case. */
 static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     if (node->kind != IR_VARIABLE)
         return false;
@@ -78,7 +78,7 @@ static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     return is_outer || (declared && declared->child_count > 0);
 }
 
-/** An operand that is not evaluated each time may not fail where it is, nor lack a value. */
+/** An operand that is not evaluated in each iteration must neither fail nor lack a value. */
 static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
@@ -91,8 +91,7 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     return true;
 }
 
-/** The functions that both kinds of copies of the text name alike: of two numbers, by the system.
- */
+/** The functions that both copies of the text must name alike: of two numbers, from the system. */
 static bool is_extremum(const ir_node *callee) {
     return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
            (strncmp(callee->function->name, "fmin", 4) == 0 ||
@@ -122,7 +121,7 @@ static bool is_constant(const ir_node *node) {
     return node->kind == IR_NUMBER || (node->flags & IR_HAS_VALUE);
 }
 
-/** Is a part of this node evaluated only where another one says so? */
+/** Is a part of this node evaluated only under a condition? */
 static bool decides(const ir_node *node) {
     return node->kind == IR_CONDITIONAL || node->kind == IR_IF ||
            (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR));
@@ -162,7 +161,7 @@ static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *reco
     record->tag = bins->streams[record->stream].tag_count++;
 }
 
-/** One type of record for all updates of a stream, of which some use the first values only. */
+/** Gives all updates of a stream one type of record; some use only its first values. */
 static bool fits_stream(bins_plan *bins, const bins_record *record) {
     value_kind *kinds = bins->streams[record->stream].kinds;
     const unsigned parts = nest_part_count(record->nest);
@@ -192,7 +191,7 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
            element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
-/** Do the arrays stand nowhere but in their updates? */
+/** Are the arrays used only in their updates? */
 static bool is_read_elsewhere(const loop_facts *facts, const ir_node *node) {
     if (loop_update_at(facts, node))
         return false;
@@ -243,7 +242,7 @@ static bool can_be_grouped(const loop_plan *plan, bins_plan *bins, bool wide, bo
     return give_tags(plan->facts, bins);
 }
 
-/** As few records as can be. */
+/** Uses the smallest number of records. */
 static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     find_nests(plan->facts, bins);
     for (unsigned i = 0; i < plan->facts->update_count; i++)
@@ -257,14 +256,14 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
-/** Must the body see verified values only? What it keeps of scalars in an execution that is thrown
- * away stays where the next one keeps nothing. */
+/** Must the body see only verified values? Operands of scalars that it keeps in an aborted
+ *  execution remain if the next one keeps none. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (plan->facts->scalar_count > 0 && unverified_has_suspects(plan, guarded_sources(plan)));
 }
 
-/** Why updates may not be made later, whatever they are; NULL: they may. */
+/** The reason why no updates may be deferred; NULL: they may. */
 static const char *why_not_later(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (plan->unit->dialect.is_sanitized)

@@ -1,21 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * In-order binning (redcc/bins.h): an update becomes a record, which holds what the update reads
- * but for the element itself, and a function applies records to the elements. Updates of one row
- * (bins_row.c), or of several arrays at one subscript, share a record (bins_group.c), and so does
- * what a loop over constants does (bins_nest.c).
+ * In-order binning (redcc/bins.h): an update becomes a record, which holds the values that the
+ * update reads except for the element itself, and a function applies records to the elements.
+ * Updates of one row (bins_row.c), or of several arrays at one subscript (bins_group.c), share a
+ * record, and so do the updates in a loop over constants (bins_nest.c).
  *
- * Why it is sound: no statement of the loop reads the arrays but the updates, so that they may be
- * made later; the records of an element are applied in the order of the loop; and a record holds
- * the values that the update would have read, because an operand reads nothing that the loop writes
- * and is evaluated where the update stands. It is declined where an update cannot be taken apart
- * so.
+ * Why it is sound: only the updates access the arrays, so they may be made later. The records of an
+ * element are applied in the order of the loop. A record holds the values that the update would
+ * have read, because an operand reads nothing that the loop writes and is evaluated at the update.
+ * The form is declined if an update cannot be split in this way.
  *
- * The body executes before its reads are compared with what it writes. Where it may then fail
- * (unverified.h), or keeps operands of scalars, the inspector tells all reads and touches first, by
- * equal shares, and the overlap guard compares them, as for a plan: no iteration reads what another
- * one writes, so that each has the sequential loop's values whenever it executes, and as often as
- * it does.
+ * The body executes before its reads are compared with its writes. If it may fail then
+ * (unverified.h), or keeps operands of scalars, the inspector first records all reads and touches,
+ * in equal shares, and the overlap guard compares them, as for a plan. No iteration then reads what
+ * another one writes, so that each has the sequential loop's values, whenever and however often it
+ * executes.
  */
 #ifndef PLAN_BINS_H
 #define PLAN_BINS_H
@@ -30,7 +29,7 @@ enum {
     MOST_NEST_DEPTH = 3
 };
 
-/** How a value is kept in a record: as the type that C promotes it to. */
+/** The type in which a record stores a value: the one C promotes it to. */
 typedef enum value_kind {
     VALUE_NONE,
     VALUE_INT,
@@ -46,25 +45,25 @@ typedef struct bins_nest {
     const ir_node *outermost; /* NULL: there are none */
     unsigned depth;
     struct nest_level {
-        const ir_variable *counter; /* that counts up by 1 */
+        const ir_variable *counter; /* which is incremented by 1 */
         int64_t first, trip;
     } levels[MOST_NEST_DEPTH];
 } bins_nest;
 
-/** A record that the body appends: of one update, or of several that follow each other, of one row
- *  of an array or of rows of different arrays at one subscript. Or of an update in a nest, in which
- *  each operand has a value for each part of the row. */
+/** A record that the body appends: of one update, or of consecutive updates of one row of an array
+ *  or of rows of different arrays at one subscript. Or of an update in a nest, in which each
+ *  operand has a value for each part of the row. */
 typedef struct bins_record {
     const bins_nest *nest; /* NULL: none */
     unsigned update_count;
-    const reduction_update *updates[MOST_RECORD_UPDATES]; /* as they follow; the first appends it */
+    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the first appends it */
     unsigned stream;
     unsigned operand_count;
     const ir_node *operands[MOST_RECORD_OPERANDS];
     unsigned tag;
 } bins_record;
 
-/** The records of an array, or of arrays that are updated nowhere but together. */
+/** The records of an array, or of arrays that are always updated together. */
 typedef struct bins_stream {
     unsigned array_count;
     unsigned arrays[MOST_STREAM_ARRAYS];
@@ -74,49 +73,48 @@ typedef struct bins_stream {
 
 typedef struct bins_plan {
     unsigned record_count;
-    bins_record *records; /* in each stream as the updates follow */
+    bins_record *records; /* in each stream in the order of the updates */
     unsigned stream_count;
     bins_stream *streams;
-    int64_t *row_bytes; /* of each array, by number: of an element, or of several side by side */
+    int64_t *row_bytes; /* of each array, by number: of an element, or of several adjacent ones */
     bool has_nests;
-    bins_nest *nests;         /* of each update, by number, where it has any */
+    bins_nest *nests;         /* of each update, by number, if it has any */
     uint32_t guarded_sources; /* bits, by number: their reads are logged as iterations execute */
-    bool is_checked; /* extents of all that is read and written are found and compared before any
-                        iteration executes: the body must not see unverified values */
+    bool is_checked; /* the ranges of all reads and writes are found and compared before any
+                      * iteration executes: the body must not see unverified values */
 } bins_plan;
 
 /** Sets bins, or no_bins. */
 void plan_bins(loop_plan *plan);
 
-/** How many values a record of the stream holds. */
+/** The number of values in a record of the stream. */
 unsigned stream_value_count(const bins_stream *stream);
-/** Has a row of the array several elements? */
+/** Does a row of the array have several elements? */
 bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array);
-/** The update's row, and the distance of its element from the row's beginning in bytes: where it is
- *  in a nest, if the counters were 0. */
+/** The update's row, and the offset of its element in the row in bytes: in a nest, with counters of
+ *  0. */
 const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
                            const reduction_update *update, int64_t *offset);
 
 /** The position of the update's element in the row, counted in elements. In a nest, `part` is the
- *  number of the iteration. find_rows has been called. */
+ *  number of the iteration. Requires find_rows. */
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part);
 
-/** The number of the operand that this node is, or says again; -1: none. No two calls say the same.
- */
+/** The number of the operand that equals this node; -1: none. No two calls are equal. */
 int operand_number(const bins_record *record, const ir_node *node);
 
-/** The level of the nest that the node is the counter of; NULL: of none. */
+/** The level of the nest whose counter the node is; NULL: none. */
 const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
-/** How many elements an update in the nest goes to; NULL: 1. */
+/** The number of elements that an update in the nest reaches; NULL: 1. */
 unsigned nest_part_count(const bins_nest *nest);
 /** The nest of an update; NULL: it has none, or its array's rows are single elements. */
 const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
                          const reduction_update *update);
-/** What a counter is where the loops come to an element, which is counted from 0. */
+/** The value of a counter when the loops reach element number `part`, counted from 0. */
 int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part);
 
-/** What C promotes it to; VALUE_NONE: values of it are not kept. */
+/** The type that C promotes it to; VALUE_NONE: such values are not kept. */
 value_kind value_kind_of(const ir_type *type);
 
 #endif

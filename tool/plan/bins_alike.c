@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which records are applied by the same statements: their updates differ in values alone. */
+/** Records that the same statements can apply: their updates differ only in values. */
 #include <string.h>
 
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 
-/** An update as its record says it: with the element and the record's values in place of names. */
+/** An update in the form of its record: the element and the record's values replace names. */
 typedef struct said {
     const bins_record *record;
     const reduction_update *update;

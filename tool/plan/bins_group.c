@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which updates share a record. Statements that follow each other without anything between, and
- * update one row of an array, or rows of different arrays at one subscript, are a group; arrays of
- * which each group has all or none are one stream. Nothing that a group's operands read changes
- * while it is executed, for what it writes is written later; so all of them can be kept by its
- * first statement.
+ * Finds updates that share a record. A group is a sequence of adjacent statements that update one
+ * row of an array, or rows of different arrays at one subscript. Arrays that occur in all groups
+ * together are one stream. The group's writes are deferred, so its operands do not change while it
+ * is executed, and its first statement can keep all of them.
  */
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
@@ -13,13 +12,13 @@ typedef struct grouping {
     const loop_facts *facts;
     const bins_plan *bins;
     bool wide;             /* rows may be updated several times by one record */
-    unsigned member_count; /* updates so far, as they follow in the text: */
+    unsigned member_count; /* updates so far, in the order of the text: */
     struct member {
         const reduction_update *update;
         unsigned group;
     } * members;
-    unsigned count; /* groups so far, numbered as they follow */
-    unsigned begin; /* the first group of the statements at hand */
+    unsigned count; /* groups so far, numbered in order */
+    unsigned begin; /* the first group of the current statements */
 } grouping;
 
 static bool has_array(const grouping *g, unsigned group, unsigned array) {
@@ -29,8 +28,8 @@ static bool has_array(const grouping *g, unsigned group, unsigned array) {
     return false;
 }
 
-/** Has the group the update's row, and room for the update? What is in a nest has a record for
- *  itself. */
+/** Does the group have the update's row, and space for the update? An update in a nest has a
+ *  separate record. */
 static bool may_join(const grouping *g, unsigned group, const reduction_update *update) {
     unsigned count = 0;
     bool has_row = false;
@@ -45,8 +44,8 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
     return has_row && count < MOST_RECORD_UPDATES;
 }
 
-/** The group of an update that follows: none before those that update its array already, so that
- *  its updates keep their order. */
+/** The group for the next update: not before groups that already update its array, so that its
+ *  updates keep their order. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)
@@ -57,7 +56,7 @@ static unsigned group_for(const grouping *g, const reduction_update *update) {
     return from;
 }
 
-/** The update, in the group that it is of. */
+/** Adds the update to its group. */
 static void add_update(grouping *g, const reduction_update *update) {
     const unsigned group = group_for(g, update);
     g->count += group == g->count;
@@ -109,7 +108,7 @@ static unsigned stream_of(const bins_plan *bins, unsigned array) {
                 return s;
 }
 
-/** The record of this stream and group, after those that there are. */
+/** Appends the record of this stream and group. */
 static void add_record(const grouping *g, bins_plan *bins, unsigned group, unsigned stream) {
     bins_record record = {.stream = stream};
     for (unsigned i = 0; i < g->member_count; i++)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over constants around updates and nothing else: `for (c = 0; c < 3; c++) f[i][c] += a[c];`.
- * One record, appended before the loop, holds what all iterations add. This is legal for two
- * reasons: the operands read nothing that the loop changes, since updates are applied later, and
- * no two iterations update the same element.
+ * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. One
+ * record, appended before the loop, holds the operands of all iterations. This is legal for two
+ * reasons: the operands read nothing that the loop changes, since updates are applied later, and no
+ * two iterations update the same element.
  */
 #include <string.h>
 
@@ -64,8 +64,8 @@ unsigned nest_part_count(const bins_nest *nest) {
     return count;
 }
 
-/** Is each counter one subscript of the row's parts, and nowhere else in the element's address?
- *  Then the iterations' elements differ, and the row is the same for all. */
+/** Does each counter occur once as a subscript of the row's parts, and nowhere else in the
+ *  element's address? Then the iterations' elements differ, and all are in one row. */
 static bool is_one_row(const loop_facts *facts, const reduction_update *update,
                        const bins_nest *nest) {
     const ir_node *row = outermost_row(facts, update, nest);
@@ -82,12 +82,12 @@ static bool is_one_row(const loop_facts *facts, const reduction_update *update,
     return !mentions_counter(nest, row);
 }
 
-/** The loops around the update from `outermost` on. */
+/** The loops around the update, from `outermost` on. */
 static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};
     if (!syntax_editable_statement(outermost, facts->counted.body))
-        return false; /* a macro's text has more than the loop */
+        return false; /* a macro's text may contain more than the loop */
     for (const ir_node *node = outermost; node != update->statement;) {
         const ir_node *next = NULL;
         if (node->kind == IR_FOR) {
@@ -105,7 +105,7 @@ static bool make_nest(const loop_facts *facts, const reduction_update *update,
     return nest_part_count(nest) <= MOST_RECORD_VALUES && is_one_row(facts, update, nest);
 }
 
-/** The outermost such loops around the update; outermost is NULL where there are none. */
+/** The outermost such loops around the update; outermost is NULL if there are none. */
 static bins_nest find_nest(const loop_facts *facts, const reduction_update *update) {
     bins_nest found = {0}, nest;
     for (const ir_node *node = update->statement->parent;
@@ -122,7 +122,7 @@ static bins_nest find_nest(const loop_facts *facts, const reduction_update *upda
 
 /* ---- the order of updates ------------------------------------------------------------------ */
 
-/** Do both come to the same parts of their rows in each iteration of one nest? */
+/** Do both update the same parts of their rows in each iteration of one nest? */
 static bool have_equal_parts(const loop_facts *facts, const reduction_update *a,
                              const bins_nest *of_a, const reduction_update *b,
                              const bins_nest *of_b) {

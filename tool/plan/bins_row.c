@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the rows of an array are in the form for in-order binning: its elements, or where several
- * elements are updated that lie side by side at constant distances (`f[i].x`, `f[i].y`; `f[i][0]`,
- * `f[i][1]`), the records or arrays that hold them. A row is binned as a whole: its elements need
- * one place, and one record of all that is added to them.
+ * The rows of an array in the form for in-order binning: its elements or, if adjacent elements at
+ * constant distances are updated (`f[i].x`, `f[i].y`; `f[i][0]`, `f[i][1]`), the structures or
+ * arrays that contain them. A row is binned as a whole: its elements need one place, and one record
+ * of all contributions.
  */
 #include <string.h>
 
@@ -11,7 +11,7 @@
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
 
-/* Fewer rows than this fit the cache at a time, if they are larger. */
+/* With larger rows, too few of them fit the cache at a time. */
 enum { MOST_ROW_BYTES = 1024 };
 
 static int64_t element_size(const loop_facts *facts, unsigned array) {
@@ -23,8 +23,8 @@ static bool is_within(const struct nest_level *level, const ir_type *array) {
     return level->first + level->trip <= array->count;
 }
 
-/** Is the node a part of the array or record that is the first child, at a constant offset that is
- *  added to *offset, or at an offset given by a counter of the nest? */
+/** Is the node a part of the array or record in the first child, at a constant offset that is added
+ *  to *offset, or at an offset given by a counter of the nest? */
 static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *offset) {
     const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
     if (!whole || !whole->type || whole->type->size <= 0)
@@ -55,7 +55,7 @@ const ir_node *outermost_row(const loop_facts *facts, const reduction_update *up
     return row;
 }
 
-/** Are two different elements of the array updated in rows that say the same, or in a nest? */
+/** Does the loop update two different elements of the array in equal rows, or in a nest? */
 static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     for (unsigned i = 0; i < facts->update_count; i++) {
         if (facts->updates[i].array == array && nest_at(bins, i))
@@ -70,7 +70,8 @@ static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsig
     return false;
 }
 
-/** Of all of the array's updates the same; otherwise, or where no row has several: an element's. */
+/** The same for all of the array's updates; otherwise, or if no row has several elements: an
+ *  element's size. */
 static int64_t wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     const int64_t size = element_size(facts, array);
     int64_t bytes = 0;
@@ -121,7 +122,7 @@ unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduc
     return (unsigned)(offset / element_size(facts, update->array));
 }
 
-/** Is the element aligned as its type is? A member of a packed record need not be. */
+/** Does the element have its type's alignment? A member of a packed record need not. */
 static bool is_aligned(const loop_facts *facts, const reduction_update *update) {
     const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
     const ir_node *node = update->target;

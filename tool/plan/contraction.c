@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Where compilers may not contract a multiplication and an addition into one rounding. The serial
- * and the parallel form of a loop give the same bits only where neither is contracted; nor may an
+ * Forbids compilers to contract a multiplication and an addition into one rounding. The serial and
+ * the parallel form of a loop give the same bits only if neither is contracted; nor may an
  * inspector compute other subscripts than its executor.
  *
- * It is enough to forbid it in the functions that hold loops and in what is written beside them.
- * Not so where a loop calls a function of the same file that could be contracted by itself: gcc
- * inlines it in one form of the loop, which forbids it, and calls it in another, where it is
- * contracted. Then it is forbidden in the whole file. So it is where there is no place for it in
- * front of a function.
+ * Usually it is enough to forbid it in the functions that contain loops and in the generated text.
+ * It is not if a loop calls a function of the same file that could be contracted itself: gcc
+ * inlines it in one form of the loop, which forbids contraction, and calls it in another, where it
+ * is contracted. Then it is forbidden in the whole file, as it is if declarations cannot be
+ * inserted before a function.
  */
 #include "plan/contraction.h"
 
@@ -16,7 +16,7 @@
 
 #include "plan/place.h"
 
-/** What functions reached from a loop do, themselves and in what they call. */
+/** Operations of the functions that a loop calls, directly and indirectly. */
 typedef struct reach {
     bool *is_seen; /* by function */
     bool multiplies, adds;
@@ -48,7 +48,7 @@ static void follow_call(reach *r, const ir_node *call) {
     if (callee->kind != IR_FUNCTION) { /* perhaps one of the file's */
         r->multiplies = r->adds = true;
     } else if (callee->function->body && !callee->function->linkage.import &&
-               !r->is_seen[callee->function->id]) { /* other files are compiled by themselves */
+               !r->is_seen[callee->function->id]) { /* other files are compiled separately */
         r->is_seen[callee->function->id] = true;
         look_at(r, callee->function->body);
     }
@@ -82,13 +82,14 @@ static bool calls_what_contracts(arena *a, const ir_unit *unit, const loop_facts
 static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *facts) {
     reach r = {.is_seen = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     look_at(&r, facts->loop);
-    return r.multiplies || r.adds; /* one of the two may stand outside */
+    return r.multiplies || r.adds; /* the other operation may be outside */
 }
 
 /* ---- places -------------------------------------------------------------------------------- */
 
-/** gcc inlines no function into another where only one may be contracted: one that is declared
- *  inline is left as it is. An attribute is no part of a declaration without a type. */
+/** gcc does not inline a function into another if only one may be contracted: a function that is
+ *  declared inline is left as it is. An attribute is not possible on a declaration without a
+ *  type. */
 static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
     return has_place_in_front(unit, function) &&
@@ -105,7 +106,7 @@ bool may_name_targets(const ir_unit *unit) {
     return is_found;
 }
 
-/** A macro of the program may be what the pragma's words are taken for. */
+/** A macro of the program may replace the pragma's words. */
 static bool has_macro_of_pragma(const ir_unit *unit) {
     static const char *const words[] = {"clang", "fp", "contract", "off"};
     for (size_t i = 0; unit->text.macros && i < sizeof words / sizeof *words; i++)

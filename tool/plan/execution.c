@@ -20,14 +20,14 @@ key_form form_of_key(const ir_type *type) {
     case IR_POINTER:
     case IR_ARRAY:
         return KEY_POINTER;
-    case IR_FLOATING: /* a long double has bytes that mean nothing */
+    case IR_FLOATING: /* a long double has padding bytes */
         return type->size <= 8 && type->spelling ? KEY_BYTES : KEY_UNFIT;
     default:
         return KEY_UNFIT;
     }
 }
 
-/** May a plan be kept? Only while it is known where the rows in it have moved to. */
+/** May a plan be kept? Only if it is known where its rows have moved. */
 static bool is_verifiable(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (!facts->slice.is_verifiable)
@@ -43,7 +43,7 @@ static bool is_verifiable(const loop_plan *plan) {
     return true;
 }
 
-/** The stride, and variables stepped with the counter, of which the slice asks the value. */
+/** The stride, and variables stepped with the counter that the slice uses. */
 static unsigned stepped_count(const loop_facts *facts) {
     unsigned count = facts->counted.stride ? 1 : 0;
     for (unsigned i = 0; i < facts->variables.private_count; i++)
@@ -56,7 +56,7 @@ static bool has_values_beside(const loop_facts *facts) {
     return facts->scalar_count > 0 || has_conditional_live_outs(facts);
 }
 
-/** What an iteration leaves beside its updates must be there, also if it makes none. */
+/** Effects of an iteration other than its updates are needed even if it makes no update. */
 static bool needs_every_iteration(const loop_facts *facts) {
     return has_values_beside(facts) || facts->sets_errno;
 }

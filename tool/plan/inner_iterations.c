@@ -7,15 +7,15 @@
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
-/* Ownership is checked once more in each inner iteration: from how many operations on floating
- * values on. */
+/* An additional ownership check in each inner iteration pays from this number of operations on
+ * floating values on. */
 enum { WORTH = 4, MOST_SUMS = 12 };
 
 typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the loop */
     const ir_node *block; /* its body */
-    unsigned rest;        /* number of the statement that the rest of an iteration begins with */
+    unsigned rest;        /* number of the statement that begins the rest of an iteration */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
     bool adds_to_series; /* does the rest? */
@@ -23,8 +23,8 @@ typedef struct inner_rest {
     const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
 } inner_rest;
 
-/* ---- what the rest of an iteration does
- * ---------------------------------------------------------- */
+/* ---- effects of the rest of an iteration
+ * --------------------------------------------------------- */
 
 static bool is_own_variable(const inner_rest *t, const ir_variable *variable) {
     for (unsigned i = t->rest; variable && i < t->block->child_count; i++)
@@ -47,7 +47,7 @@ static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
            !variable->address_taken;
 }
 
-/** Is it in an update, which writes nothing but the element? */
+/** Is it in an update, which writes only the element? */
 static bool is_in_update(const inner_rest *t, const ir_node *node) {
     for (; node != t->block; node = node->parent)
         if (loop_update_at(t->facts, node))
@@ -64,7 +64,7 @@ static bool may_be_written_by_call(const inner_rest *t, const ir_node *argument,
     return argument->type->kind == IR_POINTER || !is_own_variable(t, expression_object(argument));
 }
 
-/** The loop's analysis has seen that no call does more than to write through its arguments. */
+/** The loop's analysis has shown that calls write only through their arguments. */
 static bool may_write(const inner_rest *t, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     for (unsigned i = 1; i < call->child_count; i++) {
@@ -77,7 +77,7 @@ static bool may_write(const inner_rest *t, const ir_node *call) {
     return !callee;
 }
 
-/** `p += e`, of a variable that is nobody's but the iteration's: notes it. */
+/** Records `p += e` for a variable that is private to the iteration. */
 static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable) {
     if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
         return false;
@@ -96,8 +96,8 @@ static bool is_series_update(const inner_rest *t, const ir_node *node) {
            expression_is_plain(t->facts->scalars[scalar].value);
 }
 
-/** Has it an effect that later iterations or statements can see, other than updates and sums?
- * `is_inside`: a loop or switch of the rest encloses it. */
+/** Does it have an effect that later iterations or statements can see, other than updates and sums?
+ *  `is_inside`: a loop or switch of the rest encloses it. */
 static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
@@ -114,7 +114,7 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     default:
         break;
     }
-    if (is_series_update(t, node)) { /* of which the thread that leads leaves nothing out */
+    if (is_series_update(t, node)) { /* which the leading thread executes completely */
         t->adds_to_series = true;
         return false;
     }
@@ -130,7 +130,8 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Operations on floating values, and calls, outside of updates: those are asked for anyway. */
+/** Operations on floating values, and calls, outside of updates, which have ownership checks
+ *  anyway. */
 static unsigned work_in(const inner_rest *t, const ir_node *node) {
     if (loop_update_at(t->facts, node))
         return 0;
@@ -150,7 +151,8 @@ static bool may_be_left_out(inner_rest *t) {
     return work >= WORTH;
 }
 
-/* ---- where its rows are known -------------------------------------------------------------- */
+/* ---- when its rows are known
+ * -------------------------------------------------------------------- */
 
 /** Does executing this statement always give the variable a value? */
 static bool sets(const ir_node *statement, const ir_variable *variable) {
@@ -164,7 +166,7 @@ static bool sets(const ir_node *statement, const ir_variable *variable) {
            expression_is_variable(statement->children[0], variable);
 }
 
-/** How many places give the variable a value. */
+/** The number of places that give the variable a value. */
 static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
     const ir_node *written = expression_written(node);
     unsigned count =
@@ -175,7 +177,7 @@ static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/** Has it a value whenever an inner iteration begins? */
+/** Does it have a value whenever an inner iteration begins? */
 static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     const loop_facts *facts = t->facts;
     if (!private_of(facts, variable))
@@ -193,8 +195,8 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     return false;
 }
 
-/** The rest of an iteration begins behind what sets this variable. False: it may be without a
- * value, or have another one when the row is updated. */
+/** The rest of an iteration begins after the statement that sets this variable. False: it may have
+ *  no value, or another one when the row is updated. */
 static bool await_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
@@ -222,7 +224,7 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
     return a->array == b->array && syntax_same(a->row, b->row);
 }
 
-/** The loop of the inner iteration that steps through the row's elements; NULL: there is none. */
+/** The loop in the inner iteration that steps through the row's elements; NULL: none. */
 static const loop_span *span_below(const inner_rest *t, const reduction_update *update) {
     const ir_node *const end = ir_contains(t->inner, update->statement) ? t->inner : NULL;
     for (const ir_node *node = update->statement->parent; end && node != end; node = node->parent) {
@@ -250,7 +252,7 @@ static bool await_value(inner_rest *t, const ir_node *value) {
            await_variables(t, value);
 }
 
-/** The same of all that says which rows the loop below steps through. */
+/** The same for all values that determine which rows the loop below steps through. */
 static bool await_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped)
@@ -265,7 +267,7 @@ static bool await_span(inner_rest *t, const loop_span *span, const ir_node *row)
     return true;
 }
 
-/** False: there are too many, or it is not known where it is. */
+/** False: too many rows, or an unknown one. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)
@@ -289,7 +291,7 @@ static bool find_rows(inner_rest *t) {
 
 /* ---- sums ---------------------------------------------------------------------------------- */
 
-/** Are its variables what they are in the inner iteration wherever the iteration comes to it? */
+/** Do its variables have the same values in the inner iteration as at the sum's update? */
 static bool is_fixed(const inner_rest *t, const ir_node *row) {
     const loop_facts *facts = t->facts;
     if (row->kind == IR_VARIABLE && private_of(facts, row->variable) &&
@@ -301,7 +303,7 @@ static bool is_fixed(const inner_rest *t, const ir_node *row) {
     return true;
 }
 
-/** Is the loop executed once in an iteration, at the most? */
+/** Is the loop executed at most once in an iteration? */
 static bool is_executed_once(const inner_rest *t) {
     const ir_node *const body = t->facts->counted.body;
     for (const ir_node *node = t->inner; node != body; node = node->parent)
@@ -320,8 +322,8 @@ static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_varia
     return true;
 }
 
-/** Does nothing read the sum but updates outside of the loop, of elements that nothing reads? Adds
- *  their rows. */
+/** Is the sum read only by updates outside of the loop, of elements that are not read? Adds their
+ *  rows. */
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum) {
     const reduction_update *update = loop_update_at(t->facts, node);
     if (update && expression_mentions(node, sum))
@@ -351,7 +353,8 @@ static bool sums_flow_into_updates(inner_rest *t) {
 
 /* ---- all inner loops ----------------------------------------------------------------------- */
 
-/** Can the row's address be computed as a number, where the program may not come to it? */
+/** Can the row's address be computed as a number, even if the program does not execute the
+ *  update? */
 static bool has_number(const reduction_update *update) {
     row_address address;
     return row_address_of(update->row, &address) && !row_needs_address(&address);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Iterations of an inner loop that are not the thread's part. In the guarded form of
+ * Skipping iterations of an inner loop that do not concern the thread. In the owner-checked form of
  *
  *     for (k = 0; k < n[i]; k++) {
  *         j = list[i][k];
@@ -8,15 +8,14 @@
  *         f[i] += e; f[j] -= e;
  *     }
  *
- * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
- * to the next inner iteration. Rows that a loop below steps through one after the other are asked
- * for together: of a loop over pairs of blocks, a thread that owns neither block goes on to the
- * next.
+ * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it
+ * continues with the next inner iteration. Rows that a nested loop steps through are checked
+ * together: in a loop over pairs of blocks, a thread that owns neither block skips the pair.
  *
- * Why it is sound: the rest of the inner iteration does nothing but updates, and changes no
- * variable but its own, so that nobody can see whether the thread executed it; and the rows that it
- * updates can be named before it. It may also add to variables that only updates outside of the
- * inner loop read, as in `p += e; ... f[i] += p;`: then the thread must not own their rows either.
+ * Why it is sound: the rest of the inner iteration has no effects except updates and changes of its
+ * private variables, so that skipping it cannot be observed; and the rows that it updates are known
+ * before it. It may also add to variables that are read only by updates outside of the inner loop,
+ * as in `p += e; ... f[i] += p;`: then the thread must not own their rows either.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H
@@ -28,24 +27,24 @@ enum { MOST_SKIP_ROWS = 4 };
 /** Rows that an inner iteration updates. */
 typedef struct skip_row {
     const reduction_update *update; /* one of them */
-    const loop_span *span; /* the loop below that steps through them; NULL: it is one row */
+    const loop_span *span; /* the nested loop that steps through them; NULL: it is one row */
 } skip_row;
 
-/** An inner loop, whose iterations are left out by threads that own none of the rows. */
+/** An inner loop whose iterations are skipped by threads that own none of the rows. */
 typedef struct inner_skip {
     const ir_node *loop;
-    const char *declined;  /* why none is left out; NULL: */
-    const ir_node *before; /* the statement of the body in front of which ownership is checked */
-    bool adds_to_series; /* what is left out; the thread that keeps the operands leaves nothing out
-                          */
+    const char *declined;  /* the reason why none is skipped; NULL: */
+    const ir_node *before; /* the statement of the body before which ownership is checked */
+    bool adds_to_series;   /* the skipped part does; the thread that keeps the operands skips
+                            * nothing */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
-/** Sets skips: of the form whose body is a function of its own. */
+/** Sets skips, for the form whose body is a separate function. */
 void plan_inner_skips(loop_plan *plan);
 
-/** What the plan says of this inner loop; NULL: nothing of it is left out. */
+/** The plan's entry for this inner loop; NULL: no part of it is skipped. */
 const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop);
 
 #endif

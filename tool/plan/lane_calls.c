@@ -9,7 +9,7 @@
 
 enum { MOST_DEPTH = 8, MANY = 1000000 };
 
-/** What a failing call may leave in errno. */
+/** Values of errno after a failing call. */
 enum { DOMAIN = 1, RANGE = 2 };
 
 static bool is_among(const char *const *names, size_t count, const char *name) {
@@ -49,8 +49,8 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
            lane_is_real(call->type) && call->child_count > 1;
 }
 
-/** Calls of functions without a body: how many an iteration makes that may fail, and how; how many
- *  in all that vectors have no form for. */
+/** Calls of functions without a body: how many may fail per iteration, and how; how many have no
+ *  vector form. */
 typedef struct calls {
     int64_t failing, by_lane;
     unsigned errors;

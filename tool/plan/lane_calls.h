@@ -1,31 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Calls of the C library in the iterations of several lanes. What vectors have no form for is
- * called lane by lane, in the place of the call: its bits are the library's, whatever the order of
- * calls. errno is what the order matters to: the loop leaves it as the last failing call does.
- * Lanes make a call for all iterations before the next call, and those beside updates last. So
- * either calls can fail in one way only, or one call an iteration can fail, or those beside updates
- * alone.
+ * Calls of the C library in iterations executed as lanes. A function without a vector form is
+ * called lane by lane, at the place of the call: its bits are the library's, for any order of
+ * calls. The order matters only to errno, which the loop must leave as the last failing call does.
+ * Lanes make a call for all iterations before the next call, and calls in update statements last.
+ * So either calls can fail in one way only, or one call per iteration can fail, or only those in
+ * update statements.
  */
 #ifndef PLAN_LANE_CALLS_H
 #define PLAN_LANE_CALLS_H
 
 #include "plan/lane_class.h"
 
-/** What a call costs that is made lane by lane, in operations. */
+/** Cost of a call made lane by lane, in operations. */
 enum { LANE_CALL_WORK = 40 };
 
-/** May the call be made lane by lane? It is of a function of the C library, of doubles or floats.
- */
+/** May the call be made lane by lane? It must be of a function of the C library, on doubles or
+ *  floats. */
 bool lane_may_call(const ir_unit *unit, const ir_node *call);
 
-/** Has it a form for vectors? Its name, NULL: none. */
+/** The name of its vector form, or NULL. */
 const char *lane_known_call(const ir_function *callee);
 
-/** Records a problem where errno may be left with another value. */
+/** Records a problem if errno may end with another value. */
 void lane_check_errors(lane_scope *l);
 
-/** Calls an iteration that are made lane by lane, those beside updates left out. */
+/** Calls per iteration that are made lane by lane, without those in update statements. */
 int64_t lane_count_calls(const lane_scope *l);
 
 #endif

@@ -19,7 +19,7 @@ void lane_problem(const lane_scope *l, lane_reason why, const ir_node *node) {
         *outcome = (lanes_outcome){why, node && has_place(node->range) ? node->range : l->place};
 }
 
-/* ---- questions about expressions ------------------------------------------------------------ */
+/* ---- queries on expressions ---------------------------------------------------------------- */
 
 bool lane_is_real(const ir_type *type) {
     return type && type->kind == IR_FLOATING && (type->size == 8 || type->size == 4);
@@ -92,8 +92,7 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
-/** The lane_value variable whose element or value this is, by subscripts that are allowed, or NULL.
- */
+/** The lane_value variable whose element or value this is, with permitted subscripts, or NULL. */
 static const ir_variable *vector_root(const lane_scope *l, const ir_node *node,
                                       bool (*allows)(const lane_scope *l,
                                                      const ir_node *subscript)) {
@@ -168,8 +167,8 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node) {
     return true;
 }
 
-/** `d > 0 ? 1 : 0`: the operands may as well be converted before one is taken, where none is
- *  converted to an integer of another type. */
+/** `d > 0 ? 1 : 0`: the operands can be converted before the selection if neither is converted to
+ *  an integer of another type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
     return node->kind == IR_CONDITIONAL && lane_mentions_vector(l, node->children[0]) &&
            ir_type_equal(node->children[1]->type, node->type) &&
@@ -178,12 +177,12 @@ bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
 
 /* ---- classes --------------------------------------------------------------------------------- */
 
-/** Is the variable declared beside updates, and so of use to them alone? */
+/** Is the variable declared in an update statement, and used only there? */
 static bool is_of_updates(const lane_scope *l, const ir_node *node) {
     return !l->function && node->kind == IR_DECLARATOR && lane_updating(l, node);
 }
 
-/** What becomes of a variable of that type, at first. */
+/** The initial class of a variable of that type. */
 static lane_class first_class(lane_scope *l, const ir_variable *variable, const ir_node *node) {
     const ir_type *type = variable->type;
     const ir_type *innermost = ir_type_innermost(type);
@@ -234,7 +233,8 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
     s->has_changed = true;
 }
 
-/** Does the lane decide whether this part of the node is executed, or how often? */
+/** Is this part of the node executed under a condition, or a number of times, that differs between
+ *  lanes? */
 static bool is_divided(const lane_scope *l, const ir_node *node, const ir_node *part) {
     switch (node->kind) {
     case IR_IF:
@@ -255,9 +255,9 @@ static bool is_divided(const lane_scope *l, const ir_node *node, const ir_node *
     }
 }
 
-/** The part of the scope outside of which the variable's value is of no use: what holds its
- *  declaration, or the outermost `for` around the write, where all that mentions the variable lies
- *  in such ones that give it its first value. */
+/** The part of the scope outside of which the variable's value is not used: the block with its
+ *  declaration, or the outermost `for` around the write, if all uses of the variable lie in such
+ *  loops that initialise it. */
 static const ir_node *life_of(const lane_scope *l, const ir_node *write,
                               const ir_variable *variable) {
     const bool is_counter = lane_is_counter_only(l->body, variable);
@@ -271,8 +271,8 @@ static const ir_node *life_of(const lane_scope *l, const ir_node *write,
     return life;
 }
 
-/** Do only some lanes make this write of the variable? Jumps out of what stands around it are not
- *  written for vectors at all. */
+/** Do only some lanes execute this write of the variable? Jumps out of enclosing statements have no
+ *  vector form at all. */
 static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
                              const ir_variable *variable) {
     const ir_node *const life = life_of(l, write, variable);
@@ -282,8 +282,8 @@ static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
     return false;
 }
 
-/** An own integer or pointer is the same for all lanes only if all of them make every write of it.
- */
+/** A private integer or pointer is the same for all lanes only if all of them execute every write
+ *  of it. */
 static void spread_of_some_lanes(spreading *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);
@@ -298,7 +298,7 @@ static void spread_of_some_lanes(spreading *s, const ir_node *node) {
     s->has_changed = true;
 }
 
-/** What an update's neighbour writes each lane has for itself, but for counters of loops. */
+/** Variables written in an update statement are per lane, except for loop counters. */
 static void spread_beside_updates(spreading *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);

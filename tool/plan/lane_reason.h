@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Why a loop has no form for several iterations at once (docs/lanes.md). */
+/** Reasons why a loop has no form for several iterations at once (docs/lanes.md). */
 #ifndef PLAN_LANE_REASON_H
 #define PLAN_LANE_REASON_H
 
@@ -7,22 +7,22 @@
 
 typedef enum lane_reason {
     LANES_WRITTEN,   /* it has one */
-    LANES_NOT_ASKED, /* nor is it to have one */
+    LANES_NOT_ASKED, /* such a form is not requested */
 #define X(NAME, slug, message) NO_LANES_##NAME,
 #include "plan/lane_reasons.def"
 #undef X
     LANE_REASON_COUNT
 } lane_reason;
 
-/** What became of one loop where lanes were asked for. */
+/** The result for one loop for which lanes were requested. */
 typedef struct lanes_outcome {
     lane_reason why;
-    ir_range range; /* of what stands in the way, or of the loop, in the main file */
+    ir_range range; /* of the reason, or of the loop, in the main file */
 } lanes_outcome;
 
 /** "used-below"; NULL of LANES_WRITTEN and LANES_NOT_ASKED. */
 const char *lane_reason_slug(lane_reason why);
-/** A sentence without a stop; NULL of the same. */
+/** A sentence without a full stop; NULL for the same. */
 const char *lane_reason_message(lane_reason why);
 
 #endif

@@ -7,7 +7,7 @@
 
 /* ---- the loop itself ------------------------------------------------------------------------- */
 
-/** Is an array updated that the lanes cannot name? */
+/** Does the loop update an array that lanes cannot name? */
 static bool has_unnamed_array(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
@@ -50,7 +50,7 @@ bool lane_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** The variable that this node assigns, steps or declares, or NULL; *other is set where it assigns
+/** The variable that this node assigns, steps or declares, or NULL; sets *other if it assigns
  *  something else. */
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
@@ -75,8 +75,8 @@ bool lane_begins_with(const ir_node *loop, const ir_variable *variable) {
            assigned_by(first, &other) == variable;
 }
 
-/** Is each mention of the variable within a `for` that gives it its first value? Then it does not
- *  matter which of two such loops comes first. */
+/** Are all uses of the variable within a `for` that initialises it? Then the order of two such
+ *  loops does not matter. */
 bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_FOR && lane_begins_with(node, variable))
         return true;
@@ -113,7 +113,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
     return NULL;
 }
 
-/** What is executed one lane after the other: nodes beside updates, operations in all. */
+/** Work that is executed lane by lane: nodes in update statements, and all operations. */
 typedef struct scalar_work {
     int64_t beside, operations;
 } scalar_work;
@@ -141,7 +141,7 @@ void lane_check_worth(lane_scope *l) {
         lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
 }
 
-/** Does an expression do more than give a value and call? */
+/** Does an expression have an effect other than a call? */
 static bool has_effect(const ir_node *node) {
     if (node->kind == IR_ASSIGN || node->kind == IR_OPAQUE || node->kind == IR_STRING ||
         node->kind == IR_INITIALIZERS || ir_is_increment(node))
@@ -152,7 +152,7 @@ static bool has_effect(const ir_node *node) {
     return false;
 }
 
-/** It is executed once for each lane: beside the element it must change nothing. */
+/** It is executed once for each lane, and may change only the element. */
 static void check_update(lane_scope *l, const ir_node *statement) {
     const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
     bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
@@ -170,8 +170,8 @@ static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     return true;
 }
 
-/** May each lane's updates assign it? What is theirs alone, an integer or pointer of each lane, an
- *  element of a vector, or the counter of a loop. */
+/** May each lane's updates assign it? Private data of the lane: an integer or pointer per lane, an
+ *  element of a vector, or a loop counter. */
 static bool is_assigned_beside(lane_scope *l, const ir_variable *variable, bool is_element) {
     if (!variable || !lane_is_own(l, variable))
         return false;
@@ -188,8 +188,8 @@ static bool is_assigned_beside(lane_scope *l, const ir_variable *variable, bool 
     }
 }
 
-/** Around and beside updates each lane goes its own way, by the user's text. It must not leave the
- *  statement, nor change what is not the lane's. */
+/** In update statements each lane executes the user's text separately. It must not leave the
+ *  statement, nor change data that is not private to the lane. */
 static bool check_update_node(ir_node *node, void *context) {
     lane_scope *l = context;
     bool other = false;
@@ -215,7 +215,7 @@ static bool check_update_node(ir_node *node, void *context) {
     return true;
 }
 
-/** May what the node does change the variable: assign to it, declare it anew, or hand it on? */
+/** May the node change the variable: assign to it, declare it, or pass its address? */
 static bool may_change(const ir_node *node, const ir_variable *variable) {
     bool other = false;
     if (assigned_by(node, &other) == variable)
@@ -233,8 +233,8 @@ static bool may_change(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** What comes below an update must not change what it reads, nor use what it changes: it is made
- *  later. */
+/** Statements after an update, which is deferred, must neither change its operands nor use its
+ *  result. */
 void lane_check_order(lane_scope *l, const ir_node *body) {
     for (unsigned i = 0; i < l->plan->unit->variable_count; i++) {
         const ir_variable *variable = l->plan->unit->variables[i];
@@ -308,13 +308,13 @@ bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
 
 enum { MOST_DEPTH = 8 /* of calls */ };
 
-/** A lane_value variable's element: of a pointer, what it points to. */
+/** The element of a lane_value variable: of a pointer, its target. */
 const ir_type *lane_vector_type(const ir_variable *variable) {
     const ir_type *type = variable->type;
     return ir_type_innermost(type->kind == IR_POINTER ? type->target : type);
 }
 
-/** Of what class is the parameter, with this argument? */
+/** The class of the parameter, with this argument. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value) {
     const ir_type *type = parameter->type;
     if (type->is_volatile || type->is_atomic)
@@ -346,7 +346,7 @@ bool lane_can_be_called(const ir_function *function, const ir_node *call, unsign
            (body->child_count > 0 && body->children[body->child_count - 1]->kind == IR_RETURN);
 }
 
-/** What becomes an integer or a pointer of each lane. */
+/** Checks a value that becomes an integer or a pointer per lane. */
 void lane_check_operand(lane_scope *l, const ir_node *value) {
     if (!lane_is_plain(value))
         lane_problem(l, lane_effect_of(value), value);

@@ -58,7 +58,7 @@ bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
            variable->range.begin < body.end;
 }
 
-/** Is it one that the loop only reads, and whose address is nothing to it? */
+/** Does the loop only read it, without using its address? */
 bool is_captured(const loop_facts *facts, const ir_variable *variable) {
     for (unsigned i = 0; i < facts->variables.captured_count; i++)
         if (facts->variables.captured[i] == variable)
@@ -68,7 +68,7 @@ bool is_captured(const loop_facts *facts, const ir_variable *variable) {
 
 enum { LARGEST_COPIED_RECORD = 64 };
 
-/** A copy of each thread's own lets the compiler keep it in a register. */
+/** A private copy per thread lets the compiler keep it in a register. */
 bool is_copied_in(const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->kind == IR_RECORD) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Macros of the program that would change generated text: the runtime's names for what it hands out
- * (`worker.first`), keywords, and the user's own names where they are written once more may all be
- * names of macros. Of the user's own bytes, copied, all macros mean what they did.
+ * Macros of the program that would change generated text. A macro may have the name of a member of
+ * the runtime's structures (`worker.first`), of a keyword, or of the user's own variables that are
+ * written again. In copied bytes of the user all macros keep their meaning.
  */
 #include "plan/macros.h"
 
@@ -32,7 +32,7 @@ static const char *skip_comment(const char *at, const char *end) {
     return end;
 }
 
-/** Macros of the compiler's own that generated text is meant to use (scalars.c, loop.h). */
+/** Predefined macros that generated text uses intentionally (scalars.c, loop.h). */
 static bool is_meant(const char *word, size_t length) {
     static const char *const meant[] = {"__ATOMIC_RELAXED", "__ATOMIC_ACQUIRE"};
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
@@ -62,7 +62,7 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
             at = skip_directive(at, end);
         } else if (*at == '/' && at + 1 < end && at[1] == '*') {
             at = skip_comment(at, end);
-        } else if (source_is_name_byte(*at)) { /* numbers too: no macro is named so */
+        } else if (source_is_name_byte(*at)) { /* numbers too: no macro has such a name */
             while (at < end && source_is_name_byte(*at))
                 at++;
             if (is_name_start(*word) && is_replaced(unit->text.macros, word, at, end))
@@ -87,7 +87,7 @@ const char *macro_name_in_head(const ir_unit *unit) {
     return NULL;
 }
 
-/** Does the text hold the word, as a whole? */
+/** Does the text contain the word, as a whole? */
 static bool has_name(const source *s, const char *name) {
     const size_t length = strlen(name);
     const char *end = s->text + s->length;
@@ -98,7 +98,7 @@ static bool has_name(const source *s, const char *name) {
     return false;
 }
 
-/** Has a variable or a function of the program this name? */
+/** Does a variable or a function of the program have this name? */
 static bool is_own(const ir_unit *unit, const char *name) {
     for (unsigned i = 0; i < unit->variable_count; i++)
         if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
@@ -115,7 +115,7 @@ static const void *meaning_of(const map *names, const char *name) {
     return names ? map_get(names, name, strlen(name)) : NULL;
 }
 
-/** Does the program, or one of its headers, give one of the runtime's names to anything? */
+/** Does the program, or one of its headers, declare one of the runtime's names? */
 static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
     return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
            is_own(unit, name) || (is_searched && has_name(unit->source, name));
@@ -132,7 +132,7 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-/** The words of which the macros of loop.h are made; those of the runtime's apart. */
+/** The words in the macros of loop.h, without the runtime's own. */
 static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };

@@ -5,17 +5,16 @@
 
 #include "ir/ir.h"
 
-/** The name of a macro of the program that is used in the text; NULL: there is none.
- */
+/** The name of a macro of the program that is used in the text; NULL: none. */
 const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length);
 /** The name of a macro, defined before the program's file begins, that the head of the written file
- *  uses (the runtime's header, pragmas); NULL: there is none. */
+ *  uses (the runtime's header, pragmas); NULL: none. */
 const char *macro_name_in_head(const ir_unit *unit);
 /** A name of the runtime's, or of OpenMP's, that is written into the text and that the program
- * gives to something of its own; NULL: there is none. */
+ *  declares as something else; NULL: none. */
 const char *taken_name(const ir_unit *unit);
-/** The name of a macro of the program that would change what the macros of the runtime's header
- * say; NULL: there is none. */
+/** The name of a macro of the program that would change the macros of the runtime's header; NULL:
+ *  none. */
 const char *macro_of_header_words(arena *a, const ir_unit *unit);
 
 #endif

@@ -14,8 +14,8 @@ enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
 
 /* ---- the place, and the function's name ---------------------------------------------------- */
 
-/** Does a directive between the two places give a copy another meaning? Conditional ones are copied
- *  as well (as_compiled.h). */
+/** Does a directive between the two places change the meaning of a copy? Conditional ones are
+ *  copied as well (as_compiled.h). */
 static bool changes_copies(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = loop_text_first_directive(unit, begin);
          i < unit->directive_count && unit->directives[i].range.begin < end; i++) {
@@ -39,7 +39,7 @@ static bool has_place(const loop_plan *plan) {
 
 static const char *const words_for_name[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
 
-/** Does a macro of the file's own ask what function it stands in? */
+/** May a macro of the file use the name of the enclosing function? */
 static bool may_macro_name_function(const loop_plan *plan) {
     for (unsigned i = 0; has_macro(plan) && i < plan->unit->directive_count; i++) {
         const char *text = plan->unit->directives[i].text;
@@ -57,7 +57,7 @@ static unsigned count_names(const loop_plan *plan, const ir_node *node) {
     return count;
 }
 
-/** May the body ask what function it stands in where the tree does not say so, in a sizeof? */
+/** May the body use the name of its function in a part missing from the tree, as in a sizeof? */
 static bool may_name_function(const loop_plan *plan) {
     const ir_node *body = plan->facts->counted.body;
     const char *text = plan->unit->source->text;
@@ -83,7 +83,7 @@ static bool is_of_file(const ir_variable *variable) {
     return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
 }
 
-/** Is it declared within the function, but for its parameters? */
+/** Is it declared within the function, other than as a parameter? */
 static bool is_of_function(const loop_facts *facts, const ir_variable *variable) {
     const ir_range body = facts->function->body->range;
     return variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
@@ -100,7 +100,7 @@ static bool has_address_taken(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-/** Of an array a pointer is handed over. */
+/** Arrays are passed as a pointer. */
 static bool can_be_handed(const loop_plan *plan, const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->is_volatile || type->is_atomic)
@@ -121,7 +121,7 @@ static bool is_stand_in(const loop_plan *plan, const ir_variable *variable, bool
 
 /* ---- both ---------------------------------------------------------------------------------- */
 
-/** Its name is replaced in the tree; a name that the tree has not is found undeclared. */
+/** The tree's names are replaced; a name missing from the tree is found to be undeclared. */
 static bool can_be_pointed_to(const ir_variable *variable) {
     const ir_type *type = variable->type;
     return type->spelling && type->size > 0 && type->kind != IR_OTHER_TYPE && !type->is_volatile &&

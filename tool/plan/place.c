@@ -31,10 +31,10 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
     return false;
 }
 
-/** Where tokens of the file end. */
+/** Positions of tokens of the file. */
 typedef struct token_ends {
-    uint32_t last;        /* the last one's place plus 1; 0: there is none */
-    uint32_t declaration; /* the same of the last ; or } outside of parentheses */
+    uint32_t last;        /* the last one's position plus 1; 0: none */
+    uint32_t declaration; /* the same for the last ; or } outside of parentheses */
 } token_ends;
 
 /** Those before `end`, without directives and comments. */
@@ -61,7 +61,7 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     return found;
 }
 
-/** A pragma may be about what follows it. */
+/** A pragma may apply to the text after it. */
 static bool has_foreign_pragma(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -72,7 +72,7 @@ static bool has_foreign_pragma(const ir_unit *unit, uint32_t begin, uint32_t end
     return false;
 }
 
-/** Is what stands there a function that a macro makes whole? */
+/** Does a macro expand to the whole function? */
 static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];
@@ -83,8 +83,8 @@ static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) 
     return false;
 }
 
-/** Where declarations go that stand in front of the function: what is right before it may be its
- *  own, the name of a macro perhaps. UINT32_MAX: nowhere. */
+/** The position for declarations before the function, which may begin with other text, such as a
+ *  macro's name. UINT32_MAX: none. */
 static uint32_t place_of(const ir_unit *unit, const ir_function *function) {
     const token_ends before = tokens_before(unit, function->range.begin);
     if (before.last == before.declaration)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The form in which a loop is written, decided before anything of it is written.
+ * The form in which a loop is written, decided before anything is written.
  *
- * A verdict says that a loop may run in parallel; the plan says how: each decision with what it was
- * declined for. Why a decision is sound is said where it is made, in the header of that name.
+ * A verdict says that a loop may run in parallel; the plan says how. It contains each decision,
+ * with the reason if a form is declined. The header of each decision explains why it is sound.
  */
 #ifndef PLAN_PLAN_H
 #define PLAN_PLAN_H
@@ -14,7 +14,7 @@
 #include "plan/lane_reason.h"
 #include "plan/options.h"
 
-/** What the runtime must know of a read: one or more of the facts' sources that move together. */
+/** A read that the runtime must know: one or more of the facts' sources that move together. */
 typedef struct logged_source {
     const loop_source *fact;                     /* the first of them */
     bool is_subscript, is_scalar, meets_scalars; /* any of them */
@@ -25,16 +25,16 @@ enum { SOURCE_NOT_LOGGED = -1 };
 /** Whether one thread logs all iterations in order before they are inspected (precheck.h). */
 typedef enum dependence_precheck {
     PRECHECK_NONE,
-    PRECHECK_OF_UPDATES, /* what must not be updated meanwhile is known before */
-    PRECHECK_OF_ALL      /* or it is logged as the iterations read it */
+    PRECHECK_OF_UPDATES, /* the ranges that must not be updated meanwhile are known before */
+    PRECHECK_OF_ALL      /* or they are logged as the iterations read them */
 } dependence_precheck;
 
-/** What the runtime may do with the loop (execution.h). */
+/** Permissions of the runtime for the loop (execution.h). */
 typedef struct execution_plan {
-    bool keeps_plan;    /* its plan may be kept, by these: */
-    unsigned key_count; /* words, the trip count among them */
-    bool needs_order;   /* updates stay in the order of the loop, whatever the user allows */
-    bool needs_every_iteration; /* also those that update nothing of a thread's */
+    bool keeps_plan;            /* its plan may be kept; its key: */
+    unsigned key_count;         /* words, including the trip count */
+    bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
+    bool needs_every_iteration; /* also those that update none of a thread's elements */
     int64_t work;               /* operations of an iteration (work.h) */
 } execution_plan;
 
@@ -45,43 +45,43 @@ typedef struct gather {
 
 /** What its executor prefetches (prefetch.h). */
 typedef struct prefetch_plan {
-    const char *declined; /* why it prefetches nothing, or NULL */
+    const char *declined; /* the reason why it prefetches nothing, or NULL */
     unsigned ahead;       /* iterations; 0: nothing */
-    bool is_light;        /* an iteration; then only where they come in no order */
+    bool is_light;        /* light iterations: prefetches only if their accesses are irregular */
     unsigned gather_count;
     const gather *gathers; /* rows to be prefetched that the inspector does not log */
 } prefetch_plan;
 
 typedef struct loop_plan {
-    arena *arena;         /* that the plan lives in */
-    const ir_unit *whole; /* with all that the file holds; */
-    const ir_unit *unit;  /* without what its loops leave out in this compilation */
+    arena *arena;         /* owns the plan */
+    const ir_unit *whole; /* all code of the file; */
+    const ir_unit *unit;  /* the code of this compilation, without branches that its loops skip */
     const loop_facts *facts;
     const plan_options *options;
-    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. What
-                        follows `precheck` is not decided where it cannot */
+    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. Otherwise
+                      * the fields after `precheck` are not set */
 
     unsigned source_count;
     const logged_source *sources;
-    const int *source_number;   /* of each of the facts' sources: index into sources */
-    const bool *has_ready_base; /* of each of them: may its base be read before the loop? */
-    const bool *is_shadowed;    /* of each array: a pointer of its name stands for it in the body */
+    const int *source_number;   /* for each of the facts' sources: its index in sources */
+    const bool *has_ready_base; /* for each of them: may its base be read before the loop? */
+    const bool *is_shadowed;    /* for each array: a pointer of its name replaces it in the body */
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;
-    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: there is none, */
-    const char *no_bins;          /* because of this */
-    lane_reason no_lanes;         /* as far as it is known before the body is written (lanes.h) */
+    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none, */
+    const char *no_bins;          /* for this reason */
+    lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;
-    const struct inner_skip *skips; /* of each inner loop (inner_iterations.h) */
+    const struct inner_skip *skips; /* for each inner loop (inner_iterations.h) */
 } loop_plan;
 
-/** Decides the form of a loop that a verdict allows to run in parallel. Lives in the arena, and
- * borrows units, facts and options. */
+/** Decides the form of a loop that a verdict allows to run in parallel. Allocated in the arena;
+ *  borrows units, facts and options. */
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
                            const loop_facts *facts, const plan_options *options);
 
-/** Records why the loop cannot be written, unless there is a reason already. */
+/** Records the reason why the loop cannot be written, unless there is one already. */
 void plan_obstacle(loop_plan *plan, ir_range range, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -6,24 +6,24 @@
  *     h[s[t]] += f(t);
  *     g[map[k[t]]] += 1;
  *
- * it reads map[k[t]] with the k[t] of before the loop. Where k overlaps h, the guard finds that
- * out, but k[t] may be no subscript of map until an earlier iteration has made it one.
+ * it reads map[k[t]] with the initial value of k[t]. If k overlaps h, the guard detects that, but
+ * k[t] may be an invalid subscript of map until an earlier iteration has set it.
  *
- * So, where the analysis cannot prove that they are disjoint and unverified values would do harm
- * (unverified.h), one thread first logs all iterations in order. It stops at the first update of
- * what the loop reads, as far as that is known, or at the first read of what the loop has updated.
- * Up to there each value is that of the sequential loop. What is read before the first iteration
- * has no such check; such a loop is left alone.
+ * So, if the analysis cannot prove that they are disjoint and unverified values would be harmful
+ * (unverified.h), one thread first logs all iterations in order. It stops at the first update of a
+ * range that the loop reads, as far as known, or at the first read of an updated element. Until
+ * there each value is that of the sequential loop. Reads before the first iteration have no such
+ * check; a loop that needs one is left alone.
  *
- * Where an iteration may leave the loop (loop_exits.h), the same run finds it: it ends at the first
- * iteration that does, and no later one is looked at.
+ * If an iteration may leave the loop (loop_exits.h), the same run finds it: it ends at the first
+ * iteration that does, and later ones are not inspected.
  */
 #ifndef PLAN_PRECHECK_H
 #define PLAN_PRECHECK_H
 
 #include "plan/plan.h"
 
-/** Sets precheck, or records an obstacle where that would not do. */
+/** Sets precheck, or records an obstacle if a pre-check is not sufficient. */
 void plan_precheck(loop_plan *plan);
 
 #endif

@@ -7,17 +7,18 @@
 #include "support/vector.h"
 
 enum {
-    /* Operations an iteration. In order, loops of 126 and 46 lost up to a half by it, one of 167
-     * gained as much again (script/bench lanes, fabric's drag); in no order all gained. */
+    /* Operations per iteration. With regular accesses, loops of 126 and 46 lost up to a half by
+     * prefetching, one of 167 gained that much (script/bench lanes, fabric's drag); with irregular
+     * ones all gained. */
     LEAST_WORK = 12,
-    /* Operations in the time that a row takes to come from memory, some 0.3 microseconds. */
+    /* Operations in the latency of memory, some 0.3 microseconds. */
     AWAITED = 4000,
     LEAST_AHEAD = 2,
-    MOST_AHEAD = 16, /* more rows take too many entries of the first-level TLB */
+    MOST_AHEAD = 16, /* more rows occupy too many entries of the first-level TLB */
     MOST_DEPTH = 8   /* of calls */
 };
 
-/** Does the slice hold a loop whose length the text does not say? Twice it may be too expensive. */
+/** Does the slice contain a loop of unknown length? Executing it twice may be too expensive. */
 static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
     if (ir_is_loop(node) && facts->slice.holds[node->id] && !work_constant_trip(node))
         return true;
@@ -27,7 +28,7 @@ static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** Does the slice hold loops of functions that are called? */
+/** Does the slice contain loops in called functions? */
 static bool has_source_loop(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].loop_count > 0)
@@ -39,7 +40,7 @@ static bool has_source_loop(const loop_facts *facts) {
 
 typedef VECTOR(gather) gather_list;
 
-/** What a function's parameters are called with: variables of the loop's function, or NULL. */
+/** The arguments of a function's parameters: variables of the loop's function, or NULL. */
 typedef struct frame {
     const struct frame *caller; /* NULL: the loop itself */
     const ir_function *function;
@@ -60,21 +61,21 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** What was gone through: functions, with the variables of the loop that they were given. */
+/** Functions already visited, with the loop's variables that they were given. */
 typedef struct gather_search {
     arena *arena;
     map *visited;
     gather_list list;
 } gather_search;
 
-/** Is the function called as it was not called before, with a variable of the loop at all? */
+/** Is this a new combination of function and arguments, with at least one variable of the loop? */
 static bool is_new_call(gather_search *search, const frame *in) {
     const unsigned count = in->function->parameter_count;
     const size_t length = (count + 2) * sizeof(const void *);
     const void **key = arena_allocate(search->arena, length);
     bool has_variable = false;
     key[0] = in->function;
-    key[1] = (const char *)in->function + in->depth; /* from here on fewer calls are followed */
+    key[1] = (const char *)in->function + in->depth; /* deeper calls leave less depth to follow */
     for (unsigned i = 0; i < count; i++) {
         key[i + 2] = resolve(in->caller, ir_child(in->call, i + 1));
         has_variable |= key[i + 2] != NULL;
@@ -109,7 +110,7 @@ static void list_gathers(gather_search *search, const frame *in, const ir_node *
         list_gathers(search, in, node->children[i]);
 }
 
-/** Has each iteration of the slice given it a value when it comes to its end? */
+/** Does each iteration of the slice give it a value before its end? */
 static bool is_computed(const loop_facts *facts, const ir_variable *variable) {
     const ir_node *body = facts->counted.body;
     for (unsigned i = 0; body->kind == IR_BLOCK && i < body->child_count; i++) {
@@ -160,7 +161,7 @@ static bool has_continue(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** An iteration that goes on with the next one skips the end of the slice, where gathers stand. */
+/** An iteration that ends by `continue` skips the end of the slice, where gathers are inserted. */
 static void plan_gathers(const loop_plan *plan, prefetch_plan *prefetch) {
     const loop_facts *facts = plan->facts;
     const frame top = {.call = facts->loop};

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the generated text evaluates before the first iteration - the bases of arrays, first and
- * last rows, keys - must be something that the loop evaluates anyway once it iterates: in
+ * Expressions that the generated text evaluates before the first iteration - the bases of arrays,
+ * first and last rows, keys - must be ones that the loop evaluates anyway if it iterates: in
  *
  *     if (s) s->b[k[t]] += 1;
  *
- * `s->b` may not be read ahead. An expression can fail where it reads through a pointer or divides;
- * each such part must be found again in the loop's header, or in its body where every first
- * iteration passes.
+ * `s->b` may not be read ahead. An expression can fail if it reads through a pointer or divides;
+ * each such part must occur in the loop's header, or in its body on a path that every first
+ * iteration takes.
  */
 #include "plan/read_ahead.h"
 
 #include "analysis/base/counted.h"
 #include "ir/ir_syntax.h"
 
-/* ---- where the loop is certain to pass ----------------------------------------------------- */
+/* ---- code that is always executed ----------------------------------------------------------- */
 
 typedef struct search {
     const loop_facts *facts;
     const ir_node *wanted;
-    const ir_variable *parameter; /* in a function that is called: any member behind this pointer is
-                                     wanted, in place of `wanted` */
+    const ir_variable *parameter; /* in a called function: any member behind this pointer is
+                                   * searched for, instead of `wanted` */
     bool is_found;
-    bool may_have_left; /* a jump may have been taken before what comes next */
+    bool may_have_left; /* a jump may skip the following code */
 } search;
 
 static void pass(search *s, const ir_node *node);
@@ -40,7 +40,7 @@ static bool holds_jump(const ir_node *node) {
     return false;
 }
 
-/** The constant that the loop's own variable starts with; false where it is not one. */
+/** The constant initial value of the loop variable; false if it is not constant. */
 static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
     const ir_node *first = NULL;
     if (start->kind == IR_DECLARATION && start->child_count == 1 &&
@@ -117,15 +117,15 @@ static void pass_address(search *s, const ir_node *object) {
     }
 }
 
-/** Of p->a.b the pointer p; NULL for what is no member behind a pointer. */
+/** The pointer p of p->a.b; NULL if it is no member behind a pointer. */
 static const ir_node *structure_of(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = ir_child(node, 0);
     return node->kind == IR_MEMBER ? ir_child(node, 0) : NULL;
 }
 
-/** The expression itself, or another member of the structure it is a member of: where p->a is read,
- *  p points to the whole of it, and p->b may be read. */
+/** The expression itself, or another member of the same structure: if p->a is read, p points to the
+ *  whole structure, and p->b may be read. */
 static bool answers(const search *s, const ir_node *node) {
     if (!ir_is_expression(node))
         return false;
@@ -136,7 +136,7 @@ static bool answers(const search *s, const ir_node *node) {
     return syntax_same(node, s->wanted) || (structure && other && syntax_same(other, structure));
 }
 
-/** find(A, i, j): what the function reads of A in any case. */
+/** find(A, i, j): reads of A that the function makes in any case. */
 static void pass_callee(search *s, const ir_node *call) {
     const ir_node *callee = ir_child(call, 0);
     const ir_node *structure = s->parameter ? NULL : structure_of(s->wanted);
@@ -159,7 +159,7 @@ static void pass_callee(search *s, const ir_node *call) {
     }
 }
 
-/** mat_add(m, r, c, v): the address of what the call updates, which only its function spells. */
+/** mat_add(m, r, c, v): the address that the call updates, which only the function names. */
 static void pass_called_update(search *s, const ir_node *statement) {
     for (unsigned i = 0; i < s->facts->update_count; i++) {
         const reduction_update *update = &s->facts->updates[i];
@@ -229,7 +229,8 @@ static bool is_certain(const loop_facts *facts, const ir_node *wanted) {
     return s.is_found;
 }
 
-/* ---- what may fail ------------------------------------------------------------------------- */
+/* ---- possible failures
+ * -------------------------------------------------------------------------- */
 
 static bool value_is_safe(const loop_facts *facts, const ir_node *node);
 
@@ -314,7 +315,7 @@ static bool value_is_safe(const loop_facts *facts, const ir_node *node) {
     }
 }
 
-/* ---- the loop's own ------------------------------------------------------------------------ */
+/* ---- the loop's own expressions ------------------------------------------------------------- */
 
 /** A pointer is read; of an array only the address is taken. */
 static bool base_is_safe(const loop_facts *facts, const ir_node *base) {

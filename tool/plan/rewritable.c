@@ -7,8 +7,8 @@
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
-/** The base's own address - of an array as a whole, a pointer to an array; of a pointer, where that
- *  lies - is not that of what stands for it. */
+/** The address of the base itself (of a whole array, a pointer to an array; of a pointer, its
+ *  location) differs from that of its replacement. */
 static void check_address(loop_plan *plan, const ir_node *base, const ir_node *node) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS && syntax_same(base, node->children[0]))
         plan_obstacle(plan, node->range, "the address of its array as a whole is taken");
@@ -22,8 +22,8 @@ static bool is_constant_scalar(const ir_type *type) {
            ir_type_is_scalar(inner) && inner->kind != IR_POINTER;
 }
 
-/** Is the variable used other than by reading it, or elements of it? Of what stands in the body
- * there is one in each copy of it. */
+/** Is the variable used other than by reading it or its elements? Variables declared in the body
+ *  exist once per copy. */
 static bool goes_by_address(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable) {
         const ir_node *whole = node;
@@ -56,8 +56,8 @@ static void check_statement(loop_plan *plan, const ir_node *node) {
         check_statement(plan, node->children[i]);
 }
 
-/** Does the function's text say `inline` before its body, and not `static`? A static object may
- *  not stand in it (C17 6.7.4p3). */
+/** Does the function's text have `inline` before its body, and not `static`? Static objects are
+ *  forbidden in it (C17 6.7.4p3). */
 static bool is_shared_inline(const ir_unit *unit, const ir_function *function) {
     if (function->linkage.is_static || !function->body)
         return false;
@@ -91,7 +91,7 @@ static void check_loop(loop_plan *plan) {
 /* ---- the counter --------------------------------------------------------------------------- */
 
 enum {
-    WIDE_SIZE = 8, /* redcc_int, in which iterations are counted */
+    WIDE_SIZE = 8, /* redcc_int, the type of iteration numbers */
     STEP_BITS = 40 /* longer steps are not written */
 };
 
@@ -99,7 +99,7 @@ static bool is_integer(const ir_type *type) {
     return (type->kind == IR_INTEGER && type->size <= WIDE_SIZE) || type->kind == IR_BOOLEAN;
 }
 
-/** Iterations are counted in 64 bits, signed: a counter, a bound and a first value that all fit. */
+/** Iterations are counted in 64 bits, signed: counter, bound and first value must fit. */
 static void check_counter(loop_plan *plan) {
     const counted_loop *counted = &plan->facts->counted;
     const ir_type *counter = counted->counter->type;

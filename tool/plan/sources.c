@@ -4,7 +4,7 @@
 #include "analysis/loop/executed.h"
 #include "ir/ir_syntax.h"
 
-/** Do two facts describe one thing, so that the runtime needs only one of them? */
+/** Do two facts describe the same memory, so that the runtime needs only one of them? */
 static bool move_together(const loop_source *left, const loop_source *right) {
     if (left->extent != right->extent)
         return false;
@@ -13,7 +13,7 @@ static bool move_together(const loop_source *left, const loop_source *right) {
     return syntax_same(left->row, right->row) && source_ends_equal(left, right);
 }
 
-/** Numbers the sources that the runtime must know: what may overlap, what decides subscripts. */
+/** Numbers the sources that the runtime must know: possible overlaps, and subscripts. */
 void plan_sources(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     logged_source *sources = ARENA_ARRAY(plan->arena, logged_source, facts->source_count + 1);

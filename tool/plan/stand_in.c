@@ -12,7 +12,8 @@ static bool has_sizeof(const ir_node *node) {
     return false;
 }
 
-/** Does the tree name the variable at `at`, a place in the file? Macros have no places. */
+/** Does the tree name the variable at offset `at` of the file? Nodes from macros have no
+ *  offsets. */
 static bool is_named_at(const ir_node *node, const ir_variable *variable, uint32_t at) {
     if (node->kind == IR_VARIABLE && node->variable == variable && node->range.begin == at &&
         !(node->flags & IR_FROM_MACRO))
@@ -32,17 +33,17 @@ static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-enum { MOST_MENTIONS = 64 }; /* each is looked for in the whole body */
+enum { MOST_MENTIONS = 64 }; /* each is searched for in the whole body */
 
-/** Is the variable named in the body by the tree's own nodes alone? What stands in types (the
- *  length of an array, a typeof) is not in the tree, and may ask for the array's type or size. */
+/** Do only the tree's own nodes name the variable in the body? Names in types (the length of an
+ *  array, a typeof) are missing from the tree, and may use the array's type or size. */
 static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable) {
     const ir_node *body = plan->facts->counted.body;
     const char *text = plan->unit->source->text;
     const size_t length = strlen(variable->name);
     unsigned mentions = 0;
     for (uint32_t at = body->range.begin; at < body->range.end; at++) {
-        if (text[at] == '\\' || text[at] == '?') { /* words may be spelled otherwise */
+        if (text[at] == '\\' || text[at] == '?') { /* words may have another spelling */
             if (text[at] == '\\' || text[at + 1] == '?')
                 return false;
             continue;
@@ -57,7 +58,7 @@ static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable
     return !is_named_by_macro(body, variable);
 }
 
-/** A macro may name the variable where the tree shows nothing of it: `#define LIKE typeof(h)`. */
+/** A macro may name the variable without a trace in the tree: `#define LIKE typeof(h)`. */
 bool has_macro(const loop_plan *plan) {
     const ir_range body = plan->facts->counted.body->range;
     return macro_name_in(plan->arena, plan->unit, plan->unit->source->text + body.begin,
@@ -69,8 +70,8 @@ bool can_be_pointer(const loop_plan *plan, const ir_variable *variable) {
            is_named_by_nodes(plan, variable);
 }
 
-/** A pointer of the same name may stand for the variable, unless its type or its size as an array
- *  may be asked. */
+/** A pointer of the same name may replace the variable, unless its type or its size as an array may
+ *  be used. */
 bool can_be_shadowed(const loop_plan *plan, const ir_node *base) {
     if (base->kind != IR_VARIABLE)
         return false;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where another pointer of the same name may stand for an array in a copy of the body. */
+/** Decides whether a pointer of the same name may replace an array in a copy of the body. */
 #ifndef PLAN_STAND_IN_H
 #define PLAN_STAND_IN_H
 
 #include "plan/plan.h"
 
-/** May a pointer stand for this array in the body? Not where its type or its size may be asked. */
+/** May a pointer replace this array in the body? Not if its type or its size may be used. */
 bool can_be_pointer(const loop_plan *plan, const ir_variable *variable);
-/** The same of the base of a reduction array, which may be a pointer already. */
+/** The same for the base of a reduction array, which may be a pointer already. */
 bool can_be_shadowed(const loop_plan *plan, const ir_node *base);
-/** Is a macro used in the body? */
+/** Does the body use a macro? */
 bool has_macro(const loop_plan *plan);
 
 #endif

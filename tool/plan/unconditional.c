@@ -12,7 +12,7 @@ static bool holds_jump(const ir_node *node) {
     return false;
 }
 
-/** Not a loop over constants, each of whose iterations is executed. */
+/** Not a loop over constants, which executes each iteration. */
 static bool has_condition(const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
@@ -21,7 +21,7 @@ static bool has_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH;
 }
 
-/** Is there a `continue`, of a loop around `statement` and above it, that the slice leaves out? */
+/** Is there a `continue`, of a loop around `statement` and before it, that the slice omits? */
 static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const ir_node *statement) {
     if (node->kind == IR_CONTINUE)
         return node->id < statement->id && !facts->slice.holds[node->id];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Short loops inside a body, which the compiler is to unroll (REDCC_UNROLLED): gcc leaves them
- * rolled by -O2. Subscripts and signs that follow from their counters are constants then, and
- * elements of arrays of vectors stand in registers. By -O2 the assembly of a cloth's forces by
- * lanes took two thirds of the time (script/bench lanes).
+ * Short loops inside a body, which the compiler should unroll (REDCC_UNROLLED): gcc does not at
+ * -O2. Subscripts and signs that follow from their counters then become constants, and elements of
+ * arrays of vectors stay in registers. At -O2 the assembly of a cloth's forces by lanes took two
+ * thirds of the time (script/bench lanes).
  */
 #include "plan/unroll.h"
 
@@ -19,11 +19,11 @@ enum {
     /* nodes of the IR, once unrolled: */
     MOST_COMPUTED = 12000,   /* 11,700: blocks of 3 x 3 of forces' derivatives, 3 x 3 corners */
     MOST_LANE_UPDATES = 600, /* such a block. More is slow to compile, and hardly faster */
-    MOST_BODY = 300          /* where it is compiled for guarded iterations as well */
+    MOST_BODY = 300          /* if it is also compiled for owner-checked iterations */
 };
 
-/** How often a loop iterates at the most, by its text and those of the loops around it; 0: they do
- * not say, or more than MOST_ITERATIONS. */
+/** The maximum number of a loop's iterations, from its text and that of the loops around it; 0:
+ *  unknown, or more than MOST_ITERATIONS. */
 static int64_t few_iterations(const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last, other;
@@ -43,8 +43,8 @@ static int64_t few_iterations(const ir_node *loop) {
     return iterations > 0 && iterations <= MOST_ITERATIONS ? iterations : 0;
 }
 
-/** The node with all loops of few iterations below it unrolled, and functions inlined: in nodes,
- * each of which is looked at; more than `most` are not counted. */
+/** The number of nodes after unrolling all short loops below the node and inlining functions;
+ *  counting stops above `most`. */
 static int64_t unrolled_size(const ir_node *node, int64_t most) {
     int64_t size = 1;
     const bool is_call = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION;
@@ -67,7 +67,7 @@ static bool has_at_most(const ir_node *loop, int64_t most) {
     const int64_t iterations = few_iterations(loop);
     if (iterations == 0 || iterations * unrolled_size(loop->children[3], most) > most)
         return false;
-    /* how often it iterates must be a constant in each copy of the loops around it */
+    /* its trip count must be constant in each copy of the loops around it */
     for (const ir_node *around = loop->parent; around; around = around->parent) {
         const ir_variable *counter;
         int64_t first, last;
@@ -90,7 +90,7 @@ bool is_unrolled_in_body(const ir_node *loop) {
     return has_at_most(loop, MOST_BODY);
 }
 
-/** Does an attribute end in front of it, [[...]] or __attribute__((...))? Or perhaps a comment. */
+/** Does an attribute end right before it, [[...]] or __attribute__((...))? Or perhaps a comment. */
 static bool has_attribute(const char *text, const ir_node *node) {
     uint32_t at = node->range.begin;
     while (at > 0 && strchr(" \t\r\n", text[at - 1]))

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which short loops inside a body the compiler is to unroll. */
+/** Decides which short loops inside a body the compiler should unroll. */
 #ifndef PLAN_UNROLL_H
 #define PLAN_UNROLL_H
 
 #include "plan/plan.h"
 
-/** May the `for`, of few iterations, be unrolled in text that computes for several iterations at
- * once; around updates there; in the body for one iteration? By the size of what comes out. */
+/** May the `for`, of few iterations, be unrolled: in vector code; around updates in vector code; in
+ *  the body for one iteration? Decided by the size of the result. */
 bool is_unrolled_computation(const ir_node *loop);
 bool is_unrolled_lane_update(const ir_node *loop);
 bool is_unrolled_in_body(const ir_node *loop);
-/** May a pragma stand in front of a `for` of the user's text? Not if there is a pragma, attribute
- * or label there. */
+/** May a pragma be inserted before a `for` of the user's text? Not if a pragma, attribute or label
+ *  precedes it. */
 bool takes_pragma(const loop_plan *plan, const ir_node *node);
 
 #endif

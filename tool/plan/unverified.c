@@ -8,8 +8,8 @@
 
 enum { DEEPEST_CALL = 6 };
 
-/* ---- what is unverified -------------------------------------------------------------------------
- */
+/* ---- unverified values
+ * -------------------------------------------------------------------------- */
 
 static bool any_child_is_unverified(const unverified_reads *s, const ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++)
@@ -18,7 +18,7 @@ static bool any_child_is_unverified(const unverified_reads *s, const ir_node *no
     return false;
 }
 
-/** Is it, or a part that it begins with, read as something that may overlap a reduction array? */
+/** Is it, or a part that it begins with, read from a source that may overlap a reduction array? */
 static bool hangs_on_guarded(const unverified_reads *s, const ir_node *path, bool is_whole) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->source_count; i++) {
@@ -43,7 +43,7 @@ static bool is_of_row(const ir_node *path, const ir_node *row) {
     return true;
 }
 
-/** All that the slice reads is a source, or a key that nothing can overlap. */
+/** Everything that the slice reads is a source, or a key that nothing can overlap. */
 static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
     const loop_facts *facts = s->plan->facts;
     bool is_known = false;
@@ -62,7 +62,7 @@ static bool may_read_unverified(const unverified_reads *s, const ir_node *path) 
     return hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path));
 }
 
-/** A pointer that the iteration has computed: where it leads is not looked for. */
+/** A pointer computed by the iteration: its target is not analysed. */
 static bool begins_with_private_pointer(const unverified_reads *s, const ir_node *path) {
     const ir_variable *root = ir_root_variable(path);
     return !root || (root->type->kind == IR_POINTER && !is_captured(s->plan->facts, root));
@@ -73,7 +73,7 @@ static bool is_access(const ir_node *node) {
            (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
 }
 
-/** Not where only an address is meant. */
+/** Not if only an address is used. */
 static bool reads_memory(const ir_node *node) {
     return is_access(node) && node->type && node->type->kind != IR_ARRAY;
 }
@@ -90,8 +90,8 @@ static const ir_function *callee_of(const ir_node *call) {
     return call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
 }
 
-/** In a function that is called: may it be read where a source is? What the slice reads there is
- * one in the caller's terms, of which the type is known to be the same. */
+/** In a called function: may it be read where a source is? The slice's reads there are in the
+ *  caller's terms, with a known type. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
@@ -102,7 +102,7 @@ static bool callee_may_read_unverified(const unverified_reads *s, const ir_type 
     return !s->in_slice;
 }
 
-/** Does what a function computes depend on memory that may be unverified? */
+/** Does a function's result depend on memory that may be unverified? */
 static bool has_unverified_read(const unverified_reads *s, const ir_node *node) {
     const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
     if (node->kind == IR_CALL || node->kind == IR_OPAQUE)
@@ -117,7 +117,7 @@ static bool has_unverified_read(const unverified_reads *s, const ir_node *node) 
     return false;
 }
 
-/** Does it lead the function to what the iteration has computed, which may be of another type? */
+/** Does it pass a pointer computed by the iteration, whose target may have another type? */
 static bool passes_private_memory(const unverified_reads *s, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];
@@ -152,7 +152,7 @@ static bool variable_is_unverified(const unverified_reads *s, const ir_node *nod
     return s->in_callee ? callee_may_read_unverified(s, node->type) : may_read_unverified(s, node);
 }
 
-/** Of an object only the address: what it is computed from. */
+/** For an object only the operands of its address. */
 static bool unverified_address(const unverified_reads *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;
@@ -185,7 +185,7 @@ bool unverified_value(const unverified_reads *s, const ir_node *node) {
 
 /* ---- marking ------------------------------------------------------------------------------- */
 
-/** What is written through a pointer is no variable's, or of one whose address was taken. */
+/** A write through a pointer modifies no variable, or one whose address was taken. */
 static void mark(unverified_reads *s, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const bool is_behind = root && root->type->kind == IR_POINTER && lvalue->kind != IR_VARIABLE;
@@ -195,7 +195,8 @@ static void mark(unverified_reads *s, const ir_node *lvalue) {
     }
 }
 
-/** What a call may write to through its arguments. What a pointer leads to is not a variable's. */
+/** Marks variables that a call may write through its arguments. The target of a pointer is not a
+ *  variable. */
 static void mark_arguments(unverified_reads *s, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];
@@ -245,7 +246,8 @@ static void unverified_spread(unverified_reads *s, const ir_node *body) {
     } while (s->changed);
 }
 
-/* ---- what does harm ------------------------------------------------------------------------ */
+/* ---- harmful uses
+ * -------------------------------------------------------------------------------- */
 
 static bool is_evaluated_anyway(const unverified_reads *s, const ir_node *node) {
     for (unsigned i = 0; i < s->certain.count; i++)
@@ -263,8 +265,8 @@ static bool is_subscript_of_unconditional_update(const unverified_reads *s, cons
     return false;
 }
 
-/** A member, or an element with a constant subscript, of a variable of the iteration's own: it is
- *  there whatever the conditions say. */
+/** A member, or an element with a constant subscript, of a private variable of the iteration: it
+ *  exists under any conditions. */
 static bool is_fixed_part(const ir_node *node) {
     for (; node->kind != IR_VARIABLE; node = node->children[0]) {
         const bool is_element = node->kind == IR_INDEX && node->children[1]->flags & IR_HAS_VALUE;
@@ -328,8 +330,8 @@ static void check_callee(unverified_reads *s, const ir_node *call) {
     s->is_harmful |= inner.is_harmful;
 }
 
-/** A function that is not seen: of the system's, on numbers, any will do; others may do what they
- *  like with what is unverified. */
+/** A function without a body: system functions on numbers accept any values; others may do anything
+ *  with unverified ones. */
 static bool is_harmless_unseen(const unverified_reads *s, const ir_node *call, control how) {
     const bool is_known = callee_of(call)->is_from_system;
     for (unsigned i = 1; i < call->child_count; i++)
@@ -359,7 +361,7 @@ static bool is_jump(const ir_node *node) {
            node->kind == IR_GOTO;
 }
 
-/** How control comes to the parts of a node: `first` is evaluated with it. */
+/** The control flow into the parts of a node: `first` is evaluated with it. */
 control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first) {
     const bool decides =
         node->kind == IR_IF || node->kind == IR_CONDITIONAL || node->kind == IR_SWITCH ||
@@ -390,7 +392,7 @@ void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     else if (node->kind == IR_CALL)
         check_call(s, node, how);
     else if (s->in_slice && how.is_unverified && is_next_iteration(s, node))
-        s->may_have_left = true; /* or not, where the loop goes on */
+        s->may_have_left = true; /* or not, if the loop continues */
     else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_unverified) ||
              (node->kind == IR_DECLARATOR && node->variable->type->size < 0))
         s->is_harmful = true;
@@ -398,7 +400,7 @@ void unverified_check(unverified_reads *s, const ir_node *node, control how) {
         unverified_check(s, node->children[i], unverified_below(s, node, how, i == 0));
 }
 
-/** A jump may pass by what stands below it: nothing is certain then. */
+/** A jump may skip the statements after it: none of them is certain then. */
 static bool holds_jump(const ir_node *node) {
     if (is_jump(node))
         return true;

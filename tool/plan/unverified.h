@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Values that are read before the guard has compared what the loop reads with what it writes. They
- * may differ from those of the sequential loop: they are unverified. The body reads such values in
+ * Values that are read before the guard has compared the loop's reads with its writes. They may
+ * differ from those of the sequential loop: they are unverified. The body reads such values in
  * in-order binning, where it may be executed more than once, and the slice in an inspection.
  *
- * Why it is sound to compute with them: where reads and writes turn out to overlap, all results are
- * thrown away and the sequential loop runs. Until that is known, the computation must not fail. So
- * an unverified value must not decide an address, an integer division, the trip count of an inner
- * loop, or whether something is evaluated that the sequential loop might not evaluate.
+ * Why it is sound to compute with them: if reads and writes turn out to overlap, all results are
+ * discarded and the sequential loop runs. Until that is known, the computation must not fail. So an
+ * unverified value must not decide an address, an integer division, the trip count of an inner
+ * loop, or whether an expression is evaluated that the sequential loop might not evaluate.
  *
  * Variables are marked, not values: a pass over the body marks each variable that may hold an
  * unverified value, until a pass marks nothing new.
@@ -20,46 +20,47 @@
 
 typedef struct unverified_reads {
     const loop_plan *plan;
-    const bool *is_suspect;          /* by source: what is read there may be unverified */
+    const bool *is_suspect;          /* by source: its contents may be unverified */
     bool *is_unverified;             /* by variable: it may hold an unverified value */
     bool changed;                    /* in this pass */
-    bool is_harmful;                 /* what was found */
+    bool is_harmful;                 /* the result */
     bool in_callee;                  /* then all memory is unverified */
-    bool in_slice;                   /* all that it reads is a source */
-    bool may_have_left;              /* before what comes next: by a condition that is unverified */
+    bool in_slice;                   /* all its reads are sources */
+    bool may_have_left;              /* before the following code: under an unverified condition */
     unsigned depth;                  /* of calls */
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
 } unverified_reads;
 
-/** How control comes to a node. */
+/** The control flow into a node. */
 typedef struct control {
     bool is_unverified; /* it depends on unverified values */
     bool is_certain;    /* in each iteration */
 } control;
 
-/** By source: may it overlap what the loop writes, as far as the analysis knows? */
+/** By source: may it overlap the loop's writes, according to the analysis? */
 bool *guarded_sources(const loop_plan *plan);
 
 /** Is any source marked? */
 bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect);
 
-/** Marks the variables of the body, where reads of those sources are unverified; in_slice: for the
- * slice alone. */
+/** Marks the variables of the body, given that reads of those sources are unverified; in_slice: for
+ *  the slice alone. */
 unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice);
 
-/** How control comes to the first statement of an iteration, */
+/** The control flow into the first statement of an iteration, */
 control unverified_in_iteration(const loop_plan *plan);
-/** and to the parts of a node: `first` is evaluated with it. */
+/** and into the parts of a node: `first` is evaluated with it. */
 control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first);
 
-/** Does the node's value depend on unverified ones? Of a statement: does what decides its parts? */
+/** Does the node's value depend on unverified ones? For a statement: does the decision which parts
+ *  execute? */
 bool unverified_value(const unverified_reads *s, const ir_node *node);
 bool unverified_condition(const unverified_reads *s, const ir_node *node);
 
-/** Sets is_harmful where evaluating the node with unverified values may do harm. */
+/** Sets is_harmful if evaluating the node with unverified values may be harmful. */
 void unverified_check(unverified_reads *s, const ir_node *node, control how);
 
-/** May the body be executed before what it reads is compared with what it writes? */
+/** May the body be executed before its reads are compared with its writes? */
 bool is_harmless_when_unverified(const loop_plan *plan);
 
 #endif

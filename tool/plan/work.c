@@ -6,7 +6,7 @@
 
 enum {
     EXPENSIVE = 8,    /* a division, a square root, a call of mathematics */
-    SOME = 4,         /* iterations of a loop inside, where the text does not say how many */
+    SOME = 4,         /* iterations of an inner loop with an unknown trip count */
     MOST_DEPTH = 8,   /* of calls */
     MOST_WORK = 10000 /* more need not be distinguished */
 };
@@ -35,7 +35,7 @@ static int64_t own_work(const ir_node *node) {
     return node->op == IR_OP_DIVIDE ? EXPENSIVE : 1;
 }
 
-/** What functions cost, by id and depth of the call; -1: not asked yet. */
+/** The cost of functions, by id and depth of the call; -1: not computed yet. */
 typedef struct known_work {
     int64_t (*of)[MOST_DEPTH + 1];
 } known_work;
@@ -78,7 +78,8 @@ int64_t work_of_iteration(const loop_plan *plan) {
     return work_of_statement(plan, plan->facts->counted.body);
 }
 
-/* ---- beside updates ------------------------------------------------------------------------- */
+/* ---- outside of updates
+ * ------------------------------------------------------------------------- */
 
 static int64_t size_of(const ir_node *node, int depth) {
     const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION

@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How much an iteration computes: floating-point operations, a division or a call counted as 8. */
+/** Estimates the work of an iteration: floating-point operations, a division or a call counted as
+ *  8. */
 #ifndef PLAN_WORK_H
 #define PLAN_WORK_H
 
 #include "plan/plan.h"
 
-/** From so many operations on an iteration takes longer than its rows take to come from the caches,
- *  and gains by lanes: cloth, membrane, triangle, hinge and drag did, springs, contacts and
+/** From this number of operations on an iteration takes longer than its rows take to come from the
+ *  caches, and gains by lanes: cloth, membrane, triangle, hinge and drag did, springs, contacts and
  *  Lennard-Jones, all below, did not (script/bench lanes). */
 enum { WORK_HEAVY = 150 };
 
-/** Operations of an iteration, or so many that more need not be distinguished. */
+/** Operations of an iteration, or a large number that need not be distinguished. */
 int64_t work_of_iteration(const loop_plan *plan);
 
 /** The same of a statement of the iteration. */
 int64_t work_of_statement(const loop_plan *plan, const ir_node *statement);
 
-/** What the statement does beside its updates: nodes of expressions, as often as they are executed,
- *  those of functions called among them. */
+/** The statement's work other than its updates: nodes of expressions, times their executions,
+ *  including called functions. */
 int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement);
 
-/** Of `for (c = 0; c < 3; c++)` 3; 0: the text does not say it. */
+/** For `for (c = 0; c < 3; c++)` 3; 0: unknown. */
 int64_t work_constant_trip(const ir_node *loop);
 
 #endif

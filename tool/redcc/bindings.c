@@ -17,7 +17,7 @@ int written_loop_at(const emit_result *written, uint32_t offset) {
     return -1;
 }
 
-/** The piece of the loop's text in which this byte of it lies; NULL: it is the translator's own. */
+/** The piece of the loop's text that contains this byte; NULL: the translator's own text. */
 static const origin *origin_at(const written_loop *loop, uint32_t at) {
     unsigned low = 0, high = loop->origins.items.count;
     while (low < high) {
@@ -31,7 +31,7 @@ static const origin *origin_at(const written_loop *loop, uint32_t at) {
     return found && found->begin <= at ? found : NULL;
 }
 
-/** Where a byte outside of the loops stood before. */
+/** The original offset of a byte outside of the loops. */
 static uint32_t place_before(const emit_result *written, uint32_t offset) {
     const written_loop *last = NULL; /* the last one that ends before */
     for (unsigned i = 0; i < written->loop_count && written->loops[i].end <= offset; i++)
@@ -44,13 +44,13 @@ static uint32_t place_before(const emit_result *written, uint32_t offset) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** The compiler's word for what has no name says where it stands. */
+/** The compiler's word for an unnamed declaration contains its position. */
 static bool has_name(const ir_declared *declared) {
     return declared->name[0] && !strchr(declared->name, '(');
 }
 
-/** Is what was found in the written text what is meant in the program? What stands in for a
- * variable in the generated text counts as the variable. */
+/** Does a name in the written text refer to the intended declaration? A generated replacement for a
+ *  variable counts as the variable. */
 static bool is_meant(const comparison *c, const ir_declared *found, const ir_declared *meant) {
     if (!found || !meant)
         return false;
@@ -74,7 +74,7 @@ static bool is_meant(const comparison *c, const ir_declared *found, const ir_dec
     return from->meant == meant;
 }
 
-/** What a type's spelling speaks of: the structure or enumeration below its pointers. */
+/** The structure or enumeration below a type's pointers. */
 static const ir_declared *tag_of(const ir_type *type) {
     while (type->target)
         type = type->target;
@@ -83,7 +83,7 @@ static const ir_declared *tag_of(const ir_type *type) {
 
 /* ---- references ---------------------------------------------------------------------------- */
 
-/** The first of the program's references that stands there or behind. */
+/** The program's first reference at or after this offset. */
 static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
     unsigned low = 0, high = unit->reference_count;
     while (low < high) {
@@ -96,7 +96,8 @@ static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
     return unit->references + low;
 }
 
-/** A name in a copy of byte `offset` of the program: what a macro makes stands in one place. */
+/** A name in a copy of byte `offset` of the program: everything that a macro expands to has one
+ *  offset. */
 static bool is_as_before(const comparison *c, const ir_reference *reference, uint32_t offset) {
     const ir_reference *end = c->before->references + c->before->reference_count;
     bool is_known = false;
@@ -115,8 +116,8 @@ static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
-/** The runtime's and the compiler's: no program in which they mean anything else is
- *  translated (emit's taken_name). */
+/** A name of the runtime or the compiler: a program that uses it otherwise is not translated
+ *  (emit's taken_name). */
 static bool is_own_name(const char *name) {
     return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
            starts_with(name, "__builtin_") || starts_with(name, "__atomic_");
@@ -146,7 +147,7 @@ static bool is_right(const comparison *c, const written_loop *loop, const ir_ref
     }
 }
 
-/** Does the compiler find anything at all for what stands there? */
+/** Does the compiler find a declaration for the name at this offset? */
 static bool has_reference(const ir_unit *unit, uint32_t offset) {
     const ir_reference *found = first_at(unit, offset);
     return found < unit->references + unit->reference_count && found->offset == offset;
@@ -162,8 +163,7 @@ static const char *wrong_reference(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
-/** A name of which the compiler's tree of the written text says nothing: it may not have been seen.
- */
+/** A name that is missing from the compiler's tree of the written text. */
 static const char *unseen_name(const comparison *c, const ir_unit *after,
                                const written_loop *loop) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -181,7 +181,7 @@ static const char *unseen_name(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
-/** The first of the typed places there or behind. */
+/** The first typed place at or after this offset. */
 static const ir_typed_place *typed_place_at(const ir_unit *unit, uint32_t offset) {
     unsigned low = 0, high = unit->typed_place_count;
     while (low < high) {
@@ -216,7 +216,7 @@ static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) 
     return false;
 }
 
-/** An expression that is of another type than what it stands for, or was not seen. */
+/** An expression whose type differs from the original's, or that is missing from the tree. */
 static const char *wrong_type(const ir_unit *after, const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
         const origin *o = &loop->origins.items.items[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Do the names in the text that was written mean what they mean where they come from, and do
- *  expressions in the place of the program's have their types? */
+/** Checks that names in the written text mean what they mean in the original, and that copied
+ *  expressions keep their types. */
 #ifndef BINDINGS_H
 #define BINDINGS_H
 
@@ -8,19 +8,19 @@
 
 /**
  * Compares, for each name in the loops' new text, the declaration that the compiler finds with the
- * one that is meant: of a copy of the user's bytes the one found there in `before`, of a name that
- * the translator wrote the one of the variable, function or type that it stands for. `after` is the
- * written text, parsed. Sets wrong[i], for loop i of `written`, to the first name that would mean
- * something else, or leaves it as it is. Thread-safe; the names are one of the units'.
+ * intended one: for a copy of the user's bytes, the declaration found there in `before`; for a name
+ * written by the translator, the variable, function or type that it refers to. `after` is the
+ * written text, parsed. Sets wrong[i], for loop i of `written`, to the first name with another
+ * meaning, or leaves it unchanged. Thread-safe; the names belong to the units.
  */
 void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
                     const char **wrong);
 
-/** The same for the types of expressions that stand in the place of others: sets wrong[i] to the
- *  spelling of the first type that one should have and has not. */
+/** The same for the types of expressions that replace others: sets wrong[i] to the spelling of the
+ *  first type that an expression should have but does not. */
 void types_check(const ir_unit *after, const emit_result *written, const char **wrong);
 
-/** The loop of `written` in whose text this place of the result lies, or -1. */
+/** The loop of `written` whose text contains this offset of the result, or -1. */
 int written_loop_at(const emit_result *written, uint32_t offset);
 
 #endif

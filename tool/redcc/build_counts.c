@@ -14,7 +14,7 @@
 #include "redcc/compile_commands.h"
 #include "redcc/workers.h"
 
-/* What came of one command; of several files that it leaves alone the last one's reason. */
+/* The result of one command; if it leaves several files alone, the last one's reason. */
 typedef struct command_outcome {
     unsigned files, left, transformed, refused[REASON_COUNT];
     char why[256];
@@ -28,7 +28,7 @@ typedef struct counting {
     build_counts *counts;
 } counting;
 
-/* redcc-cc, in an installed tree or in a build's; NULL: it is not there. */
+/* redcc-cc, in an installed tree or a build tree; NULL: missing. */
 static const char *find_wrapper(arena *a) {
     const installation found = installation_find(a);
     if (!found.self)
@@ -41,7 +41,7 @@ static const char *find_wrapper(arena *a) {
 
 /* ---- a command ------------------------------------------------------------------------------ */
 
-/* The build sees the options that were given here as it sees its own. */
+/* Passes the options given here to the build in the way it reads its own. */
 static void set_options(arena *a, const options *o) {
     static const char *const lanes[] = {
         [LANES_OF_NONE] = " --lanes=off", [LANES_OF_HEAVY] = "", [LANES_OF_ALL] = " --lanes=4"};
@@ -62,7 +62,8 @@ static word_list words_for(const counting *c, const compile_command *command) {
     arena *a = c->memory;
     word_list words = {0};
     words_add(a, &words, c->wrapper);
-    for (unsigned i = 0; i < command->words.count; i++) /* a build's own redcc-cc is this one */
+    for (unsigned i = 0; i < command->words.count; i++) /* a build that uses redcc-cc uses this
+                                                         * one */
         if (i > 0 || strcmp(path_base(command->words.items[0]), "redcc-cc") != 0)
             words_add(a, &words, command->words.items[i]);
     for (unsigned i = 0; i < c->options->flags.count; i++)
@@ -108,7 +109,7 @@ static void report_command(unsigned number, void *result, void *context) {
     if (file < 0)
         return;
     setenv("REDCC_BUILD_REPORT", path, 1);
-    unsetenv("REDCC_STRICT"); /* what would end the build is counted too */
+    unsetenv("REDCC_STRICT"); /* files that would end the build are counted as well */
     unsetenv("REDCC_DISABLE");
     unsetenv("REDCC_KEEP");
     set_options(c->memory, c->options);
@@ -123,7 +124,7 @@ static void report_command(unsigned number, void *result, void *context) {
 /* ---- all of them ---------------------------------------------------------------------------- */
 
 static void add_left(counting *c, const command_outcome *outcome) {
-    /* an error of the source, whose text is its own each time */
+    /* an error of the source, whose message differs each time */
     const char *why =
         strncmp(outcome->why, "redcc: ", 7) == 0 ? "redcc cannot read it" : outcome->why;
     build_counts *counts = c->counts;

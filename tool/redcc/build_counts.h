@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a build by redcc-cc makes of its loops, counted by redcc-cc itself. */
+/** Counts the loops of a build that redcc-cc would transform, by running redcc-cc itself. */
 #ifndef BUILD_COUNTS_H
 #define BUILD_COUNTS_H
 
@@ -13,16 +13,16 @@ typedef struct left_alone {
 } left_alone;
 
 typedef struct build_counts {
-    unsigned files; /**< translated, or looked at and left as they are; one that is compiled twice
-                         counts twice */
+    unsigned files; /**< translated, or analysed and left unchanged; a file compiled twice counts
+                     * twice */
     VECTOR(left_alone) left;                     /**< by reason, in order of appearance */
     unsigned transformed, refused[REASON_COUNT]; /**< loops */
 } build_counts;
 
-/** Lets the redcc-cc beside this program report (--redcc-report) on each command of
- *  FOLDER/compile_commands.json that compiles a C file, with the options `o` gives on loops and the
- *  compiler's flags; where it gives none, with $REDCC_OPTS. Returns false where there is no
- *  redcc-cc, or processes cannot be started: then *counts holds nothing. */
+/** Runs the redcc-cc of this installation with --redcc-report on each command of
+ *  FOLDER/compile_commands.json that compiles a C file. It uses the options of `o` on loops and the
+ *  compiler's flags; without any, those of $REDCC_OPTS. Returns false if there is no redcc-cc, or
+ *  processes cannot be started: *counts is then empty. */
 bool build_counts_take(arena *a, const options *o, build_counts *counts);
 
 #endif

@@ -41,13 +41,13 @@ static word_list words_of(arena *a, const json_t *entry) {
 
 /* ---- flags --------------------------------------------------------------------------------- */
 
-/** What only says how far the compiler goes and what it writes beside. */
+/** An option that only selects the last stage or additional outputs. */
 static bool is_about_output(const option *known) {
     return strcmp(known->name, "-o") == 0 ||
            known->meaning & (OPTION_NO_LINK | OPTION_NO_OBJECT | OPTION_DEPENDENCY);
 }
 
-/** Adds the option words[*i], with the paths that it names as seen from here. */
+/** Adds the option words[*i], with its paths made relative to the current folder. */
 static void add_option(arena *a, const word_list *words, unsigned *i, const char *directory,
                        string_list *flags) {
     const char *word = words->items[*i];
@@ -88,7 +88,7 @@ static bool is_entry_of(arena *a, const json_t *entry, const char *input, const 
     return file && same_file(joined(a, *directory, file), input);
 }
 
-/** NULL, with *wrong set, where it cannot be read. */
+/** NULL, with *wrong set, if it cannot be read. */
 static json_t *load(arena *a, const char *path, const char **wrong) {
     json_error_t error;
     json_t *root = json_load_file(path, 0, &error);

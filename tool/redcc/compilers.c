@@ -12,10 +12,10 @@
     "-fgnuc-version=" REDCC_GCC_VERSION, FLAGS_WITHOUT_CLANG, FLAGS_WITHOUT_FEATURES,              \
         FLAGS_OF_GCC_TYPES
 
-/* What gcc would answer to these is not known here: the answer must not matter. */
+/* gcc's values of these are unknown here: they must not matter. */
 #define WITHOUT_ANSWERS "-D__has_builtin(x)=0", "-D__has_attribute(x)=0", "-D__has_c_attribute(x)=0"
 
-/* Attributes that mean nothing to the analysis may come and go. */
+/* Removes attributes that do not affect the analysis. */
 static void drop_attributes(char *text) {
     static const char flag[] = " !attributes";
     const size_t length = sizeof flag - 1;
@@ -29,7 +29,7 @@ static void drop_attributes(char *text) {
     *to = 0;
 }
 
-/** Which branches a compiler takes is no difference by itself: what it has of them is compared. */
+/** Different branches are no difference in themselves: the declarations in them are compared. */
 static ir_unit without_branches(arena *a, const ir_unit *unit) {
     ir_unit shown = *unit;
     shown.directives = ARENA_ARRAY(a, ir_directive, unit->directive_count + 1);

@@ -23,7 +23,7 @@ static const struct {
 
 enum { REASON_COUNT = sizeof reasons / sizeof *reasons };
 
-/* Where the next heading of either kind begins, or the text ends. */
+/* The beginning of the next heading of either kind, or the end of the text. */
 static const char *next_heading(const char *text) {
     for (const char *at = text; (at = strchr(at, '\n')); at++)
         if (strncmp(at, "\n# ", 3) == 0 || strncmp(at, "\n## ", 4) == 0)
@@ -52,7 +52,7 @@ const char *explain_link(arena *a, const char *reason) {
     return NULL;
 }
 
-/* The reasons whose slugs hold the word, at most a line of them; "" where none does. */
+/* The reasons whose slugs contain the word, at most a line of them; "" if there are none. */
 static const char *reasons_with(arena *a, const char *word) {
     enum { SHORTEST = 3, MOST = 6 };
     const char *list = "";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** redcc --explain: what docs/reasons.md says of a reason, without the file at hand. */
+/** redcc --explain: the text of docs/reasons.md on a reason, which is built in. */
 #ifndef EXPLAIN_H
 #define EXPLAIN_H
 
@@ -9,20 +9,18 @@
  *  its heading on; NULL: there is no such reason. */
 const char *explain_section(arena *a, const char *reason);
 
-/** Where that section can be read: a URI, in the arena, below the one that redcc was built with
- *  (REDCC_DOCUMENTS_URI), else the installed file's. NULL: there is no such reason, or no such
- * file.
- */
+/** The URI of that section, in the arena, below the one that redcc was built with
+ *  (REDCC_DOCUMENTS_URI), else the installed file's. NULL: no such reason, or no such file. */
 const char *explain_link(arena *a, const char *reason);
 
-/** What `word` may have meant: "the nearest is R204 private-not-proved", or several reasons whose
- * slugs hold the word. */
+/** Suggests the closest known reason for `word`: "the nearest is R204 private-not-proved", or
+ *  several reasons whose slugs contain the word. */
 const char *explain_nearest(arena *a, const char *word);
 
 /** All reasons, one a line: id and slug. */
 const char *explain_list(arena *a);
 
-/** Where docs/refused.md can be read, as explain_link; NULL: nowhere. */
+/** The location of docs/refused.md, as explain_link; NULL: none. */
 const char *explain_page(arena *a);
 
 #endif

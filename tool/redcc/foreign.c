@@ -44,18 +44,19 @@ const map *foreign_known(arena *a, const foreign_functions *all) {
     return known;
 }
 
-/* ---- what a verdict rests on ---------------------------------------------------------------- */
+/* ---- facts that a verdict rests on
+ * --------------------------------------------------------------- */
 
 typedef struct call_search {
     arena *memory;
     const foreign_functions *all;
     const analysis_options *options;
     bool *is_visited; /* [function_count] */
-    ir_range place;   /* of the call in the loop that leads to those in callees */
+    ir_range place;   /* of the call in the loop from which those in callees are reached */
     VECTOR(foreign_call) found;
 } call_search;
 
-/* What the user says is pure needs no other file. */
+/* A function declared pure by the user needs no other file. */
 static bool is_given(const analysis_options *options, const ir_function *function) {
     for (unsigned i = 0; i < options->pure_count; i++)
         if (strcmp(options->pure[i], function->name) == 0)

@@ -16,12 +16,12 @@ typedef struct wish {
     bool *is_visited; /* by function */
     string_list names;
     string_list headers; /* that declare them; NULL: the file itself does */
-    unsigned loops;      /* around the node */
+    unsigned loops;      /* number of loops around the node */
 } wish;
 
 static void wish_of(wish *w, ir_node *node);
 
-/* A function that is reached in a loop. */
+/* Follows the calls of a function that is called in a loop. */
 static void follow(wish *w, const ir_function *function) {
     if (w->is_visited[function->id])
         return;
@@ -55,7 +55,8 @@ static wish wishes(arena *a, const ir_unit *unit, const analysis_result *before)
     return w;
 }
 
-/* ---- where they are -------------------------------------------------------------------------- */
+/* ---- finding definitions
+ * ----------------------------------------------------------------------- */
 
 static bool is_plain(const ir_unit *from, const ir_function *function, void *context) {
     return exported_is_plain(context, from, function);

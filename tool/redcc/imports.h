@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions of other files that a file's loops call: found in the project's sources, and read.
- * What is found there holds of a program only if it is linked with these definitions: a loop asks
- * when it runs (redcc_are_linked), so that nothing rests on which file was found. */
+/** Functions of other files that a file's loops call: found in the project's sources, and parsed.
+ *  The facts hold only for a program linked with these definitions. A loop checks that when it runs
+ *  (redcc_are_linked), so correctness does not depend on which file was found. */
 #ifndef IMPORTS_H
 #define IMPORTS_H
 
@@ -10,16 +10,16 @@
 #include "redcc/options.h"
 
 /**
- * Adds the bodies of functions that loops of refused verdicts lead to and that the file only
- * declares. Returns whether there is any; the unit is then to be analysed anew.
+ * Adds the bodies of functions that loops of refused verdicts call, directly or not, and that the
+ * file only declares. Returns whether there are any; the unit must then be analysed again.
  */
 bool imports_add(arena *a, ir_unit *unit, const project *around, const string_list *flags,
                  const analysis_result *before);
 
 /**
- * The text behind the file's own that compares what is linked with what was read, a function
- * `static int redcc__linked(void)`; NULL: no function of another file was read. *obstacle is set
- * where it cannot be written.
+ * The text appended to the file that compares the linked definitions with those parsed, a function
+ * `static int redcc__linked(void)`; NULL: no function of another file was read. Sets *obstacle if
+ * it cannot be written.
  */
 const char *imports_check(arena *a, const ir_unit *unit, const char **obstacle);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One report on many files: each file's, made in a process of its own, put together. */
+/** One report on many files: merges the reports that a process for each file made. */
 #ifndef JOINED_REPORT_H
 #define JOINED_REPORT_H
 
@@ -11,27 +11,25 @@
 
 typedef struct joined_report {
     report_form form;
-    const char *path; /* where it goes; "-": standard output */
-    buffer text;      /* of the forms in which one report follows the other */
+    const char *path; /* the output file; "-": standard output */
+    buffer text;      /* for forms whose reports are concatenated */
     json_t *log;      /* SARIF: the first file's, with the runs of the others in its run */
 } joined_report;
 
-/** Must the reports on the files be put together (and not printed one by one)? A SARIF log is one
- * for all, and a file is written once. */
+/** Must the reports on the files be merged (and not printed one by one)? A SARIF log covers all
+ *  files, and a file is written once. */
 bool joined_report_is_needed(const options *o);
 
-/** What the processes of the files are told: the same options, with the report on standard output.
- */
+/** The options for the processes of the files: the same, with the report on standard output. */
 options joined_report_of_one(const options *o);
 
-/** Begins one; joined_report_end gives its memory back. */
+/** Begins a report; joined_report_end frees it. */
 joined_report joined_report_begin(const options *o);
 
-/** Adds what the process of a file printed; nothing where it printed none. */
+/** Adds the output of a file's process, if any. */
 void joined_report_add(joined_report *joined, FILE *printed);
 
-/** Writes the report, and gives back its memory. Returns NULL, or in the arena why it could not be
- *  written. */
+/** Writes the report and frees it. Returns NULL, or a message in the arena. */
 const char *joined_report_end(arena *a, joined_report *joined);
 
 #endif

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How far two spellings are apart, to name the nearest valid word in a message. */
+/** Edit distance of two spellings, to suggest the nearest valid word in a message. */
 #ifndef NEAREST_H
 #define NEAREST_H
 
 #include <stddef.h>
 
-/** Levenshtein's distance: how many letters must be inserted, dropped or changed. Of `to` the first
- *  64 letters count. */
+/** Levenshtein distance: the number of letters to insert, drop or change. Counts the first 64
+ *  letters of `to`. */
 size_t edit_distance(const char *from, const char *to);
 
 #endif

@@ -133,7 +133,7 @@ static const char *nearest_option(const char *word) {
     return best;
 }
 
-/** Does the word look like a compiler's flag: -O2, -Wall, -fopenmp, -march=native, -g, -pthread? */
+/** Does the word resemble a compiler's flag: -O2, -Wall, -fopenmp, -march=native, -g, -pthread? */
 static bool is_compiler_flag(const char *word) {
     static const char *const beginnings[] = {"-O", "-W",       "-f",        "-m",
                                              "-g", "-pthread", "-pedantic", "-ansi"};
@@ -170,7 +170,8 @@ static const char *list_words(arena *a, const char *const *words, size_t count) 
     return list;
 }
 
-/** Sets *number to the number of `value` among `words`, or says what the option takes. */
+/** Sets *number to the number of `value` among `words`, or returns a message with the valid
+ *  words. */
 static const char *read_word(arena *a, const char *name, const char *const *words, size_t count,
                              const char *value, int *number) {
     *number = find_word(words, count, value);
@@ -333,7 +334,7 @@ typedef struct words {
 } words;
 
 static const char *read_long_option(arena *a, options *o, words *w, const char *word) {
-    if (strcmp(word, "--explain") == 0) /* the one whose value may be the next word */
+    if (strcmp(word, "--explain") == 0) /* the option whose value may be the next word */
         return set_option(a, o, OPTION_EXPLAIN, w->next < w->count ? w->items[w->next++] : "");
     for (size_t i = 0; i < COUNT(long_options); i++) {
         const char *text = long_options[i].text;
@@ -380,7 +381,8 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
     if (is_flag)
         return wrong;
     const bool is_output = word[1] == 'o';
-    if ((!is_output && word[1] != 'p') || is_compiler_flag(word)) /* -pthread is no -p thread */
+    if ((!is_output && word[1] != 'p') || is_compiler_flag(word)) /* -pthread is not -p with a
+                                                                   * value */
         return unknown_option(a, word);
     const char *value = short_value(w, word, 2);
     if (!value || !*value)
@@ -389,7 +391,7 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
     return NULL;
 }
 
-/** The first input whose name says that it is C++; NULL: there is none. */
+/** The first input with a C++ file name; NULL: there is none. */
 static const char *cxx_input(const options *o) {
     static const char *const endings[] = {".C", ".cc", ".cpp", ".cxx", ".c++"};
     for (unsigned i = 0; i < o->inputs.count; i++) {

@@ -9,7 +9,7 @@
 
 typedef VECTOR(const char *) string_list;
 
-/** Of what is said of the loops, and of what the result was made of. */
+/** Options for the report on the loops, and for the list of inputs. */
 typedef struct report_options {
     report_form form;
     bool form_is_given;
@@ -22,20 +22,21 @@ typedef struct options {
     string_list inputs;
     const char *output;          /* -o; "-": standard output; NULL: none */
     const char *database_folder; /* -p */
-    string_list flags;           /* for the compiler's parser, in order */
+    string_list flags;           /* for the parser, in order */
     string_list pure;            /* --pure */
     report_options report;
     const char *explain; /* --explain: this reason; NULL: none */
     result_order order;
     bool order_is_given;
     lanes_wish lanes;
-    bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
+    bool knows_compiler; /* --compiler=known: the caller has checked for differences between
+                          * compilers */
     bool sees_project;   /* --files=project */
-    bool in_process;     /* no process of its own guards against a parser that crashes */
+    bool in_process;     /* no separate process guards against a crashing parser */
     bool analyze, assume_noalias, require, verify, dump_ir, help, version;
 } options;
 
-/** Reads the command line. Returns NULL, or in the arena what is wrong with it. */
+/** Reads the command line. Returns NULL, or a message in the arena. */
 const char *options_read(arena *a, int argc, char **argv, options *result);
 
 /** The text of --help. */

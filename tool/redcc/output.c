@@ -73,7 +73,7 @@ const char *output_write(arena *a, const char *path, const char *text, size_t le
     if (stat(path, &state) != 0)
         return errno == ENOENT ? write_beside(a, path, path, default_mode(), text, length)
                                : failure(a, path);
-    if (!S_ISREG(state.st_mode)) /* of a directory, open gives the right message */
+    if (!S_ISREG(state.st_mode)) /* open gives the right message for a directory */
         return write_directly(a, path, open(path, O_WRONLY | O_TRUNC), text, length);
     if (access(path, W_OK) != 0)
         return failure(a, path);

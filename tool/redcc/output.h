@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Files that are written whole or not at all. */
+/** Files that are written entirely or not at all. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
 
@@ -9,10 +9,10 @@
 #include "support/arena.h"
 
 /**
- * Writes `length` bytes to `path` ("-": standard output). A regular file is written beside and
- * renamed, its mode kept, so that readers see the old text or the new and a failure leaves the old
- * one; what is not a regular file (a device, a pipe) is written directly. Returns NULL, or in the
- * arena why it could not be done.
+ * Writes `length` bytes to `path` ("-": standard output). A regular file is written under a
+ * temporary name and renamed, with its mode kept: readers see the old text or the new one, and a
+ * failure leaves the old one. Other files (a device, a pipe) are written directly. Returns NULL, or
+ * a message in the arena.
  */
 const char *output_write(arena *a, const char *path, const char *text, size_t length);
 

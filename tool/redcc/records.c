@@ -8,7 +8,7 @@
 #include "ir/ir_digest.h"
 #include "support/buffer.h"
 
-/* The words that are written: no macro may change them. */
+/* The words of the generated text: no macro may replace them. */
 static bool has_macro_of_words(const ir_unit *unit) {
     static const char *const words[] = {"static", "const",    "struct", "void",
                                         "char",   "unsigned", "extern", "long"};
@@ -23,7 +23,8 @@ typedef struct callees {
     bool *is_noted; /* by function */
     const ir_unit *unit;
     VECTOR(const ir_function *) found;
-    bool has_directive; /* of OpenMP, in a static function that is part of the definition */
+    bool has_directive; /* an OpenMP directive, in a static function that is part of the
+                         * definition */
 } callees;
 
 static bool note_callee(ir_node *node, void *context) {
@@ -46,8 +47,8 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* Functions that are declared in a block only cannot be named at the file's end: a file that
- * declares one there is left without records. */
+/* A function declared only in a block cannot be named at the file's end: such a file gets no
+ * records. */
 static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     for (unsigned i = 0; !f->declared->file && i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];

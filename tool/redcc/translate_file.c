@@ -66,7 +66,7 @@ static bool is_binary(const source *file) {
     return memchr(file->text, 0, file->length) != NULL;
 }
 
-/** A file that cannot be parsed. */
+/** Reports a file that cannot be parsed. */
 static file_outcome fail_to_parse(const source *file, const frontend_result *parsed) {
     if (is_binary(file))
         return fail(file->path, "is a binary file, not C source; nothing was written");
@@ -76,7 +76,7 @@ static file_outcome fail_to_parse(const source *file, const frontend_result *par
 
 /* ---- pragmas ------------------------------------------------------------------------------- */
 
-/** Shows what is wrong with the pragmas of redcc in the file. Returns whether anything is. */
+/** Reports invalid redcc pragmas in the file. Returns whether there are any. */
 static bool show_pragma_errors(arena *a, const ir_unit *unit) {
     const user_pragmas pragmas = pragmas_of_unit(a, unit);
     for (unsigned i = 0; i < pragmas.problem_count; i++) {
@@ -114,7 +114,7 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
                     o->pure.items[i], where);
 }
 
-/** What is another program for the compiler that it is built by was not analysed. */
+/** Refuses loops that are another program for the compiler of the build, which was not analysed. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
                                          const ir_unit *unit, bool knows_compiler,
                                          analysis_result analysed) {
@@ -137,7 +137,7 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
     return (analysis_result){analysed.verdict_count, verdicts};
 }
 
-/** The verdicts as they came out: what could not be written is refused. */
+/** The verdicts after writing: loops that could not be written are refused. */
 static analysis_result after_writing(arena *a, const ir_unit *unit, const analysis_result *analysis,
                                      const emit_result *written, const analysis_options *how,
                                      const foreign_functions *foreign) {
@@ -158,7 +158,7 @@ static analysis_result after_writing(arena *a, const ir_unit *unit, const analys
     return (analysis_result){analysis->verdict_count, verdicts};
 }
 
-/** What became of each loop where lanes were asked for; NULL: they were not. */
+/** The result for each loop if lanes were requested; else NULL. */
 static const lanes_remark *lanes_remarks(arena *a, const emit_result *written, unsigned count) {
     if (!written->lanes)
         return NULL;
@@ -217,8 +217,8 @@ static void dump(const ir_unit *unit) {
     buffer_free(&text);
 }
 
-/** Refuses the loops whose text is wrong; those of which part stands in front of their function are
- *  to be written in a plainer form first. */
+/** Refuses the loops whose text is wrong. Those with text in front of their function are first
+ *  written in a simpler form. */
 static analysis_result without_wrong(arena *a, const analysis_result *analysed,
                                      const emit_result *written, const reason *found,
                                      unsigned char *leave) {
@@ -241,9 +241,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
 }
 
 /**
- * Writes what was analysed, and checks it. A loop whose text is wrong is left alone, and the rest
- * is written again. Parsing what is written costs as much as parsing the input: a report alone does
- * without.
+ * Writes the analysed file, and checks it. A loop whose text is wrong is left alone, and the others
+ * are written again. A report alone skips the check, because parsing the output costs as much as
+ * parsing the input.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
@@ -259,7 +259,7 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
     }
 }
 
-/** With the functions of other files, where a loop needs them. */
+/** Analyses again with functions of other files, if a loop needs them. */
 static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
                                             const project *around, const analysis_options *asked) {
     loop_loads_name(unit);
@@ -267,7 +267,7 @@ static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const strin
     return around && imports_add(a, unit, around, flags, &alone) ? analyse(a, unit, asked) : alone;
 }
 
-/** The text with what is said of the file's own functions behind it. */
+/** The text followed by the records of the file's own functions. */
 static emit_result with_records(arena *a, const emit_result *written, const char *records) {
     emit_result result = *written;
     if (!records)
@@ -320,8 +320,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Is this a text that redcc wrote? It begins so; what stands before is the user's (a #version line
- *  of a preprocessor, a comment of a licence tool). */
+/** Did redcc write this text? Its first line shows it; only the user's lines may precede it (a
+ *  preprocessor's #version line, the comment of a licence tool). */
 static bool is_translated(const source *file) {
     static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&
@@ -339,7 +339,7 @@ static file_outcome leave_translated(arena *a, const options *o, const source *f
     return wrong ? fail(NULL, wrong) : (file_outcome){0};
 }
 
-/** Standard input gets the name that compilers give it: no file can be called so by accident. */
+/** Standard input gets the name that compilers give it, which no file has by accident. */
 static const source *read_input(arena *a, const char *path, const char **wrong) {
     const source *file = source_read(a, path, wrong);
     if (!file || strcmp(path, "-") != 0)

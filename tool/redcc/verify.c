@@ -11,11 +11,11 @@
 #include "driver/temporary.h"
 #include "redcc/output.h"
 
-/** The files of one verification, all in one temporary folder. */
+/** The files of one verification, in one temporary folder. */
 typedef struct workplace {
     arena *arena;
     const char *folder;
-    const char *input_folder; /* where the input's own headers are */
+    const char *input_folder; /* the folder of the input's own headers */
     const string_list *flags;
     installation redcc;
 } workplace;
@@ -46,7 +46,7 @@ static const char *build(const workplace *w, const program *p, bool is_parallel)
     arena *a = w->arena;
     word_list words = {0};
     words_add(a, &words, real_compiler());
-    words_add(a, &words, "-O2"); /* the user's flags, which follow, may say otherwise */
+    words_add(a, &words, "-O2"); /* the user's flags, which follow, may override it */
     for (unsigned i = 0; i < w->flags->count; i++)
         words_add(a, &words, w->flags->items[i]);
     words_add(a, &words, "-w");
@@ -72,15 +72,15 @@ static const char *build(const workplace *w, const program *p, bool is_parallel)
     return arena_format(a, "--verify: the %s program cannot be built", p->name);
 }
 
-/* One thread would verify nothing. */
+/* With one thread nothing would be verified. */
 static long threads_to_use(void) {
     const char *wanted = getenv("OMP_NUM_THREADS");
     const long threads = wanted ? strtol(wanted, NULL, 10) : sysconf(_SC_NPROCESSORS_ONLN);
     return threads < 2 ? 2 : threads;
 }
 
-/* The parallel program executes each loop in parallel from the first call on, and says so
- * (docs/methods.md, REDCC_VALIDATE): left to itself it would begin with the original loop. */
+/* The parallel program executes each loop in parallel from the first call on, and reports it
+ * (docs/methods.md, REDCC_VALIDATE): by default it would begin with the original loop. */
 static void execute(const workplace *w, program *p, bool is_parallel) {
     word_list words = {0};
     if (is_parallel) {
@@ -94,7 +94,7 @@ static void execute(const workplace *w, program *p, bool is_parallel) {
     p->status = process_run(w->arena, &words, (process_streams){"/dev/null", p->output, NULL});
 }
 
-/** Where two texts differ first, as a line number. */
+/** The line number of the first difference between two texts. */
 static unsigned first_difference(const char *left, const char *right) {
     unsigned line = 1;
     for (; *left && *left == *right; left++, right++)

@@ -7,11 +7,11 @@
 #include "support/source.h"
 
 /**
- * Builds `input` without OpenMP and the output with it, runs both without arguments and with no
- * standard input, and compares standard output and exit status. The input must be a whole program.
- * The parallel one runs under REDCC_VALIDATE=1: all loops that can run in parallel, whatever their
- * size, and what became of each is said on standard error.
- * Returns NULL where they agree, or in the arena what went wrong.
+ * Builds `input` without OpenMP and the output with it, runs both without arguments or standard
+ * input, and compares standard output and exit status. The input must be a whole program. The
+ * parallel one runs under REDCC_VALIDATE=1: all loops that can run in parallel do so, whatever
+ * their size, and each reports its result on standard error. Returns NULL if they agree, or a
+ * message in the arena.
  */
 const char *verify_output(arena *a, const source *input, const string_list *flags, const char *text,
                           size_t length);

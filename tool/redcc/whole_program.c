@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Two rounds, each with a process for a file: what the files' functions are, then the loops. What
- * is counted is what redcc-cc says of the build's commands. */
+/* Two rounds, each with a process for each file: first facts about the files' functions, then the
+ * loops. The counts come from redcc-cc's reports on the build's commands. */
 #include "redcc/whole_program.h"
 
 #include <stdio.h>
@@ -15,7 +15,7 @@
 #include "redcc/translate_file.h"
 #include "redcc/workers.h"
 
-/* What a file's functions are, as text; of a file with more of them nothing is known. */
+/* Size limit of the text about a file's functions; beyond it, none of them is used. */
 enum { EXPORTS_SIZE = 1 << 20 };
 
 typedef struct whole_program {
@@ -25,9 +25,9 @@ typedef struct whole_program {
     unsigned *mentions; /* [files.count] how often the build compiles it */
     foreign_functions functions;
     joined_report joined;
-    const char *what; /* of the round, for the progress line */
+    const char *what; /* name of the round, for the progress line */
     unsigned failed, by_declarations;
-    unsigned long long unknown_pure; /* names that none of the files declares */
+    unsigned long long unknown_pure; /* names that no file declares */
 } whole_program;
 
 /* ---- files ---------------------------------------------------------------------------------- */
@@ -69,10 +69,11 @@ static void export_file(unsigned number, void *result, void *context) {
 static void take_exports(unsigned number, const void *result, int ended_by, void *context) {
     whole_program *p = context;
     const char *text = result;
-    if (ended_by != 0) /* the second round will tell */
+    if (ended_by != 0) /* the second round reports it */
         return;
     text = arena_string(p->memory, text);
-    for (unsigned i = 0; i < p->mentions[number]; i++) /* compiled twice is defined twice */
+    for (unsigned i = 0; i < p->mentions[number]; i++) /* a file compiled twice defines its
+                                                        * functions twice */
         foreign_read(p->memory, &p->functions, p->files.items[number], text);
 }
 

@@ -13,10 +13,10 @@
 #include <unistd.h>
 
 typedef struct piece {
-    pid_t process; /* 0: not begun, or ended */
+    pid_t process; /* 0: not started, or ended */
     int status;    /* as wait gives it */
     bool is_ended;
-    FILE *output, *errors; /* what it prints, where that is kept */
+    FILE *output, *errors; /* its output, if kept */
 } piece;
 
 typedef struct pool {
@@ -26,7 +26,8 @@ typedef struct pool {
     unsigned begun, ended, shown;
 } pool;
 
-/* ---- what is printed ------------------------------------------------------------------------ */
+/* ---- output
+ * -------------------------------------------------------------------------------------- */
 
 static bool keep_output(piece *p) {
     p->output = tmpfile();
@@ -49,7 +50,7 @@ static void show(FILE *kept, FILE *stream) {
 
 _Noreturn static void be_worker(const pool *all, unsigned number) {
     const piece *p = &all->pieces[number];
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nothing is written behind the back of who waited */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* it must not write after the waiting process has ended */
     if (p->output) {
         dup2(fileno(p->output), STDOUT_FILENO);
         dup2(fileno(p->errors), STDERR_FILENO);
@@ -117,7 +118,7 @@ static void show_ended(pool *all) {
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-/* The pages that loading a large library has written need not be copied then. */
+/* Avoids copying the pages that loading a large library has written. */
 static bool work_in_process(const workers *w) {
     for (unsigned i = 0; i < w->count; i++) {
         void *result = calloc(1, w->result_size);

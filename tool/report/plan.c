@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Parallel, with a plan that is kept; parallel, with a plan for each execution; translated, and
- * sequential all the same. */
+/* Three classes: parallel, with a plan that is kept; parallel, with a plan for each execution;
+ * translated, but executed sequentially. */
 #include "report/plan.h"
 
 #include "analysis/base/expression.h"
 
-/** As many short iterations the runtime takes at least (LEAST_TRIP in runtime/src/settings.c). */
+/** The smallest number of short iterations that the runtime accepts (LEAST_TRIP in
+ *  runtime/src/settings.c). */
 enum { LEAST_TRIP = 1024 };
 
-/** The number of iterations where it is a constant; -1: it is not. */
+/** The number of iterations if it is a constant, else -1. */
 static int64_t constant_trip(const counted_loop *counted) {
     int64_t lower, bound;
     if (!counted->lower || counted->stride || counted->counter->type->kind != IR_INTEGER ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What was done with each loop, and why not more: the same verdicts in several forms. */
+/** The result for each loop, and the reasons: the same verdicts in several forms. */
 #ifndef REPORT_REPORT_H
 #define REPORT_REPORT_H
 
@@ -8,12 +8,12 @@
 
 typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML } report_form;
 
-/** Why a loop that runs in parallel has no form for several iterations at once. */
+/** The reason why a loop that runs in parallel has no form for several iterations at once. */
 typedef struct lanes_remark {
-    bool is_asked;    /* it is to have one */
+    bool is_asked;    /* such a form was requested */
     const char *slug; /* NULL: it has one */
     const char *message;
-    ir_range range; /* of what stands in the way */
+    ir_range range; /* of the reason */
 } lanes_remark;
 
 typedef struct report_input {
@@ -21,12 +21,13 @@ typedef struct report_input {
     const analysis_result *analysis;
     const char *version;       /* of redcc */
     const char *order;         /* as --order takes it */
-    const lanes_remark *lanes; /* of each verdict; NULL: no such form was asked for */
-    bool all;                  /* also what needs no review: SARIF's results of kind `pass` */
-    /** What docs/reasons.md says of a reason, in the arena; NULL for none. SARIF's rules have it.
-     */
+    const lanes_remark *lanes; /* of each verdict; NULL: no such form was requested */
+    bool all;                  /* include verdicts that need no review: SARIF's results of kind
+                                * `pass` */
+    /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
+     *  rules. */
     const char *(*explain)(arena *a, const char *reason);
-    /** Where that can be read, a URI in the arena; NULL: nowhere. */
+    /** A URI of that text, in the arena; NULL: none. */
     const char *(*link)(arena *a, const char *reason);
 } report_input;
 

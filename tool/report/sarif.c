@@ -42,7 +42,7 @@ static const char *rule_of(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_REFUSE ? reason_code(verdict->why.id) : verdict_word(verdict);
 }
 
-/** A property bag: what is taken on the user's word, what becomes of the plan. */
+/** A property bag: assertions taken from the user's pragmas, and the use of plans. */
 static void add_properties(arena *a, json_t *result, const loop_verdict *verdict) {
     const plan_answer plan = verdict_plan(a, verdict);
     json_t *bag = json_object(), *pragmas = json_array();
@@ -60,7 +60,7 @@ static void add_properties(arena *a, json_t *result, const loop_verdict *verdict
     json_decref(bag);
 }
 
-/** What stands in the way, of the loop or of a form of it. */
+/** The reason, for the loop or for a form of it. */
 static void add_related(json_t *result, ir_position at, const char *text) {
     json_t *where = location(at);
     json_object_set_new(where, "message", message(text));
@@ -93,7 +93,7 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     return result;
 }
 
-/* Of a message with a hole for a name: the hole becomes dots. */
+/* The message without the name that it inserts, which becomes dots. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
         return verdict->kind == VERDICT_TRANSFORM
@@ -121,7 +121,7 @@ static json_t *rule_object(arena *a, const report_input *input, const loop_verdi
     return rule;
 }
 
-/* Is it a result? What runs in parallel needs no review. */
+/* Is it a result? A loop that runs in parallel needs no review. */
 static bool is_told(const report_input *input, const loop_verdict *verdict) {
     return input->all || verdict->kind != VERDICT_TRANSFORM;
 }

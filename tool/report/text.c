@@ -32,7 +32,7 @@ static bool has_place(ir_range range) {
     return range.begin < range.end;
 }
 
-/** What is known from other files. */
+/** Facts that come from other files. */
 static void by_other_files(arena *a, buffer *out, const report_input *input,
                            const loop_verdict *verdict) {
     for (unsigned i = 0; i < verdict->foreign_count; i++) {
@@ -47,7 +47,7 @@ static void by_other_files(arena *a, buffer *out, const report_input *input,
     }
 }
 
-/** What is taken on the user's word. */
+/** Assertions taken from the user's pragmas. */
 static void by_pragma(arena *a, buffer *out, const report_input *input,
                       const loop_verdict *verdict) {
     for (unsigned i = 0; i < verdict->pragma_count; i++)
@@ -55,7 +55,7 @@ static void by_pragma(arena *a, buffer *out, const report_input *input,
                 arena_format(a, "by your word: %s", verdict->pragmas[i].text), "");
 }
 
-/** Why its plan is not kept. */
+/** The reason why its plan is not kept. */
 static void say_plan(arena *a, buffer *out, const report_input *input,
                      const loop_verdict *verdict) {
     const plan_answer plan = verdict_plan(a, verdict);

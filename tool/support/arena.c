@@ -10,7 +10,7 @@
 
 enum { BLOCK_SIZE = 1 << 16, ALIGNMENT = alignof(max_align_t) };
 
-/* What is too large for a block has one of its own. */
+/* An object larger than a block gets a block to itself. */
 typedef struct block {
     struct block *next;
     size_t size;
@@ -19,7 +19,7 @@ typedef struct block {
 } block;
 
 struct arena {
-    block *blocks; /* the first is the one that is being filled */
+    block *blocks; /* the first is the one being filled */
     size_t used;
 };
 
@@ -34,7 +34,7 @@ static void *allocate_or_die(size_t size) {
 
 static block *add_block(arena *a, size_t size) {
     if (size > SIZE_MAX - sizeof(block))
-        size = SIZE_MAX - sizeof(block); /* cannot be had: ends with the message above */
+        size = SIZE_MAX - sizeof(block); /* not available: ends with the message above */
     block *b = allocate_or_die(sizeof(block) + size);
     b->size = size;
     b->next = a->blocks;
@@ -42,7 +42,8 @@ static block *add_block(arena *a, size_t size) {
     return b;
 }
 
-/* A large object's own block goes behind the one that is being filled, whose rest stays in use. */
+/* A large object's block is linked behind the one being filled, so that the rest of that stays in
+ * use. */
 static block *block_with_room(arena *a, size_t size) {
     block *filling = a->blocks;
     if (filling != NULL && size <= filling->size - filling->used)

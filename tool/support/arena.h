@@ -8,11 +8,11 @@
 
 typedef struct arena arena;
 
-/** Both end the program with a message where memory is exhausted. */
+/** Both end the program with a message if memory is exhausted. */
 arena *arena_new(void);
 void *arena_allocate(arena *a, size_t size); /* zeroed, aligned for any type */
 void arena_free(arena *a);
-/** Ends the life of all that was allocated; the arena may be filled again. */
+/** Frees everything that was allocated; the arena may be filled again. */
 void arena_clear(arena *a);
 size_t arena_used(const arena *a);
 

@@ -30,8 +30,8 @@ static const char *skip_blanks(const char *at, const char *end) {
     return at;
 }
 
-/* Past (1, 2), ("default") and the like; NULL: there is something else in the parentheses than
- * numbers and words in quotes. */
+/* Past (1, 2), ("default") and the like; NULL: the parentheses contain more than numbers and quoted
+ * words. */
 static const char *skip_numbers(const char *at, const char *end) {
     if (at == end || *at != '(')
         return at;
@@ -43,7 +43,7 @@ static const char *skip_numbers(const char *at, const char *end) {
     return at < end ? skip_blanks(at + 1, end) : NULL;
 }
 
-/* Past `((noinline, cold))`; NULL: there is another attribute in it. */
+/* Past `((noinline, cold))`; NULL: it contains another attribute. */
 static const char *skip_harmless(const char *at, const char *end) {
     for (int open = 0; open < 2; open++) {
         at = skip_blanks(at, end);

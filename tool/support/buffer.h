@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A growing string of bytes. Always ends in a 0 that does not count. */
+/** A growing string of bytes. Always ends in a 0 that is not counted. */
 #ifndef SUPPORT_BUFFER_H
 #define SUPPORT_BUFFER_H
 
@@ -19,7 +19,7 @@ void buffer_format(buffer *b, const char *format, ...) __attribute__((format(pri
 void buffer_byte(buffer *b, char c);
 /** Appends a path as a URI reference: all but unreserved characters and / is escaped. */
 void buffer_uri(buffer *b, const char *path);
-/** Takes bytes off the end, at most what there are. */
+/** Removes bytes from the end, at most all. */
 void buffer_shorten(buffer *b, size_t count);
 /** The text, in the arena; the buffer is empty again. */
 char *buffer_take(arena *a, buffer *b);

@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <string.h>
 
-/* In the order of strcmp; tests/driver/test_options.c walks it. What is not listed has no argument,
- * changes nothing that the translator should know of, and goes to the compiler alone. Of gcc's long
- * names (--compile) only those stand here that say how far the compiler goes. Sources: the option
+/* In strcmp order; tests/driver/test_options.c checks it. An option that is not listed has no
+ * argument, does not concern the translator, and is passed only to the compiler. Among gcc's long
+ * names (--compile) the table lists only those that stop the compiler early. Sources: the option
  * summaries of gcc 12 and clang 19. */
 static const option options[] = {
     {"-###", OPTION_NO_OBJECT},
@@ -302,8 +302,8 @@ static const option *find_exactly(const char *word, size_t length) {
     return NULL;
 }
 
-/* clang's complaint about unsigned arithmetic that wraps around, which is legal, and which the
- * inline functions of the runtime's headers use, compiled in the user's file. */
+/* clang reports unsigned arithmetic that wraps around, which is legal. The inline functions of the
+ * runtime's headers use it, and they are compiled in the user's file. */
 static bool complains_of_wrapping(const char *sanitizers) {
     return strstr(sanitizers, "=integer") || strstr(sanitizers, ",integer") ||
            strstr(sanitizers, "unsigned-");

@@ -1,43 +1,45 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the options of gcc and clang mean to the translator and to the compiler wrapper: one sorted
- *  table, whether they come after `--`, from compile_commands.json or through redcc-cc. */
+/** The meaning of gcc's and clang's options for the translator and the compiler wrapper: one sorted
+ *  table, for options after `--`, from compile_commands.json and through redcc-cc. */
 #ifndef SUPPORT_COMPILER_OPTIONS_H
 #define SUPPORT_COMPILER_OPTIONS_H
 
 enum option_meaning {
-    OPTION_ARGUMENT = 1 << 0,  /**< written alone, it takes the next word */
-    OPTION_JOINED = 1 << 1,    /**< text may follow it in the same word */
-    OPTION_PARSE = 1 << 2,     /**< the translator must see it to read the source as the compiler */
-    OPTION_NO_OBJECT = 1 << 3, /**< nothing is compiled to code (-E, -M, --version) */
-    OPTION_NO_LINK = 1 << 4,   /**< stops before the linker (-c, -S) */
-    OPTION_GIVE_UP = 1 << 5,   /**< redcc-cc translates no source */
-    OPTION_DEPENDENCY = 1 << 6,  /**< asks for a dependency file, or says what goes into it */
-    OPTION_LINKER = 1 << 7,      /**< means nothing where one source is compiled to an object */
+    OPTION_ARGUMENT = 1 << 0,    /**< without joined text, its argument is the next word */
+    OPTION_JOINED = 1 << 1,      /**< text may follow it in the same word */
+    OPTION_PARSE = 1 << 2,       /**< the translator needs it to read the source as the compiler
+                                  * does */
+    OPTION_NO_OBJECT = 1 << 3,   /**< nothing is compiled to code (-E, -M, --version) */
+    OPTION_NO_LINK = 1 << 4,     /**< stops before the linker (-c, -S) */
+    OPTION_GIVE_UP = 1 << 5,     /**< redcc-cc translates no source */
+    OPTION_DEPENDENCY = 1 << 6,  /**< requests a dependency file, or affects its contents */
+    OPTION_LINKER = 1 << 7,      /**< has no effect if one source is compiled to an object */
     OPTION_AUXILIARY = 1 << 8,   /**< more files are written, named after the output */
     OPTION_NO_RUNTIME = 1 << 9,  /**< a link to which no library may be added */
     OPTION_OPENMP = 1 << 10,     /**< the user's own OpenMP pragmas are on */
     OPTION_PREFIX_MAP = 1 << 11, /**< OLD=NEW, applied to file names in the object */
     OPTION_THREADS = 1 << 12,    /**< with gcc, _REENTRANT is defined as by -pthread */
     OPTION_MACROS = 1 << 13,     /**< defines or undefines macros, or includes what may */
-    OPTION_CLANG = 1 << 14,      /**< the translator's parser is told as well */
-    OPTION_PATH = 1 << 15,       /**< its argument is a path, from the folder of the command */
-    OPTION_REFUSE = 1 << 16,     /**< by it the program is another than the one that is analysed: no
-                                      loop is translated, however it comes */
-    OPTION_INEXACT = 1 << 17 /**< floating-point bits depend on what else is compiled: no loop of
-                                  a file with such arithmetic is translated */
+    OPTION_CLANG = 1 << 14,      /**< passed to the translator's parser as well */
+    OPTION_PATH = 1 << 15,       /**< its argument is a path, relative to the folder of the
+                                  * command */
+    OPTION_REFUSE = 1 << 16,     /**< makes the program differ from the one that is analysed: no
+                                  * loop is translated */
+    OPTION_INEXACT = 1 << 17 /**< floating-point bits depend on other code in the compilation: no
+                              * loop of a file with such arithmetic is translated */
 };
 
-/** One option; several where the name is the beginning of a family ("-W"). */
+/** One option; or several if the name is the beginning of a family ("-W"). */
 typedef struct option {
     const char *name;
     unsigned meaning; /**< of enum option_meaning */
 } option;
 
 /** The entry for a word of the command line: the exact name, else the longest beginning that may
- *  have text joined to it; NULL where the table has none (such an option means nothing to us). */
+ *  have text joined to it. NULL if the table has none (such an option has no meaning here). */
 const option *option_find(const char *word);
 
-/** Entry number `index` in the table's order, NULL after the last: for the test that walks it. */
+/** Entry number `index` in the table's order, NULL after the last: for the test of the order. */
 const option *option_at(unsigned index);
 
 #endif

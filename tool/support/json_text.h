@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** JSON out of text that need not be UTF-8: paths and source text are bytes. */
+/** JSON from text that need not be UTF-8: paths and source text are bytes. */
 #ifndef SUPPORT_JSON_TEXT_H
 #define SUPPORT_JSON_TEXT_H
 

@@ -10,8 +10,8 @@
 typedef struct map map;
 
 map *map_new(arena *a);
-/** The value's place, NULL in it where the key is new; good until the next call. Keys are copied.
- */
+/** A pointer to the value, which is NULL for a new key; valid until the next call. Keys are
+ *  copied. */
 void **map_at(map *m, const void *key, size_t length);
 /** The value, or NULL. */
 void *map_get(const map *m, const void *key, size_t length);

@@ -18,7 +18,7 @@ static uint32_t count_lines(const char *text, size_t length) {
     return count;
 }
 
-/* Takes over `text`, which lives in the arena. */
+/* Takes ownership of `text`, which lives in the arena. */
 static source *make_source(arena *a, const char *path, const char *text, size_t length) {
     assert(length <= UINT32_MAX && text[length] == 0);
     source *s = ARENA_NEW(a, source);
@@ -40,7 +40,7 @@ source *source_from_text(arena *a, const char *path, const char *text, size_t le
     return make_source(a, path, arena_copy(a, text, length), length);
 }
 
-/* Appends the stream's bytes, one more than can be kept at most. Returns NULL or the message. */
+/* Appends the stream's bytes, at most one more than can be kept. Returns NULL or the message. */
 static const char *read_all(buffer *bytes, FILE *stream) {
     char piece[1 << 14];
     size_t count;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One source file's bytes, and where its lines begin. */
+/** One source file's bytes and the offsets of its lines. */
 #ifndef SUPPORT_SOURCE_H
 #define SUPPORT_SOURCE_H
 
@@ -22,21 +22,20 @@ typedef struct position {
     unsigned column; /* from 1, in bytes */
 } position;
 
-/** Reads a file ("-": standard input). NULL, and a message in *message, where it cannot be read,
- *  is a directory, or has 4 GiB or more. */
+/** Reads a file ("-": standard input). NULL, and a message in *message, if it cannot be read, is a
+ *  directory, or has 4 GiB or more. */
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
-/** After the string or character constant that begins at `from`; where its line ends or `to`, if it
- *  does not end before. */
+/** The offset after the string or character constant that begins at `from`; if it does not end
+ *  before, the end of its line or `to`. */
 uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to);
 
-/** Where something other than blanks, comments and spliced line ends begins in [from, to); `to`,
- * where nothing does.
- */
+/** The first offset in [from, to) of something other than blanks, comments and spliced line ends;
+ *  `to` if there is none. */
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
-/** May the byte stand in a name: letters, digits, `_`, and what compilers take as well, `$` and the
- *  bytes of UTF-8? */
+/** May the byte be part of a name: letters, digits, `_`, and the extensions of compilers, `$` and
+ *  the bytes of UTF-8? */
 bool source_is_name_byte(char c);
 /** The first name in text[0 .. end) that is a key of `names`, its length in *length; NULL: none.
  *  Comments and strings are text like any other. */

@@ -25,7 +25,7 @@
         (vector)->items[(vector)->count++] = (item);                                               \
     } while (0)
 
-/** Storage for twice as many items (at least 8), the old ones copied. */
+/** Doubles the storage (at least 8 items) and copies the old items. */
 void *vector_grow(arena *a, const void *items, size_t item_size, unsigned *capacity);
 
 #endif

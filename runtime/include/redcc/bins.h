@@ -1,26 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * In-order binning, for generated code: a loop that is executed without an inspection. Its body
- * writes nothing of the reduction arrays; it appends a record of each update to the bin of its row
- * (redcc_push), and the runtime applies the records later, bin by bin, in the order of the loop.
+ * In-order binning, for generated code: the loop is executed without an inspection. Its body does
+ * not write the reduction arrays. It appends a record of each update to the bin of its row
+ * (redcc_push). The runtime applies the records later, bin by bin, in the order of the loop.
  *
  *     redcc_enter, redcc_join, redcc_inspect       as in runtime.h
  *     redcc_bins_next  each thread  hands out iterations whose updates are to be pushed
- *       redcc_push                  in the place of an update; or, where they are made on private
- *                                   copies (REDCC_ARE_COPIED), redcc_update
- *       redcc_read                  of what is read and has no extent in `known`
- *     redcc_next, redcc_leave       as in runtime.h; redcc_next hands out, in its plain form, what
- *                                   could not be binned
+ *       redcc_push                  replaces an update; or redcc_update, if updates are made on
+ *                                   private copies (REDCC_ARE_COPIED)
+ *       redcc_read                  for reads without an address range in `known`
+ *     redcc_next, redcc_leave       as in runtime.h; redcc_next hands out, in its plain form, the
+ *                                   iterations that could not be binned
  *
- * Iterations may be handed out to be pushed more than once: what was pushed before is thrown away.
- * So a loop has this form only if its body leaves the same whether it is executed once or twice,
- * and may be executed before its reads are compared with what is written: no address that it reads
- * or stores at, no divisor and no bound of a loop inside comes from memory that is not proved apart
- * from the reduction arrays. Its other reads are in the loop's sources. The loop of any other body
- * is marked REDCC_BINS_CHECKED.
+ * Iterations may be pushed more than once: the records of the earlier attempt are discarded. So a
+ * loop has this form only if executing its body twice leaves the same state as executing it once,
+ * and if the body may run before its reads are compared with its writes: no address that it loads
+ * from or stores to, no divisor and no bound of an inner loop comes from memory that is not proved
+ * disjoint from the reduction arrays. Its other reads are in the loop's sources. A loop with any
+ * other body is marked REDCC_BINS_CHECKED.
  *
- * As runtime.h, this header includes no other of the system and compiles as C89 with GNU
- * extensions.
+ * Like runtime.h, this header includes no system header and compiles as C89 with GNU extensions.
  */
 #ifndef REDCC_BINS_H
 #define REDCC_BINS_H
@@ -28,7 +27,7 @@
 #include <redcc/runtime.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
+#ifdef REDCC_HIDDEN /* in the archive: a program linked with it exports none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the library hides everything else */
@@ -36,18 +35,18 @@
 #endif
 
 /**
- * The next iterations to push: 1 with worker->first and worker->last, and bins [stream_count], or
- * 0: go on to redcc_next. Between redcc_inspect and redcc_next, by every thread of the region,
- * until it returns 0.
- *   operands  values that the apply functions need and that stay during the loop, the same for all
- *             threads; read until redcc_bins_next has returned 0 to all of them
+ * The next iterations to push: 1 with worker->first, worker->last and bins [stream_count] set, or
+ * 0: continue with redcc_next. Called between redcc_inspect and redcc_next by every thread of the
+ * region, until it returns 0.
+ *   operands  values that the apply functions need, the same for all threads. They stay unchanged
+ *             during the loop; read until redcc_bins_next has returned 0 to all threads.
  */
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands);
 
 /** Called by redcc_push for a row outside of the bins. */
 void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) __attribute__((__cold__));
 
-/** Called by redcc_push: a block is full; the number of the next record of `bin`. */
+/** Called by redcc_push when a block is full; returns the number of the next record of `bin`. */
 redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record)
     __attribute__((__cold__));
 
@@ -57,14 +56,15 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 
 /* ---- in generated text ---------------------------------------------------------------------- */
 
-/** Of redcc__guarded, beside 0 and 1: updates are pushed, or made on private copies. */
+/** Values of redcc__guarded besides 0 and 1: updates are pushed, or made on private copies. */
 enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 
 /** An element's number, counted from the array's first one. */
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** Has the thread a copy of this element? Otherwise the runtime is told that it should have. */
+/** Does the thread have a copy of this element? If not, the runtime records the row, so as to copy
+ *  it next time. */
 REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
         return 1;
@@ -72,13 +72,13 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
-/** Where an array stands: number `part` of the arrays of a stream. */
+/** Identifies an array: number `part` of the arrays of a stream. */
 typedef struct redcc_part {
     redcc_u32 stream;
     redcc_u32 part;
 } redcc_part;
 
-/** Where the array of this number stands; it is in one of the streams. */
+/** Finds an array by its number; it must be in one of the streams. */
 REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 array) {
     redcc_part it = {0, 0};
     while (streams[it.stream].arrays[it.part] != array)
@@ -89,8 +89,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     return it;
 }
 
-/** Go before an update of array `redcc_i`, as REDCC_UPDATE. In bins its operands are kept, and
- * those of the updates that follow and share the record of stream `redcc_s`; */
+/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. In bins it keeps the operands of
+ *  this update, and of the following ones that share the record of stream `redcc_s`. */
 #define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
                         redcc_values)                                                              \
     if (redcc__guarded == REDCC_IN_BINS) {                                                         \
@@ -98,13 +98,13 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
     } else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/** of updates that have none, only that there is one; */
+/** The same for an update without operands: only its row is recorded. */
 #define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
     if (redcc__guarded == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
     else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/** of those that share the record of one before, nothing. */
+/** The same for an update that shares an earlier record: nothing is kept. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
     if (redcc__guarded != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
@@ -119,7 +119,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                                        (redcc_size)(redcc_part) * sizeof *(redcc_at)) -            \
                  (redcc_row *)(void *)(redcc_base)))
 
-/** The same where the rows of the stream's array have several elements. */
+/** The same for a stream whose array has rows of several elements. */
 #define REDCC_UPDATE_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
     if (redcc__guarded == REDCC_IN_BINS) {                                                         \
@@ -139,8 +139,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     if (redcc__guarded != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
-/** Go before a loop over constants whose iterations update parts of one row: a record of what all
- * of them add, or that they do. The updates are REDCC_UPDATE_ROW_WITH. */
+/** Precedes a loop over constants whose iterations update parts of one row: keeps one record of all
+ *  that they add, or only of the row. The updates inside are REDCC_UPDATE_ROW_WITH. */
 #define REDCC_APPEND_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
     if (redcc__guarded == REDCC_IN_BINS) {                                                         \
@@ -174,7 +174,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                        redcc_v7, redcc_v8)                                                         \
     { redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6, redcc_v7, redcc_v8 }
 
-/** Records of values of one type: redcc_double_2 ... redcc_double_9, and so of floats. */
+/** Records of values of one type: redcc_double_2 ... redcc_double_9, and the same for float. */
 #define REDCC_RECORDS(redcc_type)                                                                  \
     typedef struct {                                                                               \
         redcc_type v0, v1;                                                                         \
@@ -203,18 +203,18 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 REDCC_RECORDS(double);
 REDCC_RECORDS(float);
 
-/** Goes before a REDCC_APPLY whose records update floats several times. gcc 12 packs updates of
- *  neighbours (SLP), and leaves out the roundings to float between them: of float x, y and double
- *  operands in `x += d; x += e; y -= f; y += g;`. */
+/** Precedes a REDCC_APPLY whose records update floats several times. gcc 12 packs neighbouring
+ *  updates (SLP) and omits the roundings to float between them: for float x, y and double operands
+ *  in `x += d; x += e; y -= f; y += g;`. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define REDCC_ROUNDED __attribute__((__optimize__("no-tree-slp-vectorize")))
 #else
 #define REDCC_ROUNDED
 #endif
 
-/** A function that applies records: the updates, on the element *redcc__to and the record redcc__e,
- *  of which redcc__tag says which one it is. Before the updates of a stream of several arrays
- * stands a REDCC_APPLY_ALSO for each but the first. */
+/** Defines a function that applies records. Its text makes the updates on the element *redcc__to
+ *  with the record redcc__e; redcc__tag is the number of the update. For a stream of several arrays
+ *  the text begins with a REDCC_APPLY_ALSO for each array but the first. */
 #define REDCC_APPLY(redcc_name, redcc_element, redcc_record, redcc_bits, redcc_updates)            \
     REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
     const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];       \
@@ -262,7 +262,7 @@ REDCC_RECORDS(float);
                      redcc_exact)                                                                  \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, redcc_bits, redcc_exact }
 
-/* For each array, what the body is handed of its bins. */
+/* For each array: parameters of the body for bins. */
 #define REDCC_BINS_PARAMETERS_1                                                                    \
     const redcc_stream *const redcc__streams, const redcc_bins *const redcc__bins_0
 #define REDCC_BINS_PARAMETERS_2 REDCC_BINS_PARAMETERS_1, const redcc_bins *const redcc__bins_1
@@ -289,8 +289,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINNED_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_5, REDCC_BINS_ARGUMENTS_5
 #define REDCC_BINNED_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_6, REDCC_BINS_ARGUMENTS_6
 
-/* What a chunk of iterations to be pushed holds of each array: a copy of its bins, and where its
- * elements are; or, if there is no such chunk, nothing. */
+/* For each array of a chunk to be pushed: a copy of its bins, and the array's base. Empty if there
+ * is no such chunk. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
     const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
@@ -310,7 +310,7 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
-/** Executes iterations whose updates are not made at once, in one of the two ways. */
+/** Executes iterations whose updates are kept, or made on copies. */
 #define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_call_of_slice, redcc_call_of_body)        \
     {                                                                                              \
         const int redcc__guarded = redcc_mode;                                                     \
@@ -323,15 +323,15 @@ REDCC_RECORDS(float);
         }                                                                                          \
     }
 
-/** As REDCC_PARALLEL, of a loop with a form for bins.
- *    redcc_bins_n       REDCC_BINS_n, of n arrays
- *    redcc_told_bits    of sources whose reads are told while iterations are pushed
+/** As REDCC_PARALLEL, for a loop with a form for bins.
+ *    redcc_bins_n       REDCC_BINS_n, for n arrays
+ *    redcc_told_bits    sources whose reads are recorded while iterations are pushed
  *    redcc_all_exact    may the updates be made on private copies? */
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
     REDCC_BINNED_AND(0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,              \
                      redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
-/** The same where iterations may be handed out once more (redcc/series.h). */
+/** The same if iterations may be handed out once more (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \

@@ -11,18 +11,18 @@
  *     #define REDCC_SOURCES n          entries of NAME_sources; 0: there is no NAME_sources
  *   Options:
  *     #define REDCC_COUNTER type       of the counter; int if not defined
- *     #define REDCC_STEP expression    what the counter grows by; 1. It may use `loop`.
- *     #define REDCC_KEYS n             how many redcc_depends_on the description has; 0
+ *     #define REDCC_STEP expression    the counter's increment; 1. It may use `loop`.
+ *     #define REDCC_KEYS n             number of redcc_depends_on in the description; 0
  *     #define REDCC_FLAGS flags        of structures.h. REDCC_VERIFIABLE, the default: rows depend
- *                                      on nothing but what parallel.h lists, so that a plan may be
- *                                      used again. With short iterations without loops:
+ *                                      only on what parallel.h lists, so that a plan may be reused.
+ *                                      For short iterations without loops:
  *                                      REDCC_VERIFIABLE | REDCC_LIGHT
  *     #define REDCC_ORDERED order      what the result may differ in; REDCC_ORDER_SERIAL
  *     #define REDCC_STREAMS            there is NAME_streams
  *     #define REDCC_NAMED bits         of sources that the slice names while updates are kept
  *     #define REDCC_ONE_BODY           the body is a REDCC_HEAVY_BODY
- *     #define REDCC_FINISH             there is void NAME_finish(const struct NAME *loop): what the
- *                                      thread does that executed the last iteration
+ *     #define REDCC_FINISH             there is void NAME_finish(const struct NAME *loop), called by
+ *                                      the thread that executed the last iteration
  * All of these are undefined at the end.
  */
 /* clang-format on */
@@ -56,7 +56,8 @@
 #define REDCC_NAMED 0u
 #endif
 
-/* The counter in iteration k. Compilers may assume that nothing is lost, and count by addresses. */
+/* The counter in iteration k. Compilers may assume that no bits are lost, and count by
+ * addresses. */
 REDCC_INLINE REDCC_COUNTER REDCC_THIS(_counter)(redcc_int first, redcc_int k,
                                                 const REDCC_CONTEXT *loop) {
     const redcc_int value = first + k * (redcc_int)(REDCC_STEP);
@@ -108,8 +109,8 @@ static redcc_site REDCC_THIS(_site) = {
 #endif
     0};
 
-/* Names to the runtime what iterations touch. Those that are as the ones before are compared only,
- * in a loop in which nothing is called. */
+/* Reports to the runtime what iterations touch. Iterations that behave as those before are only
+ * compared, in a loop without calls. */
 static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *attempt,
                                  const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -141,8 +142,8 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
 }
 
 #ifdef REDCC_STREAMS
-/* Executes iterations whose updates are kept, or made on copies of the thread's own. Are there
- * more to come after others? */
+/* Executes iterations whose updates are kept, or made on the thread's private copies. Returns
+ * whether more iterations follow after other chunks. */
 static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
                              const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -188,8 +189,8 @@ static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
 }
 #endif
 
-/* Says of iterations whether they touch what the thread owns. A local array: what is stored there
- * is none of what the slice reads, as compilers see. */
+/* Classifies iterations: does the thread own a row that they touch? The classes go to a local
+ * array, so that the compiler sees that storing them does not change the slice's reads. */
 static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -207,7 +208,7 @@ static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attem
     redcc_classes_give(worker, classes);
 }
 
-/* Executes runs of iterations, of whose rows the thread owns all, or only some. */
+/* Executes runs of iterations whose rows the thread owns, wholly or in part. */
 static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -219,7 +220,7 @@ static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attem
         const redcc_iterations *const run_end = worker->run_end;
         redcc_body owned;
 #ifndef REDCC_ONE_BODY
-        redcc_body plain; /* apart: its address goes nowhere */
+        redcc_body plain; /* separate, so that its address does not escape */
         plain.mode = REDCC_PLAIN;
 #endif
         unsigned a;
@@ -278,7 +279,7 @@ static void REDCC_THIS(_member)(redcc_worker *worker, const redcc_attempt *attem
 #endif
 }
 
-/* Are there enough of short iterations, in this call and in all of the program so far? */
+/* Are there enough short iterations, in this call and in the whole program so far? */
 REDCC_INLINE int REDCC_THIS(_is_worth)(redcc_int trip) {
     const redcc_calls *const calls = __atomic_load_n(&REDCC_THIS(_site).calls, __ATOMIC_ACQUIRE);
     return trip > 0 && (!((REDCC_FLAGS)&REDCC_LIGHT) || !calls ||

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How an object with loops of redcc/parallel.h enters the runtime: by one function. */
+/** How an object with loops of redcc/parallel.h calls the runtime: through one function. */
 #ifndef REDCC_ENTRY_H
 #define REDCC_ENTRY_H
 
 #include <redcc/structures.h>
 
-/** The version of what this file, structures.h and parallel_steps.h share with the runtime. */
+/** The version of the interface that this file, structures.h and parallel_steps.h share with the
+ *  runtime. */
 enum { REDCC_INTERFACE = 1 };
 
-/** A loop in a file. The runtime alone writes to it. */
+/** A loop in a file. Only the runtime writes to it. */
 typedef struct redcc_site {
     redcc_binned binned;
     const redcc_calls *calls; /* set by the first redcc_run */
@@ -21,36 +22,36 @@ typedef struct redcc_attempt {
     void *const *bases;
     const redcc_extent *known;
     const redcc_word *key;
-    const redcc_linkage *linkage; /* 0: no function of another file was read */
+    const redcc_linkage *linkage; /* 0: no function of another file was inlined or analysed */
     /* Operands of each iteration, which the caller uses afterwards. */
     redcc_u32 operand_count;
     const redcc_size *operand_bytes; /* [operand_count] */
-    void **operands; /* [operand_count], set before any thread begins; where the loop is done, the
-                        caller gives them back (series->give) */
+    void **operands; /* [operand_count], set before any thread begins; if the loop is done, the
+                      * caller frees them (series->give) */
     redcc_u32 series_count;
     redcc_series **series; /* [series_count], of redcc/series.h; likewise */
 } redcc_attempt;
 
-/** What each thread does: it inspects and executes what it is handed. */
+/** What each thread does: it inspects and executes the chunks that it is handed. */
 typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, const void *context);
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-/** Executes a loop. 1: it is done. 0: nothing was written, the sequential loop must run; `version`
- *  is that of the caller. Without an attempt nothing but `calls` is set. Thread-safe. */
+/** Executes a loop. 1: it is done. 0: nothing was written, and the sequential loop must run.
+ *  `version` is the caller's. Without an attempt it only sets `calls`. Thread-safe. */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
 #ifdef __cplusplus
 }
 #endif
 
-/** A row that is brought into its array when the rows end: of bins, locks, compensated sums. */
+/** A row that is added to its array when the rows end: for bins, locks, compensated sums. */
 typedef struct redcc_kept_row {
     redcc_u32 array;
     redcc_u32 bytes;
-    void *row;    /* where it belongs */
-    void *values; /* what the body added */
+    void *row;    /* its address in the array */
+    void *values; /* the contributions of the body */
 } redcc_kept_row;
 
 #endif

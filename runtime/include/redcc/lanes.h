@@ -1,25 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Four iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md). What is
- * computed is computed for all of them by one operation each; updates are made lane by lane, in
- * the order in which the iterations would have been executed.
+ * Four iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md). One
+ * operation computes the values of all four. Updates are made lane by lane, in the sequential order
+ * of the iterations.
  *
- * Generated text includes this file behind runtime.h and what forbids contraction. On x86-64 the
- * functions for vectors are compiled for AVX2 whatever the program is compiled for; the runtime
- * says whether the processor has it. On 64-bit ARM there are two lanes. Elsewhere iterations are
- * executed one by one.
+ * Generated text includes this file after runtime.h and after the pragmas that forbid contraction.
+ * On x86-64 the vector functions are compiled for AVX2, independently of the program's options; the
+ * runtime checks that the processor has it. 64-bit ARM has two lanes. On other processors
+ * iterations are executed one by one.
  */
 #ifndef REDCC_LANES_H
 #define REDCC_LANES_H
 
-/* By -std=gnu89 -Wpedantic gcc warns of macros with any number of arguments. */
+/* gcc with -std=gnu89 -Wpedantic warns of variadic macros. */
 #pragma GCC system_header
 
-/** Iterations at once; 0: one by one, where operations may be rounded together or where the
- * compiler does not know the vectors of gcc and clang. gcc before 9 has no __builtin_convertvector.
- */
+/** Iterations at once. 0: one by one, if operations may be contracted or the compiler lacks the
+ *  vector extensions of gcc and clang. gcc before 9 has no __builtin_convertvector. */
 #ifdef REDCC_IS_CHECKED
-#define REDCC_WIDTH 4 /* redcc looks at its own text */
+#define REDCC_WIDTH 4 /* redcc parses its own output */
 #elif !REDCC_ROUNDS_ALIKE || (!defined(__clang__) && __GNUC__ < 9)
 #define REDCC_WIDTH 0
 #elif defined(__x86_64__)
@@ -30,7 +29,7 @@
 #define REDCC_WIDTH 0
 #endif
 
-/** In the descriptor's flags. */
+/** For the descriptor's flags. */
 #if REDCC_WIDTH == 4 && !defined(__AVX2__)
 #define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTH)
 #else
@@ -38,24 +37,23 @@
 #endif
 
 #if REDCC_WIDTH
-/* Vectors are passed between functions that are inlined: that their passing changed between
- * versions of a compiler does not matter. */
+/* Vectors are passed only between inlined functions, so a change of their ABI between compiler
+ * versions has no effect. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-/** What functions are compiled for. */
+/** The target that functions are compiled for. */
 #if defined(REDCC_IS_CHECKED) || !defined(__x86_64__) || defined(__AVX2__)
 #define REDCC_TARGET
 #else
 #define REDCC_TARGET __attribute__((__target__("avx2")))
 #endif
 
-/** Behind REDCC_QUIET_BEGIN. */
+/** Follows REDCC_QUIET_BEGIN. */
 #define REDCC_QUIET_LANES _Pragma("GCC diagnostic ignored \"-Wdeclaration-after-statement\"")
 
 /* ---- lanes ---------------------------------------------------------------------------------- */
 
-/* An expression of redcc__l, for each lane; as initialisers, since a loop would go through memory.
- */
+/* An expression of redcc__l for each lane, as initialisers: a loop would go through memory. */
 #define REDCC_LANE(redcc_i, ...)                                                                   \
     __extension__({                                                                                \
         enum { redcc__l = redcc_i };                                                               \
@@ -69,38 +67,39 @@
 #define REDCC_ALL(...) REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__)
 #endif
 
-/** A function that is inlined, and the one that executes REDCC_WIDTH iterations. */
+/** An inlined function, and the one that executes REDCC_WIDTH iterations. */
 #define REDCC_LIFTED REDCC_INLINE REDCC_TARGET
 #define REDCC_LANES_BODY static __attribute__((__noinline__, __unused__)) REDCC_TARGET void
 
-/** The statement that follows, for each lane, redcc__l; for each lane that has an iteration. */
+/** Executes the statement that follows for each lane, redcc__l; or for each lane that has an
+ *  iteration. */
 #define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < REDCC_WIDTH; redcc__l++)
 #define REDCC_EACH_ITERATION for (redcc__l = 0; redcc__l < redcc__block->count; redcc__l++)
 
-/** A vector of doubles; as many floats, in a vector of half the size; a mask of lanes, of doubles
- *  and floats alike. */
+/** A vector of doubles; a vector of half the size with the same number of floats; a mask, for
+ *  both. */
 typedef double redcc_vector __attribute__((__vector_size__(8 * REDCC_WIDTH)));
 typedef float redcc_floats __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * REDCC_WIDTH)));
 typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 
-/** A double for each lane, and a float. */
+/** Gathers a double for each lane, or a float. */
 #define REDCC_GATHER(...) (__extension__(redcc_vector){REDCC_ALL(__VA_ARGS__)})
 #define REDCC_GATHER_FLOATS(...) (__extension__(redcc_floats){REDCC_ALL(__VA_ARGS__)})
 
-/** The lanes of which it is not 0. */
+/** A mask of the lanes with a value other than 0. */
 #define REDCC_TELL(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
 
-/** Something else for each lane, as an array. */
+/** Other types for each lane, as an array. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
     (__extension__(__typeof__(redcc_type)[REDCC_WIDTH]){REDCC_ALL(__VA_ARGS__)})
 
-/** Each lane converted as C converts; the lanes of which a comparison of floats holds. */
+/** Converts each lane as C does; the mask of a comparison of floats. */
 #define redcc_doubles_of(...) __builtin_convertvector((__VA_ARGS__), redcc_vector)
 #define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 
-/** The same double, or float, in each lane. Not by addition of 0: it would change -0.0. */
+/** Broadcasts a double, or float. An addition of 0 would change -0.0. */
 REDCC_LIFTED redcc_vector redcc_same(double value) {
     return (__extension__(redcc_vector){REDCC_ALL(value)});
 }
@@ -108,7 +107,7 @@ REDCC_LIFTED redcc_floats redcc_same_float(float value) {
     return (__extension__(redcc_floats){REDCC_ALL(value)});
 }
 
-/** Of the lanes where the mask is -1 the one, else the other. */
+/** For each lane: the first value if the mask is -1, else the second. */
 REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {
     return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));
 }
@@ -117,8 +116,8 @@ REDCC_LIFTED redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes
     return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));
 }
 
-/* Instructions that compilers do not find by themselves: they branch to the library's function for
- * each root, as it may have to set errno. The second list of operands is for -masm=intel. */
+/* Instructions that compilers do not select: they call the library's function for each root,
+ * because it may have to set errno. The second list of operands is for -masm=intel. */
 #if defined(__x86_64__) && !defined(REDCC_IS_CHECKED)
 #define REDCC_ROOTS(redcc_root, redcc_v)                                                           \
     __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(redcc_root) : "x"(redcc_v))
@@ -138,13 +137,13 @@ REDCC_LIFTED int redcc_any(redcc_mask mask) {
 }
 #endif
 
-/** Lane by lane, where errno is set as it is sequentially. */
+/** Lane by lane, so that errno is set as in the sequential loop. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET redcc_vector
 redcc_each_root(redcc_vector value) {
     return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});
 }
 
-/** All lanes at once; where one is negative redcc_each_root, for errno. */
+/** All lanes at once; if one is negative, redcc_each_root sets errno. */
 REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     redcc_vector root;
     if (redcc_any((redcc_mask)value < 0))
@@ -162,8 +161,8 @@ REDCC_LIFTED redcc_floats redcc_lanes_fabsf(redcc_floats value) {
     return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});
 }
 
-/** Is a product rounded before it is added to, in functions of this kind, and is a constant a
- *  double? No macro tells of -ffp-contract=fast, which clang prefers to pragmas, nor of
+/** Is a product rounded before the addition in functions of this kind, and is a constant a double?
+ *  No macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
  *  -fsingle-precision-constant. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_round_alike(void) {
     const volatile double factor = 134217729.0, less = 18014398777917440.0;
@@ -176,8 +175,8 @@ static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_ro
 
 /* ---- the executor ---------------------------------------------------------------------------- */
 
-/** Iterations that are executed at once, and whether their updates must ask redcc_owns. Behind the
- *  last one stands the last one again, which is computed, but updates nothing. */
+/** Iterations that are executed at once, and whether their updates must call redcc_owns. A partial
+ *  block is padded by repeating its last iteration, which is computed but updates nothing. */
 typedef struct redcc_block {
     redcc_int k[REDCC_WIDTH];
     int guarded[REDCC_WIDTH];
@@ -197,13 +196,13 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** Slice and body for one iteration. The body is executed where the processor has no such vectors
- * or REDCC_LANES=off is said: compiled once, for guarded iterations and others. */
+/** Slice and body for one iteration. The body is used if the processor lacks such vectors or
+ *  REDCC_LANES=off is set: compiled once, for owner-checked and other iterations. */
 #define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE
 #define REDCC_TOLD_OF_LANES REDCC_BY_CALLS
 #define REDCC_BODY_BESIDE_LANES static __attribute__((__noinline__, __unused__)) void
 
-/** Goes before an update. In a function: it is asked at many places, of few iterations. */
+/** Precedes an update. A function, because it has many call sites and few iterations use it. */
 #define REDCC_UPDATE_OF_LANES(redcc_i, redcc_at)                                                   \
     if (!redcc__guarded || redcc_asks_apart(redcc__worker, redcc__own_##redcc_i, redcc_at))
 static __attribute__((__noinline__, __unused__)) int
@@ -211,7 +210,7 @@ redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const voi
     return redcc_asks(worker, owner, address);
 }
 
-/** The chunk, so many iterations at once. */
+/** Executes the chunk, REDCC_WIDTH iterations at once. */
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     for (;;) {                                                                                     \

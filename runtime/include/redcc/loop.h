@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What stands around a loop's slice and body in the short form of generated code. Each of the two
- * is one function; docs/generated-code.md shows a loop with both.
+ * Macros around a loop's slice and body in the short form of generated code. Each of the two is one
+ * function; docs/generated-code.md shows a loop with both.
  *
- *     REDCC_SLICE f(REDCC_SLICE_PARAMETERS, ...)     tells what one iteration touches:
+ *     REDCC_SLICE f(REDCC_SLICE_PARAMETERS, ...)     records what one iteration touches:
  *       REDCC_TOUCH, REDCC_READ                        a row by its address,
  *       REDCC_TOUCH_ROW, REDCC_READ_ROW                a row by its number
  *     REDCC_BODY g(REDCC_BODY_PARAMETERS_n, ...)     executes one iteration:
- *       REDCC_UPDATE                                   goes before each update
+ *       REDCC_UPDATE                                   precedes each update
  *     REDCC_PARALLEL                                 what each thread of the region does
  *
- * runtime.h includes this file. Names that begin with redcc__ are the generated text's.
+ * runtime.h includes this file. Names that begin with redcc__ belong to the generated text.
  */
 #ifndef REDCC_LOOP_FORM_H
 #define REDCC_LOOP_FORM_H
 
 #include <redcc/entry.h>
 
-/** No multiplication and addition is contracted into one rounding in the function that follows, and
- *  from the beginning of a block on. gcc contracts functions, when all is inlined; clang
- *  expressions, unless it is given -ffp-contract=fast, of which no text can talk it out. */
+/** Forbids contracting a multiplication and an addition into one rounding, in the function that
+ *  follows and from the beginning of a block on. gcc contracts within functions, after inlining.
+ *  clang contracts within expressions; no pragma overrides its option -ffp-contract=fast. */
 #if defined(__clang__)
 #define REDCC_UNFUSED
 #define REDCC_UNFUSED_BLOCK _Pragma("clang fp contract(off)")
@@ -31,8 +31,8 @@
 #define REDCC_UNFUSED_BLOCK
 #endif
 
-/* 2 ^ 5 that a macro expands to is not warned of; where the macro's text stands expanded, it would
- * be. And of a variable without a value gcc warns the more, the more it sees at once. */
+/* gcc warns of 2 ^ 5 in plain text but not in a macro's expansion, and it warns of more
+ * uninitialised variables the more code it sees at once. */
 #if defined __GNUC__ && !defined __clang__ && __GNUC__ >= 13
 #define REDCC_QUIET_GCC                                                                            \
     _Pragma("GCC diagnostic ignored \"-Wmaybe-uninitialized\"")                                    \
@@ -43,7 +43,7 @@
 #define REDCC_QUIET_GCC
 #endif
 
-/* gcc and clang: what the user's file does not warn of must not be warned of here. */
+/* gcc and clang: a warning that the user's file does not cause must not appear here. */
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
         _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
@@ -54,14 +54,14 @@
                             _Pragma("GCC diagnostic ignored \"-Wpedantic\"") REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
-/** What compilers must not take for a variable without a value: it may have no members that matter.
- */
+/** Hides from compilers that a context may have no relevant members, which they would report as an
+ *  uninitialised variable. */
 REDCC_INLINE int redcc_is_there(void *context) {
     __asm__ __volatile__("" : : "r"(context) : "memory");
     return 1;
 }
 
-/** What one execution is described by: bases, extents of sources, key; and the loop's context. */
+/** Describes one execution: bases, address ranges of sources, key; and the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
     redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                              \
@@ -70,14 +70,14 @@ REDCC_INLINE int redcc_is_there(void *context) {
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__)) = redcc_is_there(&redcc__context)
 
-/** In the context: where rows lie that are prefetched. */
+/** In the context: the rows that are prefetched. */
 #define REDCC_PROGRESSIONS_OF(redcc_sources)                                                       \
     redcc_progression redcc__progressions[(redcc_sources) + 1]
 #define REDCC_NO_PROGRESSIONS                                                                      \
     __builtin_memset(redcc__context.redcc__progressions, 0,                                        \
                      sizeof redcc__context.redcc__progressions)
 
-/** Where an array begins, and what the subscripts depend on. */
+/** The array's first element, and a value that the subscripts depend on. */
 #define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
 #define REDCC_KEY(redcc_i, redcc_value) redcc__key[redcc_i] = (redcc_word)redcc_value
 
@@ -91,7 +91,7 @@ REDCC_INLINE int redcc_is_there(void *context) {
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
 #define REDCC_AN_END(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
-/** A row that the loop reads lies there; several: all between them as well. */
+/** The loop reads this row. If several are given, it may read all rows between them. */
 #define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
     do {                                                                                           \
         const char *const redcc__row = (const char *)&redcc_row;                                   \
@@ -109,10 +109,10 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
 
 #include <redcc/prefetch.h>
 
-/** Keeps rbp for the function's frame. What lives across redcc_enter is in registers that calls
- *  preserve, and so are the bases of the loop beside it, which by itself would have others. Loads
- *  by rbp and an index were slower than by any other register: 6 % of the time of a product with
- *  a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
+/** Keeps rbp as the function's frame pointer. Values that are live across redcc_enter occupy
+ *  callee-saved registers. So do the bases of the sequential loop in the same function, which alone
+ *  would get others. Loads by rbp and an index were slower than by any other register: 6 % of the
+ *  time of a product with a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
 #if defined(__x86_64__)
 #define REDCC_KEEP_FRAME redcc_keep_frame(__builtin_frame_address(0))
 #else
@@ -122,7 +122,7 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** Are there iterations, and of short ones enough? Nothing is asked where there is no runtime. */
+/** Is the trip count positive, and large enough for short iterations? 0 if no runtime is linked. */
 #define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
 #define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
     (redcc_run && redcc_is_worth(&(redcc_site), redcc_trip))
@@ -131,8 +131,8 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
     return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
 }
 
-/** Pointers that the loop reads under conditions only are read before it, where they can be read:
- *  redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
+/** Pointers that the loop reads only under conditions are read before it, if the memory is
+ *  readable: redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
      (redcc_site).calls->loads->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
@@ -150,8 +150,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     }
 }
 
-/** Executes the loop in parallel: 1. 0: nothing was written, the loop must run as it was. Not
- *  expected to: what registers there are is for the loop beside it. */
+/** Executes the loop in parallel and returns 1; 0: nothing was written, and the original loop must
+ *  run. Marked unlikely, so that the compiler gives the registers to the sequential loop. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower, REDCC_KEEP_FRAME,                                   \
      redcc__attempt.trip = redcc__trip, redcc__attempt.first = redcc__lower,                       \
@@ -161,25 +161,26 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
                                      redcc_member, &redcc__context),                               \
                            0))
 
-/** The runtime keeps operands of each iteration, of so many updates (redcc__operand_bytes). */
+/** The runtime keeps operands of each iteration, for `redcc_count` updates
+ *  (redcc__operand_bytes). */
 #define REDCC_OPERANDS(redcc_count)                                                                \
     void *redcc__operands[redcc_count];                                                            \
     redcc__attempt.operand_count = redcc_count;                                                    \
     redcc__attempt.operand_bytes = redcc__operand_bytes;                                           \
     redcc__attempt.operands = redcc__operands
-/** And so many series (redcc/series.h). */
+/** The number of series (redcc/series.h). */
 #define REDCC_HAS_SERIES(redcc_count)                                                              \
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
-/** They are used. */
+/** The operands have been used. */
 #define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->give(&redcc__attempt)
 
-/** What the function for one thread is given. */
+/** The parameters of the function that each thread executes. */
 #define REDCC_MEMBER_PARAMETERS                                                                    \
     redcc_worker *redcc__worker, const redcc_attempt *redcc__attempt, const void *redcc__given
 #define REDCC_MEMBER static void
-/** What it begins with. */
+/** Its first statements. */
 #define REDCC_BEGIN(redcc_context)                                                                 \
     const struct redcc_context *const redcc__context = (const struct redcc_context *)redcc__given; \
     const redcc_int redcc__lower __attribute__((__unused__)) = redcc__attempt->first;              \
@@ -188,7 +189,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
 /** In the body, after the last iteration: 1 for one of the threads that execute it. */
 #define REDCC_CLAIMS_LAST redcc__worker->call->calls->claims_last(redcc__worker)
 
-/** For some instructions no other thread is between the two. */
+/** Held for a few instructions only. */
 REDCC_INLINE void redcc_lock(int *lock) {
     while (__atomic_exchange_n(lock, 1, __ATOMIC_ACQUIRE))
         ;
@@ -198,10 +199,9 @@ REDCC_INLINE void redcc_unlock(int *lock) {
 }
 
 /** The induction variable, of type redcc_type, redcc_offset after its first value. Compilers may
- *  assume that the conversion preserves the value. So they increment addresses; else they would
- *  sign-extend the value and compute the address in each iteration: two instructions of 43 in
- *  springs (script/bench choice), 10 % of the time by two threads.
- */
+ *  assume that the conversion preserves the value, and so they increment addresses. Otherwise they
+ *  would sign-extend the value and compute the address in each iteration: two instructions of 43 in
+ *  springs (script/bench choice), 10 % of the time with two threads. */
 #define REDCC_COUNTER(redcc_type, redcc_offset)                                                    \
     (redcc_assume((redcc_int)(redcc_type)(redcc__lower + (redcc_offset)) ==                        \
                   redcc__lower + (redcc_offset)),                                                  \
@@ -211,7 +211,7 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
         __builtin_unreachable();
 }
 
-/** After the original loop: auto learns what it takes. */
+/** After the original loop: method `auto` learns its time. */
 #define REDCC_OVER(redcc_site)                                                                     \
     do {                                                                                           \
         const redcc_calls *const redcc__calls =                                                    \
@@ -222,9 +222,9 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 
-/** redcc__probe is 0 where addresses are told, redcc__teller 0 where they are prefetched;
- *  redcc__told is 0 where all of them are told, or says by its bits of which sources alone. All are
- *  constants: each use of the function is compiled by itself. */
+/** redcc__probe is 0 if addresses are recorded, redcc__teller 0 if they are prefetched. redcc__told
+ *  is 0 if all of them are recorded; otherwise its bits select the sources. All are constants, and
+ *  each use of the function is compiled separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
@@ -233,8 +233,8 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
 #define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
 #define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told, redcc__by_calls
 
-/** Of long iterations (lanes.h): compiled once for all uses, addresses are told by calls. In other
- *  slices that is done in line. */
+/** For long iterations (lanes.h): compiled once for all uses, recording addresses by calls. Other
+ *  slices record them inline. */
 #define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
 #define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
 enum { redcc__by_calls = 0 };
@@ -245,8 +245,8 @@ enum { redcc__by_calls = 0 };
 #define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
     redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 
-/** The same of redcc_base[redcc_row]: redcc_base is what no iteration changes, so that the number
- *  says which row it is. */
+/** The same for redcc_base[redcc_row]. No iteration changes redcc_base, so the number identifies
+ *  the row. */
 #define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
     redcc_slice_touch_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],      \
                           (const void *)(redcc_base), (redcc_int)(redcc_row),                      \
@@ -256,8 +256,8 @@ enum { redcc__by_calls = 0 };
                          (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
                          sizeof((redcc_base)[redcc_row]))
 
-/** After an update, and after a read that may be of what was updated, where the loop needs a dry
- *  run: it ends here. */
+/** In a loop that needs a dry run: ends it after an update, or after a read that may overlap
+ *  one. */
 #define REDCC_RETURN_IF_OVER                                                                       \
     if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
         return;
@@ -274,7 +274,7 @@ enum { redcc__by_calls = 0 };
         return;                                                                                    \
     }
 
-/** Whoever owns the row that is touched next goes through all of the iteration (redcc/series.h). */
+/** The owner of the row that is touched next executes the whole iteration (redcc/series.h). */
 #define REDCC_LEADER                                                                               \
     if (redcc__probe)                                                                              \
         redcc__probe->preferred = 1;
@@ -283,7 +283,8 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/* What most touches are, within the window, is seen in line. */
+/* The common case, a touch within the owned range, is handled inline; this function has the
+ * rest. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_tell_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array, const void *address,
                    redcc_size bytes) {
@@ -384,9 +385,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
         redcc_touch_span(worker, array, first, end);
 }
 
-/** Hands out blocks of iterations to inspect. Those that need not be told are gone through in a
- *  loop of their own, in which nothing is called or stored: a compiler keeps in registers what does
- *  not change. */
+/** Hands out blocks of iterations to inspect. Iterations that need no record are compared in a loop
+ *  that neither calls nor stores, so that a compiler keeps the invariants in registers. */
 #define REDCC_INSPECT(redcc_call_of_slice)                                                         \
     while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
         const redcc_u32 redcc__told = 0;                                                           \
@@ -418,8 +418,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 /** redcc__guarded is a constant in each use of the function. */
 #define REDCC_BODY REDCC_INLINE void
 
-/** Cold, or gcc keeps the body's constants in memory: no floating-point register lives across a
- *  call. */
+/** Marked cold, because otherwise gcc keeps the body's constants in memory: no floating-point
+ *  register survives a call. */
 static __attribute__((__noinline__, __cold__, __unused__)) int
 redcc_ask_hook(const redcc_worker *worker, struct redcc_hook *hook, const void *address) {
     return worker->call->calls->hooked(hook, address);
@@ -432,20 +432,19 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
     return owner->hook && redcc_ask_hook(worker, owner->hook, address);
 }
 
-/** Goes before an update of array number redcc_i: it is this thread's part only where it owns the
- *  element. */
+/** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
     if (!redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
-/** In an inner loop, before the rest of a turn: in the guarded form it is left out where the thread
- *  owns no row that it would update. */
+/** Begins an iteration of an inner loop: in the owner-checked form it is skipped if the thread owns
+ *  no row that it would update. */
 #define REDCC_TURN(redcc_owned)                                                                    \
     if (redcc__guarded == 1 && !(redcc_owned))                                                     \
         continue;
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
-/* For each array, what one chunk holds of it: where to write, and who owns what. */
+/* For each array of a chunk: where to write, and which elements the thread owns. */
 #define REDCC_BODY_PARAMETERS_1                                                                    \
     redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__guarded,       \
         const redcc_owner *const redcc__own_0
@@ -470,8 +469,8 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_CHUNK_5 REDCC_CHUNK_4 REDCC_CHUNK_OF(4)
 #define REDCC_CHUNK_6 REDCC_CHUNK_5 REDCC_CHUNK_OF(5)
 
-/** The runs from redcc__run to redcc__run_end, guarded or plain; with prefetches in steps of one
- *  iteration, else each run in one. */
+/** Executes the runs from redcc__run to redcc__run_end, owner-checked or plain: with prefetches in
+ *  steps of one iteration, else each run at once. */
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
@@ -492,8 +491,8 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
         }                                                                                          \
     }
 
-/** Says of iterations whether they touch what the thread owns. A local array: what is stored there
- *  is none of what the slice reads, as compilers see. */
+/** Classifies iterations: does the thread own a row that they touch? The classes go to a local
+ *  array, so that the compiler sees that storing them does not change the slice's reads. */
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
         const redcc_u32 redcc__told = 0;                                                           \
@@ -507,8 +506,8 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
         redcc_classes_give(redcc__worker, redcc__class);                                           \
     }
 
-/** The next chunk to execute, in front of a block; before it, iterations are selected where the
- *  runtime asks for that. */
+/** The next chunk to execute, before a block. If the runtime requests it, iterations are classified
+ *  first. */
 #define REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
     for (;;) {                                                                                     \
         redcc__asked = redcc__worker->call->calls->next(redcc__worker);                            \
@@ -517,10 +516,10 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
         REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     }
 
-/** Hands out chunks to execute, run by run, guarded or plain. */
+/** Hands out chunks to execute, run by run, owner-checked or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
-/** The same, also once more where that is asked for in the end. */
+/** The same, and once more if the runtime requests it at the end. */
 #define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
                           redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
@@ -536,9 +535,9 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
         }                                                                                          \
     }
 
-/** In front of a loop of few iterations: the compiler is to unroll it. redcc writes it where there
- *  are 16 at the most. _PLAIN: not in the text for guarded iterations, where redcc__guarded is a
- *  constant of 1: that takes long to compile, and is seldom executed. */
+/** Precedes a loop of few iterations, which the compiler is to unroll. redcc writes it for at most
+ *  16 iterations. _PLAIN excludes the owner-checked form (redcc__guarded is 1), which takes long to
+ *  compile and is rarely executed. */
 #ifdef __clang__
 #define REDCC_UNROLLED                                                                             \
     _Pragma("clang diagnostic ignored \"-Wpass-failed\"") _Pragma("clang loop unroll(full)")
@@ -550,29 +549,29 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /* ---- all of it ----------------------------------------------------------------------------- */
 
-/** A thread tells the runtime what it asks for. */
+/** A thread joins the region and inspects the blocks that the runtime hands out. */
 #define REDCC_JOIN(redcc_call_of_slice)                                                            \
     redcc_worker *const redcc__teller = redcc__worker;                                             \
     redcc_int redcc__k;                                                                            \
     REDCC_INSPECT(redcc_call_of_slice)
 
-/** What each thread does: it inspects the iterations that it is handed, and
- *  executes those that it is handed then. redcc__k is the iteration's number. */
+/** What each thread does: it inspects the iterations that it is handed, then executes those that it
+ *  is handed. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 
-/** The same where iterations may be handed out once more (redcc/series.h). */
+/** The same if iterations may be handed out once more (redcc/series.h). */
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE_AND(redcc_again, 2, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)    \
     }
 
-/** gcc inlines a static function that is called at one place only; several copies of the place are
- *  compiled, and it shall be inlined in each. (clang weighs each call by itself.) */
+/** gcc inlines a static function that has a single call. The region is compiled in several copies,
+ *  and the function must be inlined in each. (clang decides for each call separately.) */
 #if !defined(__clang__) && defined(__OPTIMIZE__)
 #define REDCC_QUIET_REDUNDANT _Pragma("GCC diagnostic ignored \"-Wredundant-decls\"")
 #define REDCC_KEEP_INLINED(redcc_function)                                                         \

@@ -4,8 +4,8 @@
  * redcc/parallel.h: irregular reductions in parallel, with the bits of the sequential loop.
  *
  * A loop adds to elements or rows b[i] of arrays, and i comes from memory. It is described by a few
- * small functions. From them the runtime learns which iterations update which rows; it gives each
- * row to one thread, and executes the loop. Each row gets its updates in the order of the loop: the
+ * small functions. From them the runtime learns which iterations update which rows. It gives each
+ * row to one thread and executes the loop. Each row gets its updates in the order of the loop: the
  * result is that of the sequential loop, bit for bit, at every number of threads.
  * docs/by-hand.md has the first steps, examples/by-hand four whole programs.
  *
@@ -15,7 +15,7 @@
  *     REDCC_DESCRIBE(NAME) {...}         an execution: its iterations, where the arrays are
  *     static const redcc_array NAME_arrays[] = {...};      the arrays that are updated
  *     static const redcc_source NAME_sources[] = {...};    the arrays that are read
- *     static const redcc_stream NAME_streams[] = {...};    optional: whose updates may be kept
+ *     static const redcc_stream NAME_streams[] = {...};    optional: updates that may be kept
  *
  *     #define REDCC_LOOP NAME
  *     #define REDCC_WHERE "file.c", 12, "function"         for reports
@@ -29,36 +29,36 @@
  *     void NAME_execute(const struct NAME *)   does the loop in any case: by NAME_run, or else the
  *                                              body for each iteration in order, then NAME_over
  *
- * In all functions `loop` is the context (constant) and `it` what the calls below take. Several
- * threads may call NAME_run at once: one of them runs in parallel, the others sequentially.
+ * In all functions `loop` is the context (constant) and `it` the argument of the calls below. If
+ * several threads call NAME_run at once, one of them runs in parallel, the others sequentially.
  *
- * SLICE. Its calls may come any number of times and in any order. A row too many costs time, a row
- * too few gives wrong results (REDCC_VALIDATE=1 finds it). Values that decide which rows are named
- * come only from the context, from sources marked as subscripts, and from redcc_depends_on.
+ * SLICE. Its calls may come any number of times and in any order. A superfluous row costs time; a
+ * missing row gives wrong results (REDCC_VALIDATE=1 finds it). Values that decide which rows are
+ * named come only from the context, from sources marked as subscripts, and from redcc_depends_on.
  *     redcc_updates(it, ARRAY, base, row)              the iteration may update base[row]
  *     redcc_reads(it, SOURCE, base, row)               it may read base[row]; for sources that the
  *                                                      description gives by redcc_reads_named
- *     redcc_updates_bytes(it, ARRAY, address, bytes)   the same where rows do not begin at
+ *     redcc_updates_bytes(it, ARRAY, address, bytes)   the same if rows do not begin at
  *     redcc_reads_bytes(it, SOURCE, address, bytes)    a constant base
- *     redcc_reads_ahead(it, base, row)                 base[row] is read; for prefetches alone
+ *     redcc_reads_ahead(it, base, row)                 base[row] is read; only for prefetches
  *
- * BODY. It writes to the arrays by these calls alone, reads none of them, and may be executed more
- * than once for one iteration: it leaves nothing behind but its updates. ARRAY is a constant.
+ * BODY. It writes to the arrays only by these calls and reads none of them. It may be executed more
+ * than once for one iteration, so its only effects are its updates. ARRAY is a constant.
  *     redcc_base(it, ARRAY, loop->b)      where to write in place of loop->b (perhaps a copy)
  *     redcc_add(it, ARRAY, &b[i], v)      b[i] += v. Also redcc_subtract, redcc_multiply,
  *                                         redcc_and, redcc_or, redcc_xor
  *     redcc_minimum(it, ARRAY, &b[i], v)  if (v < b[i]) b[i] = v. redcc_maximum: by >
- *     redcc_row(it, ARRAY, &b[i])         a pointer to update the row by: &b[i] or, if another
- *                                         thread does that, a row that nobody reads. Valid until
- *                                         the iteration's end or redcc_rows_end(it). Each element
- *                                         is updated at most once, by the array's operator (or by
+ *     redcc_row(it, ARRAY, &b[i])         a pointer to update the row by: &b[i], or a scratch row if
+ *                                         another thread makes the update. Valid until the
+ *                                         iteration's end or redcc_rows_end(it). Each element is
+ *                                         updated at most once, by the array's operator (or by
  *                                         - for +) with a value of the element's type. Rows are
- *                                         asked for in the order of their updates.
+ *                                         requested in the order of their updates.
  *     redcc_rows_end(it)                  ends the rows so far; at most 16 may be open at once
- *     redcc_may_update(it, ARRAY, &b[i])  before an update that is written out: it is made only
- *                                         if this gives 1. Not where updates are kept.
+ *     redcc_may_update(it, ARRAY, &b[i])  precedes an update that is written out, which is made
+ *                                         only if this gives 1. Not if updates are kept.
  *     redcc_concerns(it, ARRAY, &b[i])    0: this thread does not update that row now, so that an
- *                                         inner iteration may be left out
+ *                                         inner iteration may be skipped
  *
  * DESCRIBE. Each call once; read before NAME_run returns. It reads nothing through pointers.
  *     redcc_iterations(it, first, count)               t = first, first + 1, ... (or REDCC_STEP)
@@ -69,27 +69,27 @@
  *                                                      counts from 0
  *     redcc_give_up(it, condition)                     leaves this execution to the sequential loop
  *
- * ENTRIES. Names are those of the reports. A row is what one redcc_updates covers.
+ * ENTRIES. Names appear in reports. A row is the extent of one redcc_updates.
  *     REDCC_ARRAY(name, operator, type, n)   rows of n numbers; operator: REDCC_SUM (also for -),
  *                                            REDCC_PRODUCT, REDCC_MINIMUM, REDCC_MAXIMUM,
  *                                            REDCC_AND, REDCC_OR, REDCC_XOR; type: one word
- *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is used again
- *                                            while all that was read of these is unchanged
+ *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is reused while
+ *                                            all that was read of these is unchanged
  *     REDCC_READ(name)                       is read only for values
  *     REDCC_KEPT(ARRAY, type, n)             updates may be kept and made later, in order (binning:
- *                                            for subscripts that change in each call). n: of a row,
- *                                            or 1 where redcc_add and the like are used. All arrays
- *                                            have one, in their order, or none. Then the body has
- *                                            no division, loop bound or address that depends on
- *                                            memory which an update might overlap.
+ *                                            for subscripts that change in each call). n: numbers
+ *                                            in a row, or 1 with redcc_add and the like. Either all
+ *                                            arrays have one, in their order, or none. The body
+ *                                            then has no division, loop bound or address that
+ *                                            depends on memory which an update might overlap.
  *
- * The object refers to one symbol, redcc_run, weakly: where the runtime is not linked, NAME_run
- * gives 0. With -DREDCC_OFF it refers to none. Compiled by your flags: no OpenMP option is needed,
- * and none is in the way. C89 with GNU extensions to C23, and C++; gcc 9, clang 14 and later. Sizes
- * are in bytes unless they are called rows or counts. Misuse that can be seen stops the program
- * with a message where the file is compiled without optimisation or with -DREDCC_CHECKED. Including
- * this file forbids the contraction of a * b + c in the rest of the file, as two copies of one
- * expression would be contracted differently.
+ * The object refers to one symbol, redcc_run, weakly: if the runtime is not linked, NAME_run
+ * returns 0. With -DREDCC_OFF it refers to none. Your own flags compile it: no OpenMP option is
+ * needed, and none interferes. C89 with GNU extensions to C23, and C++; gcc 9, clang 14 and later.
+ * Sizes are in bytes unless they are called rows or counts. Detected misuse stops the program with
+ * a message in files compiled without optimisation or with -DREDCC_CHECKED. Including this file
+ * forbids the contraction of a * b + c in the rest of the file, as two copies of one expression
+ * would be contracted differently.
  */
 /* clang-format on */
 #ifndef REDCC_PARALLEL_H
@@ -108,7 +108,7 @@
     REDCC_INLINE void name##_slice(const redcc_slice *it, counter, const struct name *loop)
 #define REDCC_BODY(name, counter)                                                                  \
     REDCC_INLINE void name##_body(redcc_body *it, counter, const struct name *loop)
-/** A body of some hundred operations: compiled once for all modes. With it: REDCC_ONE_BODY. */
+/** A body of some hundred operations: compiled once for all modes. Needs REDCC_ONE_BODY. */
 #define REDCC_HEAVY_BODY(name, counter)                                                            \
     REDCC_ONCE void name##_body(redcc_body *it, counter, const struct name *loop)
 #define REDCC_DESCRIBE(name)                                                                       \
@@ -121,8 +121,8 @@
 #define REDCC_READ(name)                                                                           \
     { name, 0 }
 #define REDCC_KEPT(array, type, n) REDCC_KEPT_BY(0, array, type, n, (n) * sizeof(type))
-/** By an apply function of the file's own (0: the library's), with records of so many bytes: a
- * float to which doubles are added has records of 8. */
+/** The same with an apply function of the file (0: the library's) and records of `bytes` bytes: a
+ *  float to which doubles are added has records of 8. */
 #define REDCC_KEPT_BY(apply, array, type, n, bytes)                                                \
     { apply, 1, {array, 0, 0, 0}, {(n) * sizeof(type), 0, 0, 0}, bytes, 0, REDCC_IS_INTEGER(type) }
 
@@ -136,8 +136,8 @@
 #define redcc_reads_bytes(it, source, address, bytes) redcc_slice_read(it, source, address, bytes)
 #define redcc_reads_ahead(it, base, row)                                                           \
     redcc_slice_ahead(it, (redcc_size)(base) + (redcc_size)(row) * sizeof *(base), sizeof *(base))
-/** 1: the slice returns at once. After an update, and after a read that may be of what was updated,
- *  in loops whose subscripts may be updated by them (REDCC_DRY_RUN). */
+/** Returns 1 if the slice must return at once. Called after an update, and after a read that may
+ *  overlap one, in loops that may update their own subscripts (REDCC_DRY_RUN). */
 #define redcc_is_finished(it) redcc_slice_finished(it)
 #define redcc_is_outdated(it, source) redcc_slice_outdated(it, source)
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What redcc/parallel.h expands to. Not for use by hand. */
+/** What redcc/parallel.h expands to. Not for direct use. */
 #ifndef REDCC_PARALLEL_STEPS_H
 #define REDCC_PARALLEL_STEPS_H
 
@@ -52,7 +52,7 @@ template <typename redcc_t> struct redcc_same<redcc_t, redcc_t> {
 #define REDCC_IS_FLOATING(value)                                                                   \
     (REDCC_IS_REAL(value) || REDCC_IS_COMPLEX(value, float) || REDCC_IS_COMPLEX(value, double))
 #define REDCC_IS_INTEGER(type) (!REDCC_IS_FLOATING((type)0))
-/* __real__: of complex numbers it must compile as well. */
+/* __real__, because it must compile for complex numbers as well. */
 #define REDCC_IS_UNSIGNED(zero) (__real__((__typeof__(zero))-1) > 0)
 #define REDCC_NUMBER_TYPE(zero, bytes)                                                             \
     (REDCC_IS_TYPE(zero, float)         ? REDCC_FLOAT                                              \
@@ -72,7 +72,7 @@ template <typename redcc_t> struct redcc_same<redcc_t, redcc_t> {
 typedef struct redcc_description {
     redcc_int trip;
     redcc_int first;
-    int counts_only; /* all but `trip` and `first` is not wanted yet */
+    int counts_only; /* only `trip` and `first` are needed */
     int gives_up;
     void **bases;
     redcc_extent *known;
@@ -102,9 +102,9 @@ REDCC_INLINE void redcc_describe_named(redcc_description *it, redcc_u32 source, 
 /* ---- slices: all fields are constants in each use ---- */
 
 typedef struct redcc_slice {
-    redcc_probe *probe;   /* not 0: compare with what is known */
+    redcc_probe *probe;   /* not 0: compare with known ranges */
     redcc_worker *worker; /* 0: prefetch */
-    redcc_u32 sources;    /* not 0: report reads of these sources alone, by their bits */
+    redcc_u32 sources;    /* not 0: report only reads of the sources with these bits */
 } redcc_slice;
 
 REDCC_INLINE void redcc_fetch(redcc_size address, redcc_size bytes) {
@@ -175,12 +175,12 @@ REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
 
 /* ---- bodies ---- */
 
-/** Of a body, a constant in each use: updates are made; only those of own elements; kept; made on
- *  private copies. */
+/** Mode of a body, a constant in each use: make all updates; only those of owned elements; keep
+ *  them; make them on private copies. */
 enum { REDCC_PLAIN = 0, REDCC_OWNED = 1, REDCC_KEEPING = 2, REDCC_COPYING = 3 };
 
-/** Rows that are open, and memory for their values. Apart from redcc_body, whose address goes
- *  nowhere, so that its fields stay in registers. */
+/** Rows that are open, and memory for their values. Separate from redcc_body, whose address must
+ *  not escape, so that its fields stay in registers. */
 typedef struct redcc_rows {
     redcc_kept_row kept[REDCC_MOST_ROWS];
     char values[REDCC_ROWS_BYTES] __attribute__((__aligned__(16)));
@@ -242,7 +242,7 @@ REDCC_INLINE int redcc_is_concerned(const redcc_body *it, redcc_u32 array, const
     return it->mode != REDCC_OWNED || redcc_owns_part(&it->owner[array], address, bytes);
 }
 
-/** Sets values to what changes nothing: of sums -0.0, as 0.0 + -0.0 is 0.0. */
+/** Sets values to the neutral element: for sums -0.0, because 0.0 + -0.0 is 0.0. */
 REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *values,
                                      redcc_size bytes) {
     const redcc_array *const is = &it->arrays[array];
@@ -254,18 +254,18 @@ REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *valu
         it->worker->call->calls->fill(is, values, bytes);
 }
 
-/** A row of neutral elements, for the time until the rows end. */
+/** A row of neutral elements, valid until the rows end. */
 REDCC_INLINE void *redcc_neutral_row(redcc_body *it, redcc_u32 array, redcc_size bytes) {
     char *values;
     if (__builtin_expect(it->used + bytes > REDCC_ROWS_BYTES, 0))
-        it->used = 0; /* rows that are not kept may share memory: nobody reads them */
+        it->used = 0; /* rows that are not kept may share memory: they are never read */
     values = it->rows->values + it->used;
     it->used += (bytes + 15) & ~(redcc_size)15;
     redcc_fill_neutral(it, array, values, bytes);
     return values;
 }
 
-/** The same of a row that is brought into its array when the rows end. */
+/** The same for a row that is added to its array when the rows end. */
 REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     redcc_kept_row *kept;
     if (__builtin_expect(it->count == REDCC_MOST_ROWS || it->used + bytes > REDCC_ROWS_BYTES, 0))
@@ -283,7 +283,7 @@ REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, re
 REDCC_INLINE void *redcc_row_of(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     switch (it->mode) {
     case REDCC_PLAIN:
-#if !defined(__clang__) /* gcc would compute &row[c] anew for each c: 8 % of springs */
+#if !defined(__clang__) /* gcc would recompute &row[c] for each c: 8 % of springs */
         __asm__("" : "+r"(row));
 #endif
         return row;
@@ -308,7 +308,7 @@ REDCC_INLINE void redcc_push_number(const redcc_body *it, redcc_u32 array, const
                record);
 }
 
-#ifdef __clang__ /* where it does not unroll, as under sanitizers, there is nothing to mend */
+#ifdef __clang__ /* without unrolling, as under sanitizers, there is nothing to improve */
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif
@@ -329,14 +329,14 @@ REDCC_INLINE void redcc_end_rows(redcc_body *it) {
 #pragma clang diagnostic pop
 #endif
 
-/* The value of what is added where `value` is subtracted: -0.0 - value is -value and keeps the sign
- * of a NaN; integers wrap around. `sum`: of the type in which the update is computed. */
+/* The value that is added if `value` is subtracted: -0.0 - value is -value and keeps the sign of a
+ * NaN; integers wrap around. `sum` has the type in which the update is computed. */
 #define REDCC_NEGATED(sum, value)                                                                  \
     (REDCC_IS_FLOATING(sum) ? (__typeof__(sum))((__typeof__(sum))-0.0 - (value))                   \
                             : (__typeof__(sum))(0 - (redcc_word)(value)))
 
-/* What is kept of an update: floating values in the type in which they are computed, integers in
- * that of the element, which wraps around alike. */
+/* The operand that is kept of an update: floating values in the type in which they are computed,
+ * integers in the element's type, which wraps around alike. */
 #define REDCC_IS_WIDE(at, value) (REDCC_IS_FLOATING(*(at)) || REDCC_IS_FLOATING(*(at) + (value)))
 #define REDCC_KEEP_UPDATE(it, array, redcc_at, value, record)                                      \
     do {                                                                                           \

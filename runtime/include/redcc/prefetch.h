@@ -1,34 +1,35 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Prefetches of what iterations to come update and read, in the executor of loop.h.
+ * Prefetches of rows that later iterations update and read, in the executor of loop.h.
  *
  * The slice of a later iteration of the same thread computes the addresses, as it did for the
- * inspector: it reads what is known to be readable, and unmodified while the loop runs. What it
- * reads itself is asked for twice as far ahead, where the rows of consecutive iterations lie at
- * equal distances. Nothing is stored, so no result depends on it. Of each row the first byte, the
- * last and each line between are asked for.
+ * inspector: it reads memory that is known to be readable, and unmodified while the loop runs. Its
+ * own reads are prefetched twice as far ahead, if consecutive iterations read rows at equal
+ * distances. A prefetch stores nothing, so no result depends on it. Of each row the first byte, the
+ * last byte and each cache line between them are prefetched.
  *
  * loop.h includes this file.
  */
 #ifndef REDCC_PREFETCH_H
 #define REDCC_PREFETCH_H
 
-/* How many iterations ahead, in the block of a loop whose iterations are long enough
- * (REDCC_PREFETCH); a constant. */
+/* The distance in iterations, a constant in the block of a loop whose iterations are long enough
+ * (REDCC_PREFETCH). */
 enum { redcc__prefetches = 0 };
 
-/** In the block of a loop: its executor prefetches, where the runtime finds it worthwhile, so many
- *  iterations ahead that they take as long as a memory access. More of them cost entries of the
- *  first-level TLB, and were slower on shuffled data. */
+/** In the block of a loop: if the runtime finds it profitable, its executor prefetches this many
+ *  iterations ahead, which together take as long as a memory access. A larger distance occupied
+ *  more entries of the first-level TLB and was slower on shuffled data. */
 #define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
-/* Lines of a row that are asked for: more than this in a row the processor sees by itself. */
+/* Bytes of a cache line, and of the part of a row that is prefetched: the processor detects longer
+ * sequences itself. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
-/** Asks for a row. The address need not be valid. */
+/** Prefetches a row. The address need not be valid. */
 REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
-    /* Rows of 8-byte numbers begin at a multiple of 8: no line lies between two bytes of one that
-     * are up to 71 bytes apart. */
+    /* Rows of 8-byte numbers begin at a multiple of 8: no line lies between two bytes at a distance
+     * of up to 71 bytes. */
     const redcc_size apart = redcc_prefetch_line - 1 + (bytes % 8 == 0 ? 8 : 1);
     redcc_size at = 0;
     __builtin_prefetch((const void *)(redcc_size)address);
@@ -40,7 +41,7 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
         __builtin_prefetch((const void *)((redcc_size)address + bytes - 1));
 }
 
-/** In the slice: the iteration reads redcc_base[redcc_row], which nobody need be told. */
+/** In the slice: the iteration reads redcc_base[redcc_row], which needs no record. */
 #define REDCC_AHEAD(redcc_base, redcc_row)                                                         \
     if (!redcc__worker)                                                                            \
     redcc_prefetch((const char *)((redcc_size)(redcc_base) +                                       \
@@ -49,14 +50,14 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
 
 /* ---- rows of iterations -------------------------------------------------------------------- */
 
-/** Where iterations read: iteration k at first + k * step, in bytes. */
+/** Rows that iterations read: iteration k at first + k * step, in bytes. */
 typedef struct redcc_progression {
     redcc_size first; /* 0: not known */
     redcc_int step;
     redcc_size bytes;
 } redcc_progression;
 
-/** Of a loop's sources, by their numbers. */
+/** For the sources of a loop, indexed by their numbers. */
 #define REDCC_PROGRESSIONS                                                                         \
     ((int)(sizeof redcc__context->redcc__progressions /                                            \
            sizeof *redcc__context->redcc__progressions))
@@ -73,12 +74,12 @@ REDCC_INLINE void redcc_progression_row(redcc_progression *it, const char *row, 
     if (trip > 1)
         step = ((redcc_int)(redcc_size)row - (redcc_int)it->first) / (trip - 1);
     it->step = step;
-    /* of a member of a structure all of that */
+    /* for a member of a structure, the whole structure */
     if (step > (redcc_int)bytes && step <= redcc_prefetch_most)
         it->bytes = (redcc_size)step;
 }
 
-/** Forgets those that the ones before cover: members of the same structures. */
+/** Removes progressions that earlier ones cover: members of the same structures. */
 REDCC_INLINE void redcc_progressions_begin(redcc_progression *to, const redcc_progression *from,
                                            int count) {
     int i, j;
@@ -99,7 +100,7 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
 
 /* ---- iterations to come -------------------------------------------------------------------- */
 
-/** The iteration that lies so far ahead in the runs at hand. */
+/** The iteration at the given distance ahead in the current runs. */
 typedef struct redcc_ahead {
     redcc_int k;
     redcc_int end; /* of its run */
@@ -108,7 +109,7 @@ typedef struct redcc_ahead {
     const redcc_iterations *run_end;
 } redcc_ahead;
 
-/** On to the next run. Returns 0: there is none left. */
+/** Advances to the next run. Returns 0 if none is left. */
 REDCC_INLINE int redcc_ahead_turn(redcc_ahead *it) {
     for (; it->run != it->run_end; it->run++) {
         it->k = it->origin + it->run->begin;
@@ -122,12 +123,12 @@ REDCC_INLINE int redcc_ahead_turn(redcc_ahead *it) {
     return 0;
 }
 
-/** On to the next iteration. Returns 0: there is none left. */
+/** Advances to the next iteration. Returns 0 if none is left. */
 REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
     return ++it->k < it->end || redcc_ahead_turn(it);
 }
 
-/** Begins in front of iteration number `distance` of the runs. */
+/** Begins before iteration number `distance` of the runs. */
 REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker, int distance) {
     it->k = it->end = 0;
     it->origin = worker->origin;
@@ -137,7 +138,7 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
         redcc_ahead_step(it);
 }
 
-/** Before the runs at hand: what prefetches so many iterations ahead, where it is wished. */
+/** Before the current runs: starts the prefetcher at this distance, if it is enabled. */
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead = {0, 0, 0, 0, 0}, redcc__farther = {0, 0, 0, 0, 0};                  \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
@@ -149,8 +150,8 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
                                  REDCC_PROGRESSIONS);                                              \
     }
 
-/** Goes before an iteration: the rows of the one farther ahead, and the slice of the one ahead;
- *  without a worker it prefetches. */
+/** Precedes an iteration: prefetches the reads of the farther iteration, then runs the slice of the
+ *  nearer one; a slice without a worker prefetches. */
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
     {                                                                                              \
         if (redcc__wished && redcc_ahead_step(&redcc__farther))                                    \

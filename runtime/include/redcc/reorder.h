@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Orders of rows and iterations in which neighbours lie close together, for a program that is free
- * to number its mesh: first the rows, by the graph of the iterations that update them or along a
- * curve through the points where they lie; then the iterations by their rows.
+ * Orders of rows and iterations that place neighbours close together, for a program that is free to
+ * number its mesh: first the rows, by the graph of the iterations that update them or along a curve
+ * through their points; then the iterations by their rows.
  *
- * An order is a permutation new_of_old: record i becomes record new_of_old[i]. Results in one order
- * are brought into another by redcc_reorder_records, back included.
+ * An order is a permutation new_of_old: record i becomes record new_of_old[i].
+ * redcc_reorder_records moves data from one order to another, and back.
  *
- * Every function returns 0, or -1 where memory is out or an argument is none of those said (then
- * nothing is written). All are thread-safe and execute in the calling thread. C89 and C++ will do.
+ * Every function returns 0, or -1 if memory is lacking or an argument is out of range (then nothing
+ * is written). All are thread-safe and execute in the calling thread. C89 and C++ can include it.
  */
 #ifndef REDCC_REORDER_H
 #define REDCC_REORDER_H
@@ -16,7 +16,7 @@
 #include <stddef.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
+#ifdef REDCC_HIDDEN /* in the archive: a program linked with it exports none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default)
@@ -37,7 +37,7 @@ int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new
 /**
  * Points along Hilbert's curve.
  *   count, dimensions   points; 2 or 3 numbers each
- *   point               [count * dimensions]; what is no number counts as the least
+ *   point               [count * dimensions]; a NaN counts as the smallest number
  *   new_of_old          [count] the result
  */
 int redcc_reorder_points(int count, int dimensions, const double *point, int *new_of_old);

@@ -2,38 +2,38 @@
 /**
  * What generated code may use of the redcc runtime. docs/generated-code.md shows a whole loop.
  *
- * The life of one execution of a transformed loop:
+ * One execution of a transformed loop calls, in this order:
  *
- *     redcc_is_worth_entering       where iterations are short: are they enough?
- *     redcc_enter      one thread   may it run in parallel at all? how many threads?
+ *     redcc_is_worth_entering       short iterations only: is the trip count large enough?
+ *     redcc_enter      one thread   may the loop run in parallel? with how many threads?
  *     redcc_join       each thread  of the parallel region
- *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be told
- *       redcc_touch, redcc_read, redcc_iteration_done
- *       redcc_is_settled, redcc_probe_touch, redcc_probe_read, ..._row, redcc_is_alike
- *     redcc_next       each thread  hands out chunks of iterations to execute
- *       redcc_owns                  in the guarded form of the body
+ *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be
+ * recorded redcc_touch, redcc_read, redcc_iteration_done redcc_is_settled, redcc_probe_touch,
+ * redcc_probe_read, ..._row, redcc_is_alike redcc_next       each thread  hands out chunks of
+ * iterations to execute redcc_owns                  in the owner-checked form of the body
  *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
  *
- * This header includes none but loop.h (a user's feature-test macros must come before any system
- * header) and compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
+ * This header includes only loop.h, because a user's feature-test macros must come before any
+ * system header. It compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
  */
 #ifndef REDCC_RUNTIME_H
 #define REDCC_RUNTIME_H
 
 #define REDCC_RUNTIME_VERSION 1
 
-/** Generated text states the version it was written for; any other does not compile. */
+/** Generated text states the version it was written for and does not compile with any other. */
 #define REDCC_REQUIRE_VERSION(version)                                                             \
     typedef char                                                                                   \
         redcc_version_of_header_and_translator_differ[(REDCC_RUNTIME_VERSION == (version)) ? 1     \
                                                                                            : -1]   \
         __attribute__((__unused__))
 
-/** In #if: is each floating-point operation rounded by itself, to its own type, wherever it stands?
- *  Then two copies of one expression give the same bits. Where subscripts are computed so, a loop
- *  runs in parallel only then. gcc tells all that matters by macros, also after pragmas; clang
- * tells -ffast-math, and heeds pragmas against its parts from version 18 on, but not against
- * contraction where -ffp-contract=fast is given and the processor has fused multiply-adds. */
+/** For #if: is each floating-point operation rounded separately, to its own type, in any context?
+ *  Only then do two copies of one expression give the same bits. A loop whose subscripts are
+ *  computed in floating point runs in parallel only under this condition. gcc defines macros for
+ *  all relevant options, also after pragmas. clang defines them for -ffast-math, and from version
+ *  18 on its pragmas override the parts of that option. They do not override -ffp-contract=fast on
+ *  a processor with fused multiply-adds. */
 #if !defined(__FLT_EVAL_METHOD__) && !defined(__clang__)
 #define REDCC_ROUNDS_ALIKE 0
 #elif defined(__clang__) && (__clang_major__ < 18 || !defined(__x86_64__) ||                       \
@@ -47,7 +47,7 @@
     (REDCC_EVALUATES_IN_TYPE && !REDCC_IS_ON(__FAST_MATH__) &&                                     \
      !REDCC_IS_ON(__ASSOCIATIVE_MATH__) && !REDCC_IS_ON(__RECIPROCAL_MATH__) &&                    \
      !REDCC_IS_ON(__NO_SIGNED_ZEROS__) && !__FINITE_MATH_ONLY__)
-/* 1 where the macro is 1, 0 where it is not defined, of which -Wundef would warn. */
+/* 1 if the macro is 1, 0 if it is undefined, without a warning by -Wundef. */
 #define REDCC_IS_ON(redcc_macro) REDCC_IS_ON_PASTED(redcc_macro)
 #define REDCC_IS_ON_PASTED(redcc_value) REDCC_IS_ON_##redcc_value
 #define REDCC_IS_ON_1 1
@@ -60,7 +60,7 @@
 #include <redcc/entry.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
+#ifdef REDCC_HIDDEN /* in the archive: a program linked with it exports none of these names */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default) /* the library hides everything else */
@@ -69,108 +69,110 @@
 
 /**
  * Begins an execution of `loop`.
- *   trip     iterations, counted by the caller; bases [array_count] the arrays' first elements (or
- *            what pointers in their place point to), 0 for an array whose elements pointers in
- *            memory lead to: they may lie anywhere, what lies between them is not the array's, and
- *            they are where they were as long as its subscripts, those pointers among them, are
- *            unchanged (REDCC_ORDER_NEEDED and REDCC_OTHER_TYPE go with it);
- *            known [source_count] extents that do not
- *            depend on the inspection, {base, 0} for the others; key [key_count] every scalar and
- *            pointer value that the subscripts depend on, the loop's first value and step included.
- *   threads  that the region may have; nested  the caller is within a region already.
- * Returns 1 where call->threads threads shall redcc_join, 0 where the loop is to run serially (few
- * iterations, one thread, nested or concurrent use, a method or order that says so).
- * Stops the program with a message where REDCC_METHOD or REDCC_ORDER name nothing known, or ask
- * together for what no method gives. bases, known and key are read before it returns.
- * Thread-safe.
+ *   trip     iterations, counted by the caller
+ *   bases    [array_count] the first element of each array, or what a pointer in its place points
+ *            to. 0: the elements are reached through pointers in memory. They may then lie
+ *            anywhere, memory between them does not belong to the array, and they stay in place
+ *            while the subscripts (these pointers among them) are unchanged. Such an array needs
+ *            REDCC_ORDER_NEEDED and REDCC_OTHER_TYPE.
+ *   known    [source_count] address ranges that do not depend on the inspection, {base, 0} for the
+ *            others
+ *   key      [key_count] every scalar and pointer value that the subscripts depend on, including
+ *            the loop's first value and step
+ *   threads  that the region may have
+ *   nested   the caller is within a region already
+ * Returns 1 if call->threads threads are to call redcc_join. Returns 0 if the loop is to run
+ * serially (few iterations, one thread, nested or concurrent use, or as a method or order
+ * requires). Stops the program with a message if REDCC_METHOD or REDCC_ORDER is unknown, or if no
+ * method satisfies both. bases, known and key are read before it returns. Thread-safe.
  */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
-/** From so many iterations on a loop of short iterations (without loops or calls inside) is worth
- *  redcc_enter, by which alone a few of them would take twice as long. Set by the first
- * redcc_enter; until then, and where a method is named, sums are compensated or results are
- * validated, 0. */
+/** The trip count from which a loop of short iterations (without loops or calls inside) is worth a
+ *  call of redcc_enter. For fewer iterations the call alone would double their time. The first
+ *  redcc_enter sets it. It is 0 until then, and if a method is named, sums are compensated or
+ *  results are validated. */
 extern redcc_int redcc_least_trip;
 
-/** So many short iterations the program may execute before redcc_enter is called for any, in all
- *  loops together: they take less than the first call of the runtime would have to gain. Not
- *  positive: none any more. Approximate where several threads count. */
+/** The number of short iterations that the program may still execute, in all loops together, before
+ *  redcc_enter is called for any of them: they take less time than the runtime's first call would
+ *  have to save. Zero or negative: none. Approximate if several threads count. */
 extern redcc_int redcc_unasked_iterations;
 
-/** Are the functions that this object calls, and all that these lead to, those that `expected`
- * names? No other definition has been put in the place of one, by the linker or by the dynamic one.
- */
+/** Are the functions that this object calls, directly or indirectly, those that `expected` names?
+ *  False if the static or the dynamic linker has replaced one by another definition. */
 int redcc_are_linked(const redcc_callee *called, redcc_size count,
                      const redcc_expectation *expected, redcc_size expected_count);
 
 /** Counts an execution of the original loop because they are not. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
-/** Memory for an operand of `size` bytes an iteration, to be given back by redcc_operands_give
- * after redcc_leave. Counted by REDCC_MEMORY_LIMIT. NULL: trip is not positive, or there is no
- * memory (which is reported), and the original loop must run. */
+/** Allocates an operand of `size` bytes for each iteration. After redcc_leave it is freed by
+ *  redcc_operands_give. REDCC_MEMORY_LIMIT includes it. Returns NULL if trip is not positive, or if
+ *  memory is lacking (which is reported); the original loop must run then. */
 void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size);
 
-/** Gives it back; NULL does nothing. */
+/** Frees such an operand; NULL does nothing. */
 void redcc_operands_give(void *operands);
 
-/** Called once by each thread of the region: its number, and how many there are. */
+/** Called once by each thread of the region, with its number and the number of threads. */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
 
-/** The next block to inspect: 1 with first, last, stride set, or 0: go on to redcc_next. */
+/** The next block to inspect: 1 with first, last and stride set, or 0: continue with redcc_next. */
 int redcc_inspect(redcc_worker *worker);
 
-/** Takes in what was told so far; called by redcc_touch and redcc_iteration_done. Cold, or gcc
- * keeps the body's constants in memory: no floating-point register lives across a call. */
+/** Processes the addresses recorded so far; called by redcc_touch and redcc_iteration_done. Marked
+ *  cold, because otherwise gcc keeps the body's constants in memory: no floating-point register
+ *  survives a call. */
 void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 
-/** Called by redcc_is_over: 1 where something that was told of the source has been updated
- *  before; the dry run is over then, and the slice must use nothing of it. */
+/** Called by redcc_is_over: 1 if an address recorded as read from the source has been updated
+ *  before. The dry run then ends, and the slice must not use a value of it. */
 int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
-/** The next chunk to execute, as set in *worker; 0: there is none left (or none at all);
- *  REDCC_SELECT: iterations to be classified first. Every thread of the region must call it until
- *  it returns 0. */
+/** Sets *worker to the next chunk to execute and returns 1. 0: no chunk is left. REDCC_SELECT:
+ *  iterations must be classified first. Every thread of the region must call it until it returns
+ *  0. */
 int redcc_next(redcc_worker *worker);
 
-/** 1 for exactly one of the threads that ask after having executed the last iteration. */
+/** Returns 1 to exactly one of the threads that ask after executing the last iteration. */
 int redcc_claims_last(redcc_worker *worker);
 
-/** Called by redcc_owns: may this thread write at `address`? If so the runtime takes part in the
- *  one update of that element, or of that one and others in its unit, which follows. Cold
- *  as redcc_flush is. */
+/** Called by redcc_owns: may this thread write at `address`? If so, the runtime takes part in the
+ *  update that follows: of this element, or of it and others in its unit. Cold, as redcc_flush
+ *  is. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
-/** What redcc_leave does where redcc_enter gave 1. */
+/** The part of redcc_leave after redcc_enter returned 1. */
 int redcc_end(redcc_call *call);
 
-/** What redcc_sequential_done does where loops are timed. */
+/** The part of redcc_sequential_done for loops that are timed. */
 void redcc_sequential_end(redcc_loop *loop);
 
-/** How many original loops are being timed, in all threads: the end of each is reported. */
+/** The number of original loops being timed, in all threads: the end of each is reported. */
 extern int redcc_timed_loops;
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif
 
-/** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
- *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
- *  original loop; the report says why. */
+/** Ends an execution, whatever redcc_enter returned. Returns 1: the loop is done. 0: the arrays are
+ *  untouched (a guard failed, or memory or a plan was lacking) and the caller must run the original
+ *  loop; the report gives the reason. */
 static __inline__ int redcc_leave(redcc_call *call) {
     return call->decided ? redcc_end(call) : 0;
 }
 
-/** After the original loop, and where redcc_leave gave 1 as well: auto learns by it what the
- * original loop takes. Called by the thread that called redcc_leave; it does nothing where
- * redcc_enter wanted no timing. */
+/** Called after the original loop, and also if redcc_leave returned 1, by the thread that called
+ *  redcc_leave. It gives method `auto` the time of the original loop. Does nothing if redcc_enter
+ *  did not request timing. */
 static __inline__ void redcc_sequential_done(redcc_loop *loop) {
     if (__atomic_load_n(&redcc_timed_loops, __ATOMIC_RELAXED))
         redcc_sequential_end(loop);
 }
 
-/** Is a loop of `trip` short iterations worth redcc_enter? Otherwise the original loop runs, and
+/** Is a loop of `trip` short iterations worth redcc_enter? If not, the original loop runs and
  *  nothing is reported. Thread-safe. */
 static __inline__ int redcc_is_worth_entering(redcc_int trip) {
     redcc_int left;
@@ -184,8 +186,9 @@ static __inline__ int redcc_is_worth_entering(redcc_int trip) {
     return left <= 0;
 }
 
-/* Before redcc_enter, of subscripts whose value in C may be another than the number, or that the
- * program does not compute in the first or the last iteration: numbers, or *lost is set. */
+/* Before redcc_enter: exact integer arithmetic for subscripts that may wrap around in C, or that
+ * the program does not compute in the first or last iteration. Sets *lost if the result does not
+ * fit. */
 
 static __inline__ redcc_int redcc_exact_sum(redcc_int left, redcc_int right, int *lost) {
     redcc_int sum;
@@ -205,20 +208,21 @@ static __inline__ redcc_int redcc_exact_product(redcc_int left, redcc_int right,
     return product;
 }
 
-/** The value itself; *lost is set where no unsigned integer of so many bits (below 64) has it. */
+/** The value itself; sets *lost if it does not fit in an unsigned integer of `bits` bits (below
+ *  64). */
 static __inline__ redcc_int redcc_exact_unsigned(redcc_int value, int bits, int *lost) {
     *lost |= value < 0 || value >> bits != 0;
     return value;
 }
 
-/** The same of a signed one. */
+/** The same for a signed integer. */
 static __inline__ redcc_int redcc_exact_signed(redcc_int value, int bits, int *lost) {
     const redcc_int above = (redcc_int)1 << (bits - 1);
     *lost |= value < -above || value >= above;
     return value;
 }
 
-/** From the lower one of two addresses to `bytes` behind the other. Below 0 nothing lies. */
+/** From the lower of two addresses to `bytes` behind the higher. Nothing lies below 0. */
 static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, redcc_int other,
                                           redcc_int bytes, int *lost) {
     const redcc_int low = one < other ? one : other;
@@ -228,8 +232,8 @@ static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, r
     extent->end = (const char *)(redcc_size)end;
 }
 
-/** Executor, guarded form: may this thread write at `address`? Asked before each update of an
- *  element, or before one of several elements that begin there and lie in one unit. */
+/** Executor, owner-checked form: may this thread write at `address`? Asked before each update of an
+ *  element, or once before several elements that begin there and lie in one unit. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sums of floating scalars in loops inside, `e += f(i, j)`: how many operands an iteration has is
- * not known before, and their order is the sequential loop's. Each thread writes those of the
- * iterations that it executes one behind the other; at the end the first thread applies them in the
- * order of the iterations.
+ * Sums of floating scalars in inner loops, `e += f(i, j)`: the number of operands of an iteration
+ * is not known before, and they must be added in the order of the sequential loop. Each thread
+ * appends the operands of the iterations that it executes to its own list. At the end the first
+ * thread adds them in the order of the iterations.
  *
- *     redcc_run               one thread    takes room for a part an iteration (redcc_attempt)
+ *     redcc_run               one thread    allocates a part for each iteration (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   an iteration begins
  *     redcc_series_put        each thread   an operand
- *     REDCC_SERIES_AGAIN      each thread   once there is nothing left to execute: where there was
- *                                           no memory for an operand, the first thread executes all
- *                                           iterations once more, without any update, and adds up
+ *     REDCC_SERIES_AGAIN      each thread   when nothing is left to execute. If memory for an
+ *                                           operand was lacking, the first thread executes all
+ *                                           iterations once more, without any update, and adds
  *     series->is_over         each thread   1: it is the first, and the loop is done
  *     REDCC_SERIES_APPLY      that thread
  *     series->give            one thread    after the loop
@@ -23,27 +23,27 @@
 
 /** Operands of one iteration, in order. */
 struct redcc_series_part {
-    struct redcc_series_part *more; /**< those that come after; NULL: none */
+    struct redcc_series_part *more; /**< the operands that follow; NULL: none */
     redcc_size count;
-    double value[1]; /**< count of them; a float is a double's value as well */
+    double value[1]; /**< `count` of them; a float is stored as a double */
 };
 
-/** A thread's. */
+/** A thread's state. */
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part *part; /**< of the iteration at hand; NULL: it has none yet */
-    double *at, *end;        /**< where the next operand goes; equal: there is no room for it */
-    double *block_end;       /**< behind the memory that `at` leads into */
-    int adds;                /**< the thread adds up by itself: there is never room */
+    redcc_series_part *part; /**< of the current iteration; NULL: it has none yet */
+    double *at, *end;        /**< where the next operand is stored; equal: memory is full */
+    double *block_end;       /**< the end of the memory block that `at` points into */
+    int adds;                /**< the thread adds the operands itself and stores none */
     int begins;              /**< and has not begun yet */
-    int follows;             /**< another thread keeps the operands of the iteration at hand */
-    int in_front;            /**< adds: the thread has gone through all iterations before `next`, */
-    int added;               /**< and met an operand */
-    redcc_int next;          /**< what comes from here on is kept */
+    int follows;             /**< another thread keeps the operands of the current iteration */
+    int in_front;            /**< adds: the thread has executed all iterations before `next`, */
+    int added;               /**< and found an operand */
+    redcc_int next;          /**< operands from this iteration on are kept */
 };
 
-/** Number `number` of the loop's series is this thread's to write to. */
+/** This thread may write series number `number` of the loop. */
 static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_worker *worker,
                                                                       const redcc_attempt *attempt,
                                                                       redcc_series_writer *writers,
@@ -52,8 +52,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
     writers[number].calls = worker->call->calls->series;
 }
 
-/** An iteration begins: in the guarded form another thread may be to keep its operands, the one
- *  that owns the first byte which it touches, and which goes through all of it. */
+/** An iteration begins. In the owner-checked form another thread may keep its operands: the owner
+ *  of the first byte that the iteration touches, which executes all of it. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at,                              \
      (redcc_writer).follows = redcc__guarded && redcc__worker->manner.follows,                     \
@@ -61,17 +61,17 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
-/** The first thread adds up by itself as long as its iterations are the loop's first: it begins
- *  with the scalar as it is. */
+/** The first thread adds operands directly while its iterations are the loop's first: it begins
+ *  with the scalar's value. */
 #define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \
     if (redcc__worker->thread == 0) {                                                              \
         (redcc_writer).in_front = (redcc_writer).adds = 1;                                         \
         redcc_own = redcc_scalar;                                                                  \
     }
-/** Is the thread to go through all of the iteration, whatever it owns? */
+/** Must the thread execute the whole iteration, whatever it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
-/** Keeps an operand of iteration number k; 0: there is no room. */
+/** Keeps an operand of iteration number k; 0: memory is full. */
 static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
                                                                    redcc_int k, double operand) {
     if (writer->follows)
@@ -91,14 +91,14 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
 #define REDCC_SERIES_AGAIN(redcc_count)                                                            \
     redcc__worker->call->calls->series->again(redcc__worker, redcc__writers, redcc_count)
 
-/** The thread that adds up by itself begins with the scalar as it is, where it is ever updated. */
+/** The adding thread begins with the scalar's value, if it is updated at all. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \
     ((redcc_writer).begins && (redcc_writer).calls->has_any((redcc_writer).series)                 \
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 
-/** What the scalar, of type redcc_type, is after the loop: redcc_sum. Its operation is made in
- *  redcc_operand. */
+/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. redcc_operand names
+ *  the operand in its operation. */
 #define REDCC_SERIES_APPLY(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,  \
                            redcc_own, redcc_sum, redcc_is_set)                                     \
     if ((redcc_writer).added || (redcc_writer).calls->has_any((redcc_writer).series)) {            \

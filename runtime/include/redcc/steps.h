@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What a slice and a body do while a loop is inspected and executed, inlined: addresses are
- * recorded or compared, owners are asked, updates are pushed to bins. redcc/parallel.h and
- * redcc/runtime.h include this file.
+ * Steps of a slice and a body that are inlined: recording or comparing addresses, checking owners,
+ * appending updates to bins. redcc/parallel.h and redcc/runtime.h include this file.
  */
 #ifndef REDCC_STEPS_H
 #define REDCC_STEPS_H
@@ -32,7 +31,7 @@ static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const 
         worker->call->calls->flush(worker);
 }
 
-/** Inspector: the same of all that lies from `first` to before `end`, however much. */
+/** Inspector: the same for the whole range from `first` to before `end`. */
 static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, const char *first,
                                         const char *end) {
     for (; end - first > REDCC_LONGEST_TOUCH; first += REDCC_LONGEST_TOUCH)
@@ -40,8 +39,8 @@ static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, c
     redcc_touch(worker, array, first, (redcc_size)(end - first));
 }
 
-/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`.
- */
+/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number
+ *  `source`. */
 static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const void *address,
                                   redcc_size bytes) {
     redcc_extent *extent = &worker->sources[source];
@@ -52,8 +51,8 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
         extent->end = first + bytes;
 }
 
-/** Inspector: 1 in a dry run (worker->alike < 0) where something that was told of the source has
- * been updated before; the dry run is over then, and the slice must use nothing of it. */
+/** Inspector: 1 in a dry run (worker->alike < 0) if an address recorded as read from the source has
+ *  been updated before. The dry run then ends, and the slice must not use a value of it. */
 static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
     const redcc_extent *told = &worker->sources[source];
     const redcc_owner *clear;
@@ -66,14 +65,14 @@ static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
            worker->call->calls->is_stale(worker, source);
 }
 
-/** Inspector: this iteration leaves the loop. In a dry run (worker->alike < 0), which is over then,
- *  it is found before anything is done; without one it is not to be met. */
+/** Inspector: this iteration leaves the loop. A dry run (worker->alike < 0) finds this before
+ *  anything is executed and ends; without a dry run it must not happen. */
 static __inline__ void redcc_iteration_leaves(redcc_worker *worker) {
     if (worker->alike < 0)
         worker->call->calls->is_stale(worker, REDCC_LEAVES);
 }
 
-/** Inspector: the addresses of one iteration are told. */
+/** Inspector: the addresses of one iteration are complete. */
 static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     if (worker->inside && !worker->outside) {
         worker->inside = 0;
@@ -85,24 +84,26 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->entry->bytes = 0;
     worker->entry++;
     worker->outside = 0;
-    worker->call->calls->flush(worker); /* the window may be another one for the next iteration */
+    worker->call->calls->flush(worker); /* the owned range may differ for the next iteration */
 }
 
-/** Inspector, of one iteration that may not have to be told: does it touch something within the
- *  window, does it touch or read something outside of what is known? Begins as {0, 0, 0}.
- *  Begun as {0, 0, 1} (REDCC_SELECT): does it touch something within the window, does it touch
- *  something that is not? Reads do not matter then. */
+/** Inspector, for an iteration that may need no record: does it touch an element of the owned
+ *  range, and does it touch or read anything outside of known ranges? Initially {0, 0, 0}. With {0,
+ *  0, 1} (REDCC_SELECT) the second question is whether it touches an element outside of the owned
+ *  range; reads do not matter. */
 typedef struct redcc_probe {
     int inside;
     int outside;
-    int selects;   /* a constant in each use; 2: is the first byte that it touches in the window? */
-    int preferred; /* the row that is touched next is one of those that lead where there are any */
-    int rank;      /* of what has led so far: 0: nothing, 1: a row, 2: a preferred one */
+    int selects;   /* a constant in each use; 2: is the first byte that it touches in the owned
+                    * range? */
+    int preferred; /* the row that is touched next is preferred as leader, if the iteration has
+                    * leading rows */
+    int rank;      /* of the leader so far: 0: none, 1: a row, 2: a preferred one */
     int leads;
 } redcc_probe;
 
-/** The first byte of the first preferred row leads, or of the first one: all threads see the same.
- */
+/** The first byte of the first preferred row leads, or of the first row if none is preferred: all
+ *  threads agree. */
 static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
                                          const void *address) {
     const int rank = probe->preferred ? 2 : 1;
@@ -113,25 +114,24 @@ static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *
     probe->leads = (redcc_size)address - (redcc_size)window->first < window->size;
 }
 
-/** Are the last iterations told all within the window, so that the next ones are likely to be? Then
- *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read (or the same of
- *  a row by its number) for what is to be told; those that redcc_is_alike are counted in
- * worker->alike, the first that is not is told. Never while there is no window or the stride is
- * not 1. */
+/** True once REDCC_SETTLED consecutive iterations touched only the current owner's range. Then the
+ *  next iterations are probed first, in order, by redcc_probe_touch and redcc_probe_read (or their
+ *  variants by row number). Those for which redcc_is_alike holds are counted in worker->alike; the
+ *  first other one is recorded. False if no owned range is set or the stride is not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
     return worker->alike >= REDCC_SETTLED;
 }
 
-/* In what follows compilers keep all but `address` and `row` in registers over a loop. */
+/* In the functions below, compilers keep all but `address` and `row` in registers over a loop. */
 
-/** Are `bytes` bytes at `address` not all within the `size` bytes at `first`? */
+/** Does a part of the `bytes` bytes at `address` lie outside of the `size` bytes at `first`? */
 static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
                                    redcc_size bytes) {
     const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* where they may begin */
     return (redcc_size)address - (redcc_size)first >= places;
 }
 
-/** The same of row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+/** The same for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
 static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const void *base,
                                        redcc_int row, redcc_size bytes) {
     const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
@@ -142,7 +142,7 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
     return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
 }
 
-/** Is any of `bytes` bytes at `address` among the `size` bytes at `first`? */
+/** Do the `bytes` bytes at `address` intersect the `size` bytes at `first`? */
 static __inline__ int redcc_meets(const char *first, redcc_size size, const void *address,
                                   redcc_size bytes) {
     const redcc_size more = bytes - 1;
@@ -150,7 +150,7 @@ static __inline__ int redcc_meets(const char *first, redcc_size size, const void
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/** The same of row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+/** The same for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
 static __inline__ int redcc_row_meets(const char *first, redcc_size size, const void *base,
                                       redcc_int row, redcc_size bytes) {
     const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
@@ -187,7 +187,7 @@ static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_wor
 
 static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
                                         redcc_u32 source, const void *address, redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source]; /* none, where a kept plan is used */
+    const redcc_extent *known = &worker->sources[source]; /* empty if a kept plan is used */
     if (!probe->selects)
         probe->outside |= redcc_leaves(
             known->first, (redcc_size)known->end - (redcc_size)known->first, address, bytes);
@@ -202,25 +202,25 @@ static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_work
             known->first, (redcc_size)known->end - (redcc_size)known->first, base, row, bytes);
 }
 
-/** Need the iteration that was probed not be told? */
+/** Does the probed iteration need no record? */
 static __inline__ int redcc_is_alike(const redcc_probe *probe) {
     return probe->inside && !probe->outside;
 }
 
-/** REDCC_SELECT: the class of the iteration that was probed. */
+/** REDCC_SELECT: the class of the probed iteration. */
 static __inline__ unsigned char redcc_class_of(const redcc_probe *probe) {
     return (unsigned char)((probe->inside ? REDCC_CLASS_OWN : 0) |
                            (probe->outside ? REDCC_CLASS_OTHERS : 0) |
                            (probe->leads ? REDCC_CLASS_LEADS : 0));
 }
 
-/** REDCC_SELECT: hands over the classes of the iterations that were asked for. */
+/** REDCC_SELECT: stores the classes of the requested iterations. */
 static __inline__ void redcc_classes_give(const redcc_worker *worker,
                                           const unsigned char *classes) {
     __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(worker->last - worker->first));
 }
 
-/** May this thread write to any of the bytes at `address`, as far as is known without the hook? */
+/** May this thread write any of the bytes at `address`? Does not ask the hook. */
 static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
                                       redcc_size bytes) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
@@ -236,7 +236,7 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 
 /* ---- bins ---- */
 
-/** Records of `bytes` bytes that fill whole cache lines together, at most 32. */
+/** How many records of `bytes` bytes fill whole cache lines together, at most 32. */
 #define REDCC_LINE_RECORDS(bytes)                                                                  \
     ((bytes) == 0                                                                                  \
          ? 1u                                                                                      \
@@ -244,7 +244,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                                               ? (redcc_u32)REDCC_CACHE_LINE                        \
                                               : ((bytes) & (0u - (bytes)))))
 
-/** Bytes of these lines, and of the line of places behind them: what a bin is combined in. */
+/** Bytes of these lines and of the line of places behind them: the write-combining buffer of a
+ *  bin. */
 #define REDCC_LINES_BYTES(bytes) (REDCC_LINE_RECORDS(bytes) * (bytes))
 #define REDCC_COMBINED_BYTES(bytes) (REDCC_LINES_BYTES(bytes) + (redcc_u32)REDCC_CACHE_LINE)
 
@@ -252,7 +253,7 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 #define REDCC_PLACE_ROW(place, tag_bits) ((place) & ((1u << (REDCC_PLACE_BITS - (tag_bits))) - 1u))
 #define REDCC_PLACE_TAG(place, tag_bits) ((place) >> (REDCC_PLACE_BITS - (tag_bits)))
 
-/** Apply functions: what is wanted soon. */
+/** Apply functions: prefetches the row of a later record. */
 #define REDCC_APPLY_AHEAD(applied, k, row, tag_bits)                                               \
     do {                                                                                           \
         if ((applied)->ahead)                                                                      \
@@ -260,8 +261,8 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                 &(row)[REDCC_PLACE_ROW((applied)->place[(k) + (applied)->ahead], tag_bits)]);      \
     } while (0)
 
-/** Are the chunk's updates made on private copies? Then by redcc_update, else by redcc_push; of all
- *  streams, or of none. Only where each stream is `exact`. */
+/** Are the chunk's updates made on private copies? If so by redcc_update, else by redcc_push; the
+ *  same for all streams. True only if each stream is `exact`. */
 #define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
 /** Writes `bytes` bytes, whole lines, past the caches. */
@@ -278,7 +279,7 @@ REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes
 #endif
 }
 
-/** The line that will be written soon. */
+/** Prefetches the line that will be written soon. */
 REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #if defined(__x86_64__) && defined(__GNUC__)
     __asm__ volatile("prefetchw %0" : : "m"(*(const char *)address));
@@ -287,8 +288,8 @@ REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #endif
 }
 
-/** In the place of an update where REDCC_ARE_COPIED: it is made at once, on the thread's own copy;
- *  otherwise as redcc_push. */
+/** Replaces an update if REDCC_ARE_COPIED: updates the thread's private copy at once. Otherwise as
+ *  redcc_push. */
 REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                                redcc_u32 tag, const void *record) {
     const redcc_size into = (redcc_size)row - (redcc_size)bins->first;
@@ -311,7 +312,7 @@ REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *strea
     stream->apply(&one);
 }
 
-/* Appends to the lines of the bin, which are written once they are full. */
+/* Appends to the bin's write-combining lines, which are written once they are full. */
 REDCC_INLINE redcc_u32 redcc_push_combined(const redcc_bins *bins, redcc_size bin, redcc_u32 number,
                                            redcc_u16 place, const void *record, redcc_u32 bytes) {
     const redcc_u32 records = REDCC_LINE_RECORDS(bytes);
@@ -342,9 +343,9 @@ REDCC_INLINE redcc_u32 redcc_push_direct(const redcc_bins *bins, redcc_u32 numbe
 }
 
 /**
- * In the place of an update: the row, counted in rows of the stream's arrays from their bases, is
- * to be updated by update number `tag` with what *record (stream->record bytes) holds. `stream` is
- * the descriptor's own entry, so that the compiler sees its fields.
+ * Replaces an update: row number `row` (in rows of the stream's arrays, from their bases) is to be
+ * updated by update number `tag` with the operands *record (stream->record bytes). `stream` is the
+ * descriptor's own entry, so that the compiler sees its fields.
  */
 REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                              redcc_u32 tag, const void *record) {
@@ -367,15 +368,15 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
     bins->cursor[bin] = number;
 }
 
-/** Where row 0 of the array would be, if the copy held it. */
+/** Where row 0 of the array would be if the copy held it. */
 REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream,
                                    redcc_u32 part) {
     return (void *)((redcc_size)bins->copy[part] -
                     (redcc_size)bins->first * (redcc_size)stream->rows[part]);
 }
 
-/** Flags of a loop with a form for bins: where contributions are rounded to their types when they
- *  are kept, as they are everywhere. */
+/** Flags of a loop with a form for bins: contributions must be rounded to their types when they are
+ *  kept, as they are everywhere. */
 #if (defined(__FLT_EVAL_METHOD__) && !REDCC_EVALUATES_IN_TYPE) ||                                  \
     (defined(__i386__) && !defined(__SSE2_MATH__))
 #define REDCC_BINS_FLAG 0

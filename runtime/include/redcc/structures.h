@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the runtime and compiled loops share: a loop's description, a thread's part in an execution,
- * bins. redcc/parallel.h and redcc/runtime.h include this file; it includes none, and compiles as
- * C89 with GNU extensions. The fields are part of the interface's version (REDCC_INTERFACE).
+ * Structures shared by the runtime and compiled loops: a loop's description, a thread's part in an
+ * execution, bins. redcc/parallel.h and redcc/runtime.h include this file. It includes none, and
+ * compiles as C89 with GNU extensions. The fields are part of the interface's version
+ * (REDCC_INTERFACE).
  */
 #ifndef REDCC_STRUCTURES_H
 #define REDCC_STRUCTURES_H
 
-/** In #if: are float and double evaluated in their own types? gcc says 16 instead of 0 where there
- *  are registers for _Float16 as well. */
+/** For #if: are float and double evaluated in their own types? gcc gives 16 instead of 0 if it has
+ *  registers for _Float16 as well. */
 #define REDCC_EVALUATES_IN_TYPE (__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16)
 
 __extension__ typedef long long redcc_int;           /**< counts of iterations */
@@ -40,12 +41,12 @@ typedef enum redcc_type {
     REDCC_LONG_DOUBLE,
     REDCC_FLOAT_COMPLEX,
     REDCC_DOUBLE_COMPLEX,
-    REDCC_OTHER_TYPE /**< no private copies of it can be made; methods without them will do */
+    REDCC_OTHER_TYPE /**< no private copies are possible; only methods without them apply */
 } redcc_type;
 
-/** What a result may differ in from the sequential loop's. */
+/** How a result may differ from that of the sequential loop. */
 typedef enum redcc_order {
-    REDCC_ORDER_SERIAL, /**< in nothing: the same bits at every thread count */
+    REDCC_ORDER_SERIAL, /**< not at all: the same bits at every thread count */
     REDCC_ORDER_FIXED,  /**< the same bits in every run and at every thread count */
     REDCC_ORDER_ANY
 } redcc_order;
@@ -53,43 +54,44 @@ typedef enum redcc_order {
 /** One reduction array of a loop. */
 typedef struct redcc_array {
     const char *name;    /**< as the user wrote it: "b", "A->value" */
-    redcc_u32 operation; /**< a redcc_operator; here and below the size of an int, whatever
-                              -fshort-enums makes of enumerations */
+    redcc_u32 operation; /**< a redcc_operator; stored in 32 bits, because -fshort-enums changes the
+                          * size of enumerations */
     redcc_u32 type;      /**< a redcc_type */
     redcc_u32 element;   /**< bytes of a scalar element */
-    redcc_u32 unit;      /**< bytes of what one touch covers at least, and owners are cut at: a row
-                              b[i], or the element where there are no rows */
+    redcc_u32 unit;      /**< the smallest number of bytes that a touch covers, and the granularity
+                          * at which owners are cut: a row b[i], or the element if there are no
+                          * rows */
 } redcc_array;
 
-/** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel.
- */
+/** An object that the loop reads. If it overlaps a reduction array, the loop must not run in
+ *  parallel. */
 typedef struct redcc_source {
     const char *name;
-    int is_subscript; /**< 1: what it holds decides which elements are touched: a plan may be used
-                           again only while it is unchanged; and of the following */
+    int is_subscript; /**< bits: 1: its contents decide which elements are touched, so a plan is
+                       * reused only while they are unchanged; and of the following */
 } redcc_source;
 
 enum {
-    /** A scalar that the loop adds to, in memory: nothing else of the loop may be it, neither an
-     *  array, nor another such scalar, */
+    /** A scalar in memory that the loop adds to: it must not overlap an array of the loop, another
+     *  such scalar, */
     REDCC_IS_SCALAR = 2,
-    /** nor a source that is not known to be apart. */
+    /** or a source marked with this bit, which is not proved disjoint from it. */
     REDCC_MEETS_SCALARS = 4
 };
 
 /** Any function, by its address. */
 typedef void (*redcc_code)(void);
 
-/** What a file that defines a function says of it: beside the function, in the same object. Two
- * parses of one definition have one digest; `own` is that definition, whatever the linker puts in
- * its place. A file that redcc-cc compiles without redcc's headers has it in its own words
- * (tool/redcc/records.c). */
+/** Describes a function's definition; emitted by the file that defines it, in the same object. Two
+ *  parses of one definition have the same digest. `own` is this definition, whatever the linker
+ *  substitutes for it. A file that redcc-cc compiles without redcc's headers declares the structure
+ *  itself (tool/redcc/records.c). */
 typedef struct redcc_record {
     const char *name;
     redcc_u32 digest[2];
     redcc_code own;
     redcc_size callee_count;
-    const struct redcc_callee *callees; /**< that it leads to, as this object calls them */
+    const struct redcc_callee *callees; /**< functions that it calls, as this object calls them */
 } redcc_record;
 
 typedef struct redcc_callee {
@@ -97,13 +99,14 @@ typedef struct redcc_callee {
     redcc_code called;
 } redcc_callee;
 
-/** What a translation rests on. */
+/** A definition that a translation relies on. */
 typedef struct redcc_expectation {
     const char *name;
     redcc_u32 digest[2];
 } redcc_expectation;
 
-/** The functions that an object's loops call, and what they and all that they lead to must be. */
+/** The functions that an object's loops call, and the definitions that they and their callees must
+ *  have. */
 typedef struct redcc_linkage {
     const redcc_callee *called;
     redcc_size count;
@@ -111,95 +114,98 @@ typedef struct redcc_linkage {
     redcc_size expected_count;
 } redcc_linkage;
 
-/** Structures that a compiler option packs (-fpack-struct) are not those of the library. */
+/** Fails to compile if an option packs structures (-fpack-struct), as the library's are not
+ *  packed. */
 typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
     __attribute__((__unused__));
 
 enum {
-    /** The subscripts depend on nothing but the key, the trip count and the sources marked
-     *  is_subscript, listed in the order in which the slice reads them, so that a plan may be used
-     *  again once these are found unchanged. Without it every execution inspects anew. */
+    /** The subscripts depend only on the key, the trip count and the sources marked is_subscript.
+     *  These are listed in the order in which the slice reads them, so that a plan may be reused
+     *  once they are found unchanged. Without the flag every execution inspects again. */
     REDCC_VERIFIABLE = 1,
-    /** The order was asked for explicitly at translation (not just the default). */
+    /** The order was named explicitly at translation, not by default. */
     REDCC_ORDER_EXPLICIT = 2,
-    /** Some update needs the order of each element kept: only methods that promise it will do. */
+    /** Some update needs the order of each element kept: only methods that promise this apply. */
     REDCC_ORDER_NEEDED = 4,
-    /** Iterations that touch no element are to be executed as well. */
+    /** Iterations that touch no element are executed as well. */
     REDCC_EVERY_ITERATION = 8,
     /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
     REDCC_BINNED = 16,
-    /** Its executor can prefetch what iterations to come touch (prefetch.h). */
+    /** Its executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Times 2 or 4: so many iterations at once are executed (lanes.h), where the processor has
-     * AVX2 or */
+    /** Times 2 or 4: the number of iterations executed at once (lanes.h) on a processor with AVX2
+     *  or */
     REDCC_LANES_UNIT = 64,
-    /** whatever it is. */
+    /** on any processor. */
     REDCC_LANES_ANYWHERE = 1024,
-    /** Where the slice read by values that the loop has yet to write, it might read what is not
-     *  there. So before an inspection one thread has all iterations told in order; where one would
-     *  update what `known` says is read, worker->last becomes 0, and the slice returns at once; */
+    /** The slice may read through values that the loop has not written yet, and so read invalid
+     *  addresses. Therefore one thread first has all iterations recorded in order, before the
+     *  inspection. If one would update what `known` says is read, worker->last becomes 0 and the
+     *  slice returns at once; */
     REDCC_DRY_RUN = 2048,
-    /** the same where redcc_is_over says of what it has told as read. */
+    /** the same if redcc_is_over reports it of an address that was recorded as read. */
     REDCC_DRY_RUN_OF_READS = 4096,
-    /** In place of REDCC_PREFETCHES: its iterations are so light that it pays only where they come
-     *  in no order. */
+    /** Replaces REDCC_PREFETCHES: the iterations are so light that prefetching pays only if their
+     *  accesses are irregular. */
     REDCC_LIGHT = 8192,
-    /** Its executor says of iterations whose rows they touch, where redcc_next gives
+    /** Its executor classifies iterations by the rows they touch when redcc_next returns
      *  REDCC_SELECT. */
     REDCC_SELECTS = 16384,
-    /** Without loops or calls inside: a few iterations are not worth asking the runtime. */
+    /** No loops or calls inside: a few iterations are not worth a call of the runtime. */
     REDCC_SHORT = 32768,
-    /** A person wrote the slice: REDCC_VALIDATE looks whether it names all that is updated. */
+    /** The slice is written by hand: REDCC_VALIDATE checks that it names all updated rows. */
     REDCC_BY_HAND = 65536,
     /** An assertion in a function that its slice calls may end the program. */
     REDCC_MAY_ABORT = 131072,
-    /** Guarded iterations leave out what updates nothing of the thread's. */
+    /** Owner-checked iterations skip the parts that update no element of the thread. */
     REDCC_PARTS = 262144,
-    /** REDCC_BINNED: before any iteration is pushed, all of them tell what they read and update,
-     * and these must not overlap. */
+    /** REDCC_BINNED: before any iteration is pushed, all iterations record their reads and updates,
+     *  and these must not overlap. */
     REDCC_BINS_CHECKED = 524288
 };
 
 enum {
-    /** What redcc_next gives in place of 1: the class of each iteration first, first + 1, ... <
-     *  last is to be written to the bytes at `entry` (REDCC_SELECTED of them at most), then comes
-     *  the next call. Within `window` is what the thread owns. */
+    /** A result of redcc_next other than 0 and 1: the class of each iteration first, first + 1, ...
+     *  < last must be written to the bytes at `entry` (at most REDCC_SELECTED of them) before the
+     *  next call. `window` is the range that the thread owns. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
-    /** A class is 0 or a sum of these: something that the thread owns is touched, something else
+    /** A class is 0 or a sum of these: an element that the thread owns is touched, another one
      *  is. */
     REDCC_CLASS_OWN = 1,
     REDCC_CLASS_OTHERS = 2,
-    /** The first byte that it touches is the thread's: of all threads that execute it one leads. */
+    /** The first byte that it touches is the thread's: of all threads that execute the iteration,
+     *  this one leads. */
     REDCC_CLASS_LEADS = 4,
-    /** What redcc_bins_next gives: 0 where there are no more bins; iterations; or that some are in
-     *  between, which redcc_next hands out, before the next call. */
+    /** Results of redcc_bins_next: 0: no more bins; a chunk to push; or a chunk that redcc_next
+     *  hands out before the next call. */
     REDCC_HANDED = 1,
     REDCC_BETWEEN = 2
 };
 
-/** In the place of a source: an iteration leaves the loop (redcc_iteration_leaves). */
+/** In place of a source's number: an iteration leaves the loop (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
 
-/** A loop, as the translator knows it; one static object for each. */
+/** A loop, as the translator describes it; one static object for each. */
 typedef struct redcc_loop {
     const char *file;
     int line;
     const char *function;
-    redcc_u32 order; /**< a redcc_order, asked for at translation; REDCC_ORDER overrides it */
+    redcc_u32 order; /**< a redcc_order, set at translation; REDCC_ORDER overrides it */
     unsigned flags;
     unsigned array_count;
     const redcc_array *arrays;
     unsigned source_count;
     const redcc_source *sources;
     unsigned key_count;
-    void *state; /**< the runtime's; starts as 0 */
+    void *state; /**< owned by the runtime; initially 0 */
 } redcc_loop;
 
-/** Bytes [first, end). In `known`, end == 0 says: not known before the inspection, redcc_read tells
- *  it; first is then the pointer that its addresses move with when a plan is used again. 0: none,
- * also where they lie in several objects: of a plan that is kept, all bytes between the first and
- * the last one read are compared. */
+/** Bytes [first, end). In `known`, end == 0 means: not known before the inspection, redcc_read
+ *  records it; `first` is then the pointer that its addresses move with when a plan is reused.
+ *  first == 0: no such pointer, also if the addresses lie in several objects. For a kept plan, all
+ *  bytes between the first and the last one read are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -209,10 +215,10 @@ typedef struct redcc_extent {
 typedef struct redcc_call {
     redcc_loop *loop;
     redcc_int trip;                  /**< iterations */
-    int threads;                     /**< ask OpenMP for so many */
-    int decided;                     /**< the runtime's, as what follows */
+    int threads;                     /**< number of threads to request from OpenMP */
+    int decided;                     /**< owned by the runtime, as is the next field */
     void *execution;                 /**< */
-    const struct redcc_calls *calls; /**< what inline functions call */
+    const struct redcc_calls *calls; /**< functions that the inline functions call */
 } redcc_call;
 
 /** Consecutive iterations of a chunk, relative to its origin. */
@@ -223,8 +229,8 @@ typedef struct redcc_iterations {
 
 struct redcc_hook;
 
-/** The elements of one array that a thread owns: those at [first, first + size), where there is a
- *  map only those in units that it gives to `self`. */
+/** The elements of one array that a thread owns: those at [first, first + size); with a map, only
+ *  those in units that the map gives to `self`. */
 typedef struct redcc_owner {
     const char *first;
     redcc_size size;
@@ -234,8 +240,8 @@ typedef struct redcc_owner {
     struct redcc_hook *hook; /* 0, or: it decides, and sees every update (nothing is inside) */
 } redcc_owner;
 
-/** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration.
- */
+/** An address recorded by the inspector, or (array == REDCC_END_OF_ITERATION) the end of an
+ *  iteration. */
 typedef struct redcc_entry {
     const char *address;
     redcc_u32 array;
@@ -244,42 +250,44 @@ typedef struct redcc_entry {
 
 #define REDCC_END_OF_ITERATION 0xffffffffu
 
-/** So many iterations in a row within the window, and the next ones are probed (redcc_is_settled).
- *  Where owners alternate, hardly any iteration is looked at twice. */
+/** After this many consecutive iterations within the owned range the next ones are probed
+ *  (redcc_is_settled). If owners alternate, hardly any iteration is inspected twice. */
 #define REDCC_SETTLED 8
-/** Bytes that redcc_touch takes at most. */
+/** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
-/** How a chunk is executed, beside what it computes. */
+/** How a chunk is executed; it does not affect the result. */
 typedef struct redcc_manner {
-    int prefetches; /**< is what iterations to come touch to be prefetched? */
-    int lanes;      /**< iterations at once, as the descriptor has it; 0: one by one */
-    int follows;    /**< another thread keeps what the guarded iterations add to series */
+    int prefetches; /**< prefetch what later iterations touch? */
+    int lanes;      /**< iterations at once, as in the descriptor; 0: one by one */
+    int follows;    /**< another thread keeps the operands that owner-checked iterations add to
+                     * series */
 } redcc_manner;
 
 /** One thread's part in an execution; lives on that thread's stack. */
 typedef struct redcc_worker {
     redcc_call *call;
-    /* set by redcc_inspect: tell the addresses of iterations first, first + stride, ... < last */
+    /* set by redcc_inspect: record the addresses of iterations first, first + stride, ... < last */
     redcc_int first;
     redcc_int last;
     redcc_int stride;
     redcc_entry *entry; /* the next free one */
     redcc_entry *entry_end;
-    const redcc_owner *window; /* what one owner owns; indexed as arrays. A touch within it makes
-                                  no entry, */
-    int inside;                /* it only sets this, */
-    int outside;               /* and one that makes an entry sets that; of this iteration */
-    redcc_int alike;           /* whole iterations within the window since the last flush */
+    const redcc_owner *window; /* the range of one owner; indexed as arrays. A touch within it makes
+                                * no entry, */
+    int inside;                /* it only sets this flag; */
+    int outside;               /* a touch that makes an entry sets this one; of the current
+                                * iteration */
+    redcc_int alike;           /* consecutive iterations within the range since the last flush */
     redcc_extent *sources;     /* of this thread; indexed as redcc_loop.sources */
     /* set by redcc_next: the chunk */
     redcc_int origin;
     const redcc_iterations *run;
     const redcc_iterations *run_end;
     void *const *base;        /* where to write, as if it were the array; indexed as arrays */
-    const redcc_owner *owner; /* indexed as arrays; in a dry run, as sources: what was found to be
-                                 none of what is updated */
-    void *execution;          /* the runtime's, as what follows */
+    const redcc_owner *owner; /* indexed as arrays; in a dry run, as sources: ranges found disjoint
+                               * from all updates */
+    void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_manner manner; /* set by redcc_next */
     redcc_int position;
@@ -292,7 +300,7 @@ typedef unsigned short redcc_u16;
 enum {
     /** Arrays that one record may update, at one subscript. */
     REDCC_STREAM_ARRAYS = 4,
-    /** Bits of a place: the row within its bin, and above it the update's number. */
+    /** Bits of a place: the row within its bin, and above it the number of the update. */
     REDCC_PLACE_BITS = 16,
     REDCC_MOST_TAG_BITS = 8,
     REDCC_BLOCK_RECORDS = 1024, /**< that lie together */
@@ -303,17 +311,18 @@ enum {
 
 /** Records to apply, in this order. */
 typedef struct redcc_applied {
-    void *const *rows;      /**< of each array of the stream: its row at place 0 */
+    void *const *rows;      /**< for each array of the stream, its row at place 0 */
     const redcc_u16 *place; /**< [count + ahead] */
     const void *records;    /**< [count] */
     redcc_size count;
-    redcc_size ahead;     /**< so many places behind the one at hand may be prefetched; or 0 */
-    const void *operands; /**< what redcc_bins_next was given */
+    redcc_size ahead;     /**< how far ahead of the current place rows may be prefetched; or 0 */
+    const void *operands; /**< the operands given to redcc_bins_next */
 } redcc_applied;
 
-/** Updates that must be applied in order: all those of an array, or of several at one subscript. */
+/** Updates that must be applied in order: all those of an array, or of several arrays at one
+ *  subscript. */
 typedef struct redcc_stream {
-    /** Applies records: the text of the updates. May write nothing but the rows. */
+    /** Applies records: the text of the updates. Writes only to the rows. */
     void (*apply)(const redcc_applied *applied);
     redcc_u32 array_count;                 /**< 1 to REDCC_STREAM_ARRAYS */
     redcc_u32 arrays[REDCC_STREAM_ARRAYS]; /**< numbers in the loop's arrays; no array is in two
@@ -321,8 +330,8 @@ typedef struct redcc_stream {
     redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< bytes of a row of each: that array's `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< all updates of an array are by its operator, on integers: they may be made in
-                    any order, and on private copies */
+    int exact; /**< all updates of an array use its operator, on integers: they may be made in any
+                * order, and on private copies */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */
@@ -334,17 +343,17 @@ typedef struct redcc_binned {
 
 struct redcc_bin_buffer;
 
-/** One thread's bins of one stream. Constant while a chunk of iterations is executed: generated
- *  code has a copy of it. */
+/** One thread's bins of one stream. Constant while a chunk is executed, so that generated code
+ *  keeps a copy. */
 typedef struct redcc_bins {
     redcc_int first;   /* row at place 0 of bin 0 */
-    redcc_size span;   /* rows that the bins hold; 0: none, rows are only counted */
-    redcc_u32 shift;   /* of a row to its bin */
-    redcc_u32 *cursor; /* of each bin: the number of its next record */
-    char *records;     /* by their numbers */
-    redcc_u16 *places; /* by the records' numbers */
-    char *lines;       /* write combining: of each bin the lines that are being filled; or 0 */
-    char *copy[REDCC_STREAM_ARRAYS]; /* private copies: of each array, of row `first`; or 0 */
+    redcc_size span;   /* number of rows in the bins; 0: none, rows are only counted */
+    redcc_u32 shift;   /* shift that maps a row to its bin */
+    redcc_u32 *cursor; /* for each bin: the number of its next record */
+    char *records;     /* indexed by record number */
+    redcc_u16 *places; /* indexed by record number */
+    char *lines;       /* write combining: the lines of each bin that are being filled; or 0 */
+    char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
     const struct redcc_calls *calls;
@@ -364,24 +373,24 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
-    /** Gives back all that the loop's operands were kept in. */
+    /** Frees all memory that the loop's operands were kept in. */
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
-/** Pointers that a loop reads under conditions only are read before it. */
+/** Reads of pointers before a loop that reads them only under conditions. */
 typedef struct redcc_load_calls {
-    /** 0: not in this execution, for the loop is executed too often. */
+    /** 0: not in this execution, because the loop is executed too often. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
-    /** Reads `bytes` bytes at `from`, if they can be read: 1. Never a fault. */
+    /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
 } redcc_load_calls;
 
 struct redcc_kept_row;
 
 /**
- * What inline functions call while a loop is inspected and executed. A thread reaches it by its
- * worker and its bins, so that an object with loops refers to none of these functions by name.
- * Later versions append. redcc/runtime.h describes each.
+ * Functions that inline functions call while a loop is inspected and executed. A thread reaches the
+ * table through its worker and its bins, so that an object with loops refers to none of these
+ * functions by name. Later versions append to it. redcc/runtime.h describes each.
  */
 typedef struct redcc_calls {
     redcc_u32 version; /**< a REDCC_INTERFACE */
@@ -400,11 +409,11 @@ typedef struct redcc_calls {
     redcc_int *unasked_iterations;
     const int *timed_loops;
     void (*sequential_end)(redcc_loop *loop);
-    /** Sets `bytes` bytes to the neutral elements of the array's operator. */
+    /** Sets `bytes` bytes to the neutral element of the array's operator. */
     void (*fill)(const redcc_array *array, void *values, redcc_size bytes);
-    /** Brings rows into their arrays, in order: under locks, or as compensated sums. */
+    /** Applies rows to their arrays in order: under locks, or as compensated sums. */
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
-    /** Ends the program with a message: the rules of redcc/parallel.h are broken. */
+    /** Ends the program with a message: a rule of redcc/parallel.h is violated. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
     const redcc_series_calls *series;
     const redcc_load_calls *loads;

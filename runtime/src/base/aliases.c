@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* What is written of an object: bytes of one mapping. */
+/* The written bytes of one mapping, as a part of its object. */
 struct part {
     struct range place;
     struct object object;
@@ -24,8 +24,8 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* Does an offset in the object name memory, and no other object's? Of devices it does not: their
- * drivers give it any meaning. */
+/* Does an offset in the object identify memory, unique to the object? Not for devices: their
+ * drivers interpret it freely. */
 static bool is_plain(const struct mapping *mapping) {
     const char *const name = mapping->name;
     if (mapping->object.inode == 0)
@@ -44,7 +44,7 @@ static uintptr_t lower(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* False: that cannot be told of the mapping, or there are too many. */
+/* False if that is unknown for the mapping, or there are too many. */
 static bool add_part(struct parts *parts, const struct mapping *mapping, struct range written) {
     if (!is_plain(mapping) || parts->count == PARTS)
         return false;
@@ -55,8 +55,8 @@ static bool add_part(struct parts *parts, const struct mapping *mapping, struct 
     return true;
 }
 
-/* Adds what of `written` lies in shared mappings. Most arrays lie in one mapping, of which one
- * question tells all. False: that cannot be told. */
+/* Adds the parts of `written` that lie in shared mappings. Most arrays lie in one mapping, so that
+ * a single query suffices. False if that is unknown. */
 static bool find_parts(struct maps *maps, struct range written, struct parts *parts) {
     enum which_maps which = MAPS_ALL;
     struct mapping mapping;
@@ -83,7 +83,7 @@ static bool is_touched(const struct touches *touches, struct range range) {
     return false;
 }
 
-/* Where the mapping shows the part at another address than the part's own. */
+/* The range at which the mapping shows the part, if it differs from the part's own address. */
 static struct range image_of(const struct part *part, const struct mapping *mapping) {
     const uint64_t part_end = part->offset + redcc_range_size(part->place);
     const uint64_t mapping_end = mapping->offset + redcc_range_size(mapping->place);
@@ -111,8 +111,8 @@ static bool have_images(struct maps *maps, const struct touches *touches,
     return answer != MAPS_END;
 }
 
-/* Processors may be set to pass over the highest bits of an address (64-bit ARM always; some of
- * x86's): then as many addresses name one byte. */
+/* Processors may ignore the highest bits of an address (64-bit ARM always; some x86 processors if
+ * set so): one byte then has several addresses. */
 static bool are_tagged(const struct range *ranges, uint32_t count) {
 #if UINTPTR_MAX > UINT32_MAX
     for (uint32_t r = 0; r < count; r++)

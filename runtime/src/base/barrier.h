@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A sense-reversing barrier for the threads of a region, whoever's threads they are. Whoever
- * arrives last may do something alone before the others go on.
+ * A sense-reversing barrier for the threads of a region, of any threading library. The last thread
+ * to arrive may run a serial section before the others continue.
  */
 #ifndef REDCC_BARRIER_H
 #define REDCC_BARRIER_H
@@ -10,22 +10,22 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/** All zero at the beginning; may be used again and again, by any number of threads. */
+/** Zero-initialised; reusable, with any number of threads. */
 struct barrier {
     alignas(64) atomic_uint arrived;
-    alignas(64) atomic_uint phase; /* goes up when all have arrived */
-    atomic_int asleep;             /* how many have to be woken then */
+    alignas(64) atomic_uint phase; /* incremented when all have arrived */
+    atomic_int asleep;             /* number of threads to wake then */
 };
 
 /** Of `threads` callers, the last one gets true at once and must call redcc_barrier_release; the
- *  others get false after it did. They see what all did before arriving, and what the last did
- *  before releasing. */
+ *  others get false after that call. They see all writes made before arriving, and those of the
+ *  last thread before its release. */
 bool redcc_barrier_arrive(struct barrier *barrier, int threads);
 
-/** Lets the others go on. */
+/** Releases the others. */
 void redcc_barrier_release(struct barrier *barrier);
 
-/** Nobody goes on before all `threads` callers are there. */
+/** Returns once all `threads` callers have arrived. */
 void redcc_barrier_wait(struct barrier *barrier, int threads);
 
 #endif

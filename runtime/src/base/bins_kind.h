@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What REDCC_METHOD=binning, binning:records and binning:copies ask for. */
+/** The variants REDCC_METHOD=binning, binning:records and binning:copies. */
 #ifndef REDCC_BINS_KIND_H
 #define REDCC_BINS_KIND_H
 

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sizes come in classes, four to each power of two, so that a block that is given back serves
- * others. Small ones are cut from pieces of memory that are kept for good; large ones are mappings
- * of their own, of which some are kept: pages need not be made again then. Where the lock cannot be
- * had, as in a handler of a signal that found its own thread at it, a block is a mapping of its
- * own.
+ * Block sizes fall into classes, four per power of two, so that freed blocks can be reused. Small
+ * blocks are cut from pieces of memory that are never unmapped. Large ones are separate mappings;
+ * some of them are cached, which avoids new page faults. If the lock is unavailable, as in a signal
+ * handler that interrupted its holder, a block is a separate mapping.
  */
 #include "base/blocks.h"
 
@@ -28,11 +27,11 @@ struct free_block {
 
 static struct spin lock;
 static struct free_block *free_blocks[CLASSES];
-static char *piece; /* of which small blocks are cut: what is left of it */
+static char *piece; /* the rest of the piece that small blocks are cut from */
 static size_t piece_left;
-static size_t kept; /* bytes of large blocks that are free */
+static size_t kept; /* bytes of cached large blocks */
 
-/* The class that `bytes` > 0 bytes fall in; *size is that of its blocks. */
+/* The size class of `bytes` > 0 bytes; *size is the size of its blocks. */
 static unsigned class_of(size_t bytes, size_t *size) {
     const size_t lines = (bytes + LINE - 1) / LINE;
     unsigned doublings = 0;
@@ -50,7 +49,7 @@ static size_t whole_pages(size_t bytes) {
     return (bytes + page - 1) / page * page;
 }
 
-/* What is left of the piece before is lost: less than one small block in sixteen. */
+/* The rest of the previous piece is lost: less than one small block in sixteen. */
 static void *cut(size_t bytes) {
     if (piece_left < bytes) {
         char *more = redcc_system_map(PIECE);
@@ -94,7 +93,7 @@ void *redcc_block_take(size_t *bytes, bool keep) {
     return block || small ? block : redcc_system_map(*bytes);
 }
 
-/* Puts it to those that are free. False: it does not stay. */
+/* Adds it to the free blocks. False if it is not cached. */
 static bool put(void *block, size_t bytes, bool keep) {
     size_t size;
     const unsigned class = class_of(bytes, &size);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What one call of a loop brings; constant for the stages of the pipeline. */
+/** The inputs of one call of a loop; constant for the stages of the pipeline. */
 #ifndef REDCC_CALL_H
 #define REDCC_CALL_H
 
@@ -11,7 +11,7 @@
 
 struct method;
 
-/** The arguments of redcc_enter; what the pointers lead to is owned by the loop's state. */
+/** The arguments of redcc_enter; the loop's state owns the memory that the pointers refer to. */
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
@@ -31,15 +31,16 @@ struct call {
     bool validate;
     int prefetch;        /* an enum prefetch_setting, REDCC_PREFETCH */
     int lanes;           /* an enum lanes_setting, REDCC_LANES */
-    bool tracks;         /* writes to subscripts, where that can be done (REDCC_WATCH) */
+    bool tracks;         /* track writes to subscripts, if possible (REDCC_WATCH) */
     size_t memory_limit; /* bytes; 0: none */
     /* The threads. */
     bool always_planned; /* one thread executes by the plan as well */
-    bool one_will_do;    /* one thread is enough to execute by a plan */
+    bool one_will_do;    /* a plan may be executed by a single thread */
     int asked;
-    int started;                        /* of them, more than in any region before */
-    int threads;                        /* that came */
-    int planned;                        /* that a plan would be for: a look is one thread's */
+    int started;                        /* of them, more than in any earlier region */
+    int threads;                        /* that arrived */
+    int planned;                        /* that a plan would be built for: one thread takes a
+                                         * sample */
     struct float_control float_control; /* of the thread that entered */
     double entered;                     /* seconds */
     int error_before;                   /* errno of that thread */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the objects of the process refer to, and define.
+ * The external functions that the objects of the process refer to and define.
  *
- * Most programs have nothing that leaves a handler but its end; for their loops to hold back
- * signals would gain nothing, and takes a tenth of a short loop's time. What objects refer to is in
- * their dynamic symbol tables. A program that is linked statically has none, and counts as one that
- * may.
+ * In most programs nothing leaves a signal handler except by its return. Blocking signals for their
+ * loops would gain nothing, and takes a tenth of a short loop's time. References are found in the
+ * dynamic symbol tables of the objects. A statically linked program has none, and counts as one
+ * whose handlers may leave.
  */
 #include "base/escapes.h"
 
@@ -29,7 +29,7 @@ struct object {
     size_t text_bytes;
 };
 
-/* Of thousands of names most differ in the first character: to see that takes no call. */
+/* Most of thousands of names differ in the first character, which needs no call to see. */
 static bool is_called(const char *name, const char *other) {
     return name[0] == other[0] && strcmp(name, other) == 0;
 }
@@ -68,7 +68,8 @@ static bool leaves(const char *name) {
     return is_one_of(name, names);
 }
 
-/* The C library and the linker map for themselves without a reference, and share nothing. */
+/* The C library and the linker map memory for themselves without a reference, and share none of
+ * it. */
 static bool maps(const char *name) {
     static const char *const names[] = {
         "mmap",    "mmap64", "__mmap",  "mremap", "__mremap", "shmat", "remap_file_pages",
@@ -76,14 +77,14 @@ static bool maps(const char *name) {
     return is_one_of(name, names);
 }
 
-/* OpenMP's libraries, which refer to some of them for what is none of the program's. */
+/* OpenMP's libraries, which refer to some of these functions for internal purposes. */
 static bool is_openmp(const char *name) {
     static const char *const names[] = {"GOMP_parallel", "__kmpc_fork_call", NULL};
     return is_one_of(name, names);
 }
 
-/* Most addresses there are those in memory by now; of objects that cannot be written, as the
- * kernel's own, they are relative still. */
+/* Most addresses have been relocated by now; in objects that cannot be written, as the kernel's,
+ * they are still relative. */
 static struct object object_of(const struct link_map *map) {
     struct object object = {0};
     for (const Elf64_Dyn *entry = map->l_ld; entry && entry->d_tag != DT_NULL; entry++) {
@@ -97,14 +98,14 @@ static struct object object_of(const struct link_map *map) {
         if (entry->d_tag == DT_STRSZ)
             object.text_bytes = (size_t)entry->d_un.d_val;
     }
-    /* How many symbols there are is not said simply; linkers put the texts behind them. */
+    /* The number of symbols is not stored directly; linkers put the string table behind them. */
     const uintptr_t begin = (uintptr_t)object.symbol, end = (uintptr_t)object.text;
     if (object.symbol && object.text && end >= begin)
         object.end = object.symbol + (end - begin) / sizeof *object.symbol;
     return object;
 }
 
-/* Does it refer to a function of these, for the program? True also where that is not known. */
+/* Does it refer to one of these functions on the program's behalf? True also if that is unknown. */
 static bool refers(const struct link_map *map, bool (*is_meant)(const char *name)) {
     const struct object object = object_of(map);
     if (!object.end)
@@ -146,7 +147,7 @@ static int allocator_of(const struct link_map *map) {
     return defined;
 }
 
-/* Of the first object that has it is the function that is called. */
+/* The first object that defines a function provides it. */
 static bool look_for_split(void) {
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         const int defined = allocator_of(map);
@@ -156,7 +157,8 @@ static bool look_for_split(void) {
     return false;
 }
 
-/* Does the C library, which defines abort, alone define what assert calls where it fails? */
+/* Is the C library, which defines abort, the only object that defines the functions that a failing
+ * assert calls? */
 static bool look_for_assertions(void) {
     bool are_there = false;
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
@@ -206,7 +208,7 @@ static bool look_for_assertions(void) {
 
 #endif
 
-/* The answer of the first call holds for good. */
+/* The answer of the first call is cached. */
 static bool answer(atomic_int *known, bool (*look_for)(void)) {
     enum { UNKNOWN, YES, NO };
     int answer = atomic_load_explicit(known, memory_order_relaxed);

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * How a thread does floating-point arithmetic: direction of rounding, subnormal numbers taken as
- * zeros, exceptions that trap. And its locale, by which characters are classified and numbers read:
- * uselocale's is the thread's, and of setlocale's a thread keeps the tables that it found first.
- * And what memory it may touch by protection keys.
- * The program may have changed all of it since OpenMP's threads were made; they must compute what
- * the thread that entered the loop would. fenv.h has no name for most of the first, and needs libm.
- * Processors that are not named here keep what each thread has.
+ * The part of a thread's state that affects its results: the rounding direction, flushing of
+ * subnormal numbers, exceptions that trap; its locale, which classifies characters and affects the
+ * reading of numbers (uselocale sets it per thread, and a thread keeps the tables of setlocale that
+ * it found first); and its memory access rights by protection keys. The program may have changed
+ * any of these since OpenMP's threads were created, and these threads must compute the same results
+ * as the thread that entered the loop. fenv.h has no name for most of the first group, and needs
+ * libm. On other processors each thread keeps its own state.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H
@@ -18,7 +18,7 @@
 #include <stdint.h>
 
 #ifdef __GLIBC__
-/* The name of POSIX is the program's to define. */
+/* The POSIX name may be defined by the program. */
 extern locale_t __uselocale(locale_t wanted);
 #define redcc_use_locale __uselocale
 #else
@@ -32,7 +32,7 @@ struct float_control {
     uint16_t x87;    /* the control word, of long double */
 };
 
-/** The calling thread's. */
+/** The calling thread's state. */
 static inline struct float_control redcc_float_control(void) {
     struct float_control own = {.locale = redcc_use_locale((locale_t)0), .rights = redcc_rights()};
 #if defined(__x86_64__)
@@ -46,13 +46,13 @@ static inline struct float_control redcc_float_control(void) {
     return own;
 }
 
-/** Are numbers rounded alike under both? */
+/** Do both round numbers alike? */
 static inline bool redcc_float_control_equal(struct float_control a, struct float_control b) {
     return a.vector == b.vector && a.x87 == b.x87;
 }
 
-/** Does some exception trap? A handler runs where it occurs, and can tell that from where it would
- *  in the sequential loop. */
+/** Does some exception trap? Its handler runs where the exception occurs, and could observe a place
+ *  that differs from the sequential loop's. */
 static inline bool redcc_float_traps(struct float_control own) {
 #if defined(__x86_64__)
     return (own.vector & 0x1f80) != 0x1f80 || (own.x87 & 0x3f) != 0x3f;
@@ -64,10 +64,10 @@ static inline bool redcc_float_traps(struct float_control own) {
 #endif
 }
 
-/** Makes it the calling thread's. Flags of exceptions that occurred stay. */
+/** Sets the calling thread's state. Flags of exceptions that occurred remain. */
 static inline void redcc_float_control_take(struct float_control wanted) {
     redcc_rights_take(wanted.rights);
-    redcc_use_locale(wanted.locale); /* also where it is the same: the tables may not be */
+    redcc_use_locale(wanted.locale); /* also if it is the same: the tables may differ */
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * fork tells us, by handlers of the library's; _Fork and clone do not. A page that the system wipes
- * in a child shows those as well.
+ * Detects fork by pthread_atfork handlers. _Fork and clone do not call them; a page that the system
+ * wipes in a child detects these as well.
  */
 #define _GNU_SOURCE /* struct statx, MADV_WIPEONFORK */
 #include "base/forked.h"
@@ -15,14 +15,14 @@
 #include <sys/stat.h>
 
 static bool had_threads;       /* of the thread that forks, from before fork to the child */
-atomic_bool redcc_had_threads; /* written where there is one thread only */
+atomic_bool redcc_had_threads; /* written while there is only one thread */
 atomic_char *redcc_process_mark;
-static long process; /* where there is no mark: the one that has been seen */
+static long process; /* without a marked page: the process that was seen */
 
 #if defined(__linux__)
 
-/* A folder has a link for itself, one for its parent's entry, and one for each folder in it. Where
- * there is no /proc threads are assumed. */
+/* A folder has a link to itself, one from its parent, and one for each folder in it. Without /proc,
+ * threads are assumed. */
 static bool has_threads(void) {
     struct statx tasks;
     return redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0 ||
@@ -69,7 +69,8 @@ static void in_child(void) {
     begin_process(had_threads);
 }
 
-#if defined(__GLIBC__) /* what the library's pthread_atfork calls, under its reserved name */
+#if defined(__GLIBC__) /* the function that the library's pthread_atfork calls, under its reserved \
+                        * name */
 extern int __register_atfork(void (*)(void), void (*)(void), void (*)(void), void *);
 extern void *__dso_handle __attribute__((__visibility__("hidden")));
 
@@ -84,13 +85,13 @@ static bool register_handlers(void) {
 }
 #endif
 
-/* From the beginning, for the program may have parallel regions of its own. */
+/* Registered at program start, because the program may have parallel regions of its own. */
 __attribute__((constructor)) static void watch(void) {
     redcc_process_mark = redcc_wiped_page();
     begin_process(!register_handlers());
 }
 
-/* The program has forked by other means, and nobody looked whether it had threads. */
+/* The program has forked by other means, so that the number of its threads then is unknown. */
 void redcc_see_process(void) {
     if (redcc_process_mark ? atomic_load(redcc_process_mark) == 0
                            : redcc_system_process() != process)

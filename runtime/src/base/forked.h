@@ -1,27 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Processes made by fork, in which a parallel region may wait for threads that are not there. */
+/** Processes made by fork, in which a parallel region may wait for threads that do not exist. */
 #ifndef REDCC_FORKED_H
 #define REDCC_FORKED_H
 
 #include <stdatomic.h>
 #include <stdbool.h>
 
-/** Had the process, or one it descends from, several threads when it forked? Only the one that
- * forked is in the child, while GCC's OpenMP goes on waiting for the others. Of a process made by
- * _Fork or clone, which tell nobody, threads are assumed. (A child that shares its parent's memory,
- * as vfork's, is not told apart: it may do nothing but execute another program.) To be asked before
- * the runtime's memory is used. Any thread may ask. */
+/** Had the process, or one of its ancestors, several threads when it forked? The child has only the
+ *  thread that forked, while GCC's OpenMP waits for the others. After _Fork or clone, which run no
+ *  handlers, threads are assumed. (A child that shares its parent's memory, as vfork's, is not
+ *  detected: it may only execute another program.) Must be called before the runtime's memory is
+ *  used. Thread-safe. */
 static inline bool redcc_is_forked(void);
 
-/** A page of memory, zero, that the system makes zero again in a child; NULL: it cannot. */
+/** A page of memory, zero, that the system clears in a child; NULL: not supported. */
 void *redcc_wiped_page(void);
 
-/* Its first byte is 1 in the process that has been seen, and 0 in a new one; NULL: it cannot be
- * told so. */
+/* Its first byte is 1 in the process that was seen, and 0 in a new one; NULL: not supported. */
 extern atomic_char *redcc_process_mark;
 extern atomic_bool redcc_had_threads;
 
-/** Sees to it that the process is one that has been seen. */
+/** Ensures that the current process has been seen. */
 void redcc_see_process(void);
 
 static inline bool redcc_is_forked(void) {

@@ -8,23 +8,23 @@
 
 enum { REDCC_LONGEST_LINE = 512 };
 
-/** A file that is read; on the stack of whoever reads it, used by one thread. */
+/** An open file; on the stack of its reader, used by one thread. */
 struct lines {
     int descriptor;
-    bool failed; /* reading did, and not at the end */
+    bool failed; /* reading failed before the end */
     char buffer[4096];
     size_t at;
     size_t held;
-    char line[REDCC_LONGEST_LINE]; /* the one read last; what does not fit is left out */
+    char line[REDCC_LONGEST_LINE]; /* the line read last; the part that does not fit is dropped */
 };
 
-/** Opens the file. False: it cannot be opened. */
+/** Opens the file. False on failure. */
 bool redcc_lines_open(struct lines *lines, const char *name);
 
-/** Reads a line into lines->line, without its end. False: there are no more, or it has failed. */
+/** Reads a line into lines->line, without its end. False at the end of the file, or on failure. */
 bool redcc_lines_next(struct lines *lines);
 
-/** Closes what redcc_lines_open has opened. */
+/** Closes a file opened by redcc_lines_open. */
 void redcc_lines_close(struct lines *lines);
 
 #endif

@@ -17,7 +17,7 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The number that /proc/thread-self/status gives for `key`; `otherwise` where it gives none. */
+/* The number that /proc/thread-self/status has for `key`, or `otherwise`. */
 static long status_of(const char *key, long otherwise) {
     struct lines lines;
     long value = otherwise;
@@ -57,7 +57,7 @@ static bool is_listed(const char *name, const char *const *list) {
     return false;
 }
 
-/* Devices that write to memory by the processor alone. */
+/* Devices whose memory is written only by the processor. */
 static bool is_plain_device(const char *name) {
     static const char *const plain[] = {"/dev/null",       "/dev/zero", "/dev/full", "/dev/random",
                                         "/dev/urandom",    "/dev/tty",  "/dev/pts/", "/dev/ptmx",
@@ -66,8 +66,8 @@ static bool is_plain_device(const char *name) {
     return is_listed(name, plain);
 }
 
-/* May a mapping of that name stand beside what is watched? None, the system's own names, or a file
- * that is no device. Where a library to confine the process is loaded it may come to that later. */
+/* Is a mapping of that name compatible with tracking? True for anonymous mappings, the system's own
+ * names, and files that are no devices. A library for confining the process may do so later. */
 static bool is_harmless(const char *name) {
     if (name[0] == '\0' || name[0] == '[')
         return true;
@@ -76,7 +76,7 @@ static bool is_harmless(const char *name) {
     return !begins(name, "/dev/") || is_plain_device(name);
 }
 
-/* Private, and no file behind it? */
+/* Private, without a file behind it? */
 static bool is_own(const struct mapping *mapping) {
     const bool unnamed = mapping->name[0] == '\0' || strcmp(mapping->name, "[heap]") == 0 ||
                          begins(mapping->name, "[anon:");
@@ -95,7 +95,7 @@ struct range redcc_mapping_of(uintptr_t address) {
     return found ? mapping.place : redcc_nowhere;
 }
 
-/* False: the mapping forbids it. *covered: the pages are mapped up to here. */
+/* False: the mapping forbids tracking. *covered: the pages are mapped up to here. */
 static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
                      uintptr_t *covered) {
     if (!is_harmless(mapping->name))
@@ -124,7 +124,7 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     return allowed && covered >= pages.end;
 }
 
-/* A descriptor through which memory may be written, or our marks be lost? */
+/* A descriptor through which memory may be written, or the tracking be lost? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);

@@ -45,7 +45,7 @@ void redcc_maps_close(struct maps *maps) {
     redcc_lines_close(&maps->lines);
 }
 
-/* The name is put where lines are buffered otherwise. */
+/* The name is stored in the buffer for lines. */
 static enum maps_answer ask(struct maps *maps, uintptr_t from, enum which_maps which,
                             struct mapping *found) {
     static const uint64_t flags[] = {[MAPS_ALL] = THIS_OR_NEXT,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The mappings of the process, one by one: /proc/self/maps, proc_pid_maps(5). Linux 6.11 and later
- * answers questions about single mappings (PROCMAP_QUERY), which takes some microseconds however
- * many mappings there are; elsewhere the text is read, 1 to 2 microseconds a mapping.
+ * supports queries for single mappings (PROCMAP_QUERY), which take some microseconds for any number
+ * of mappings. Otherwise the text is read, 1 to 2 microseconds a mapping.
  */
 #ifndef REDCC_MAPS_H
 #define REDCC_MAPS_H
@@ -10,10 +10,10 @@
 #include "base/lines.h"
 #include "base/range.h"
 
-/** A memory object that mappings show: a file, a segment, anonymous memory that is shared. */
+/** The object behind mappings: a file, a segment, anonymous shared memory. */
 struct object {
     uint64_t device;
-    uint64_t inode; /* 0: none, the mapping's memory is its own */
+    uint64_t inode; /* 0: none, the memory belongs to the mapping */
 };
 
 /** A mapping. */
@@ -23,17 +23,17 @@ struct mapping {
     struct object object;
     bool is_shared;
     bool is_writable;
-    const char *name; /* as the text has it; valid until the next one is read */
+    const char *name; /* as in the text; valid until the next one is read */
 };
 
-/** A list of mappings that is read; on the stack of whoever reads it, used by one thread. */
+/** A list of mappings being read; on the stack of its reader, used by one thread. */
 struct maps {
     struct lines lines;
-    bool by_text;      /* the kernel does not answer questions */
-    uintptr_t reached; /* by text: where the mapping read last ends */
+    bool by_text;      /* the kernel does not support queries */
+    uintptr_t reached; /* by text: the end of the mapping read last */
 };
 
-/** Which mappings are asked for. */
+/** A selection of mappings. */
 enum which_maps {
     MAPS_ALL,
     MAPS_SHARED, /* writable, and every write is one to the object */
@@ -43,23 +43,23 @@ enum which_maps {
 enum maps_answer {
     MAPS_FOUND,
     MAPS_END,    /* there is none */
-    MAPS_UNKNOWN /* that cannot be told */
+    MAPS_UNKNOWN /* not known */
 };
 
-/** For tests: reads the text also where the kernel answers questions. */
+/** For tests: reads the text even if the kernel supports queries. */
 extern bool redcc_maps_by_text;
 
 /** Opens the list. False: there is no /proc. */
 bool redcc_maps_open(struct maps *maps);
 
-/** The first mapping that ends behind `from`, of those asked for, into *found. */
+/** Stores the first selected mapping that ends behind `from` in *found. */
 enum maps_answer redcc_maps_next(struct maps *maps, uintptr_t from, enum which_maps which,
                                  struct mapping *found);
 
-/** Closes what redcc_maps_open has opened. */
+/** Closes a list opened by redcc_maps_open. */
 void redcc_maps_close(struct maps *maps);
 
-/** Reads a line of the text. False: it is none. */
+/** Parses a line of the text. False if it is invalid. */
 bool redcc_maps_parse(const char *line, struct mapping *mapping);
 
 #endif

@@ -11,14 +11,14 @@
 
 enum { LINE = 64 };
 
-/* Stands in the cache line before a block. */
+/* In the cache line before a block. */
 struct header {
     size_t bytes; /* counted */
-    size_t held;  /* of the block that holds it all */
-    bool kept;    /* may be kept for others */
+    size_t held;  /* bytes of the underlying block */
+    bool kept;    /* may be cached */
 };
 
-#if defined(__SANITIZE_ADDRESS__) /* sees where each of its own blocks ends */
+#if defined(__SANITIZE_ADDRESS__) /* detects accesses beyond the end of each separate block */
 static void *block_take(size_t *bytes, bool keep) {
     (void)keep;
     return aligned_alloc(LINE, *bytes);
@@ -36,7 +36,7 @@ static void block_give(void *block, size_t bytes, bool keep) {
 
 static atomic_size_t in_use;
 static atomic_size_t limit;       /* 0: none */
-static _Thread_local bool is_owed /* beyond the limit, too */
+static _Thread_local bool is_owed /* may also exceed the limit */
     __attribute__((__tls_model__("initial-exec")));
 static atomic_long live;
 static atomic_long until_failure = -1;

@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-/* Most machines have one, and to ask takes a hundredth of a short loop's time. */
+/* Most machines have one, and the query takes a hundredth of a short loop's time. */
 static bool has_several(void) {
     char text[8] = "";
 #if defined(__linux__)

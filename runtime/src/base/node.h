@@ -2,8 +2,7 @@
 #ifndef REDCC_NODE_H
 #define REDCC_NODE_H
 
-/** The node, of a machine whose memory is in several, that the calling thread runs on now; -1: not
- *  known here. */
+/** The NUMA node that the calling thread runs on now; -1: not known here. */
 int redcc_node(void);
 
 #endif

@@ -10,7 +10,7 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* All weak, for systems where the C library has them apart. */
+/* All weak, for systems whose C library has them in separate files. */
 #define WEAK __attribute__((__weak__))
 extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
 extern __typeof__(pthread_create) pthread_create WEAK;
@@ -21,9 +21,9 @@ extern __typeof__(pthread_detach) pthread_detach WEAK;
 
 enum { MOST = 1024, LINE = 64 };
 
-/* One thread: what it is to do next. Each has cache lines of its own. */
+/* One thread's next task. Each has separate cache lines. */
 struct slot {
-    _Alignas(LINE) atomic_uint region; /* changes when there is something to do */
+    _Alignas(LINE) atomic_uint region; /* changes when there is a task */
     atomic_int asleep;
     struct pool *pool;
     int number;
@@ -33,9 +33,9 @@ struct slot {
 };
 
 struct pool {
-    atomic_uint left; /* threads that the region at hand waits for */
+    atomic_uint left; /* threads that the current region waits for */
     atomic_int asleep;
-    atomic_int alive; /* threads, until the last one gives the memory back */
+    atomic_int alive; /* threads, until the last one frees the memory */
     int threads;      /* started, and 1 */
     struct slot slot[MOST];
 };
@@ -61,11 +61,11 @@ static void nothing(void *unused) {
 static void *serve(void *given) {
     struct slot *slot = given;
     struct pool *const it = slot->pool;
-    /* This object must not be unloaded while a thread executes its code. What says so allocates:
-     * with an allocator of the program's, which may be made for one thread (attack 32). */
+    /* This object must not be unloaded while a thread executes its code. The function for that
+     * allocates, with the program's allocator, which may support one thread only (attack 32). */
     if (!redcc_system_is_program())
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
-    redcc_within = 1; /* a loop in a loop's body is not to run in parallel */
+    redcc_within = 1; /* a loop in a loop's body must not run in parallel */
     unsigned seen = 0;
     arrive(it);
     for (;;) {
@@ -97,7 +97,7 @@ static void wait_for_all(struct pool *it, int threads) {
 /* ---- of the calling thread --------------------------------------------------------------------
  */
 
-/* The thread ends: its threads are not waited for, they may still be asleep. */
+/* When the thread ends, its threads are not waited for: they may still be asleep. */
 static void end(void *given) {
     struct pool *it = given;
     pool = NULL;

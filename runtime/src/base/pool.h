@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Threads of the runtime's own, where the program has no OpenMP library (docs/decisions/0002). Each
+ * The runtime's own threads, for programs without an OpenMP library (docs/decisions/0002). Each
  * thread that executes loops has its own ones, as with OpenMP. They spin for some 30 microseconds
  * after a region, then sleep; they end with the thread that they belong to.
  */
@@ -11,12 +11,12 @@
 
 #include <stddef.h>
 
-/** Starts threads until the calling thread has `threads` with itself, or the system refuses one.
- *  Returns how many it has, at most `threads`. Signals must be held: the new threads inherit that.
- *  stack: bytes of a thread's stack; 0: as usual. */
+/** Starts threads until the calling thread has `threads` including itself, or the system refuses
+ *  one. Returns how many it has, at most `threads`. Signals must be blocked, because new threads
+ *  inherit the mask. stack: bytes of a thread's stack; 0: the default. */
 int redcc_pool_prepare(int threads, size_t stack);
 
-/** How many threads the calling thread has, itself included. */
+/** The number of threads of the calling thread, including itself. */
 int redcc_pool_threads(void);
 
 /** Executes work(n, threads, shared) for n = 0 (in the calling thread) ... threads - 1, and returns

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/processor.h"
 
-/* glibc's loader has asked the processor already. gcc's own library asks once more in each process
- * that it is linked into, before main: 0.07 ms in a virtual machine, where each question is
- * answered by the host (a program that does nothing: 0.68 ms with it, 0.49 without the runtime). */
+/* glibc's loader has queried the processor already. gcc's own library repeats the query in each
+ * process that links it, before main: 0.07 ms in a virtual machine, whose host answers each query
+ * (a program that does nothing: 0.68 ms with it, 0.49 without the runtime). */
 #if defined(__x86_64__) && defined(__has_include)
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>
 #define GLIBC_ASKED
 
-/* The header's own form shifts an int by 31. */
+/* The header's own macro shifts an int by 31. */
 static bool is_active(unsigned feature) {
     const unsigned bit = feature % 128;
     return __x86_get_cpuid_feature_leaf(feature / 128)->active_array[bit / 32] >> bit % 32 & 1;
@@ -32,7 +32,7 @@ bool redcc_has_avx2(void) {
 #endif
 }
 
-/* Whether the system has switched them on is in the processor's own answer. */
+/* The processor's own answer shows whether the system has enabled them. */
 bool redcc_has_protection_keys(void) {
 #if defined(GLIBC_ASKED)
     const unsigned bit = x86_cpu_OSPKE % 128;

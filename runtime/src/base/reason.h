@@ -2,8 +2,8 @@
 #ifndef REDCC_REASON_H
 #define REDCC_REASON_H
 
-/** Why a loop ran sequentially: identifier, slug, and what the report says. docs/report.md has the
- *  slugs, and a test compares. */
+/** Reasons why a loop ran sequentially: identifier, slug, and text of the report. docs/report.md
+ *  lists the slugs, and a test compares them. */
 #define REDCC_REASON_LIST(X)                                                                       \
     X(REASON_NONE, "", "")                                                                         \
     X(REASON_NAMED, "named-serial", "REDCC_METHOD says serial")                                    \
@@ -51,7 +51,7 @@ enum reason {
         REASON_COUNT
 };
 
-/** What the report calls it, and what it says of it. */
+/** The slug, and the text of the report. */
 const char *redcc_reason_slug(enum reason reason);
 const char *redcc_reason_text(enum reason reason);
 

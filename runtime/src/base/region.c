@@ -23,7 +23,7 @@ bool redcc_region_is_own(void) {
            !omp_in_parallel;
 }
 
-/* The first number of a list as OMP_NUM_THREADS is one; `otherwise` where there is none. */
+/* The first number of a list such as OMP_NUM_THREADS, or `otherwise`. */
 static int number_of(const char *variable, int otherwise) {
     const char *text = redcc_system_is_privileged() ? NULL : getenv(variable);
     char *end = NULL;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Parallel regions that the runtime opens: with the threads of the program's OpenMP library where
- * it has one, else with its own (docs/decisions/0002).
+ * Parallel regions that the runtime opens: with the threads of the program's OpenMP library if it
+ * has one, else with its own (docs/decisions/0002).
  */
 #ifndef REDCC_REGION_H
 #define REDCC_REGION_H
@@ -11,10 +11,10 @@
 /** What each thread of a region does: number 0 to threads - 1, of `threads`. */
 typedef void region_work(int number, int threads, void *shared);
 
-/** Has the program no OpenMP library, so that pool.h's threads execute its regions? */
+/** Does the program lack an OpenMP library, so that pool.h's threads execute its regions? */
 bool redcc_region_is_own(void);
 
-/** How many threads a region is to have: as OpenMP says, or would say. At least 1. */
+/** The number of threads for a region: as OpenMP says, or would say. At least 1. */
 int redcc_region_threads(void);
 
 /** Is the calling thread within a parallel region, the program's own or one of the runtime's? */

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How a call's plan is found. */
+/** The route by which a call's plan is found. */
 #ifndef REDCC_ROUTE_H
 #define REDCC_ROUTE_H
 
-/** How an inspection arrives at a plan. A stage's end decides it, once it knows enough. */
+/** The stages that an inspection passes through. The end of a stage decides it, once enough is
+ *  known. */
 enum route {
-    ROUTE_SERIAL, /* at none: the original loop */
+    ROUTE_SERIAL, /* no plan: the original loop */
     ROUTE_OWNERS, /* owners cut by address */
-    ROUTE_DIRECT, /* the same, whose threads find their iterations while they execute */
-    ROUTE_COPIES, /* private copies: nobody has to know who touches what */
+    ROUTE_DIRECT, /* the same, without schedules: threads find their iterations during execution */
+    ROUTE_COPIES, /* private copies: owners do not matter */
     ROUTE_GRAPH,  /* owners cut from the access graph */
     ROUTE_LEVELS  /* iterations in levels */
 };

@@ -11,7 +11,7 @@
 #include <sys/uio.h>
 #endif
 
-/* Some system calls, of 0.3 microseconds, are to be 2 % of it. */
+/* Some system calls of 0.3 microseconds take at most 2 % of this time. */
 enum { LEAST_NANOSECONDS = 60000 };
 
 bool redcc_is_time_to_load(redcc_word *last) {

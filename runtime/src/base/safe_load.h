@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Pointers are read before a loop that the program may read under conditions only. */
+/** Reads pointers before a loop that the program may read only under conditions. */
 #ifndef REDCC_SAFE_LOAD_H
 #define REDCC_SAFE_LOAD_H
 
@@ -7,11 +7,12 @@
 
 #include <stdbool.h>
 
-/** Is the last time, kept in *last, so long ago that some system calls do not count? */
+/** Is the time of the last read, kept in *last, long enough ago for some system calls to be
+ *  negligible? */
 bool redcc_is_time_to_load(redcc_word *last);
 
-/** Copies `bytes` bytes from `from`: 1. 0: they cannot be read, or the system does not tell. Never
- * a fault, a signal, or a read of what a device has mapped. */
+/** Copies `bytes` bytes from `from` and returns 1; 0 if they are unreadable, or the system does not
+ *  say. Never causes a fault or a signal, and never reads device memory. */
 int redcc_load(void *to, const char *from, redcc_size bytes);
 
 #endif

@@ -16,14 +16,14 @@ static inline redcc_int redcc_most(redcc_int a, redcc_int b) {
 }
 
 /** The first iteration of share `thread` of `threads`: each thread inspects its share, and executes
- *  it where a method shares iterations evenly. thread == threads: `trip`. */
+ *  it under methods that share iterations evenly. thread == threads: `trip`. */
 static inline redcc_int redcc_share(redcc_int trip, int threads, int thread) {
     const redcc_int quotient = trip / threads, rest = trip % threads;
     return quotient * thread + (thread < rest ? thread : rest);
 }
 
-/** Of `parts` consecutive equal parts of `count` things, the first thing of part `part`; part ==
- *  parts: `count`. */
+/** The first item of part `part` when `count` items are divided into `parts` consecutive equal
+ *  parts; part == parts: `count`. */
 static inline uint32_t redcc_part_first(uint32_t count, int parts, int part) {
     return (uint32_t)((uint64_t)count * (uint64_t)part / (uint64_t)parts);
 }

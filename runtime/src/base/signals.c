@@ -10,8 +10,8 @@
 
 #define BIT(number) (UINT64_C(1) << ((number)-1))
 
-/* Raised by the thread itself; and the one, of glibc's own two, by which setuid reaches all
- * threads and for whose effect another thread waits. */
+/* Signals that the thread itself raises; and one of glibc's two internal signals, by which setuid
+ * reaches all threads and for whose effect another thread waits. */
 #define NEVER_HELD                                                                                 \
     (BIT(SIGSEGV) | BIT(SIGBUS) | BIT(SIGFPE) | BIT(SIGILL) | BIT(SIGTRAP) | BIT(SIGSYS) | BIT(33))
 
@@ -29,7 +29,7 @@ void redcc_signals_release(uint64_t before) {
     set_mask(SIG_SETMASK, before, NULL);
 }
 
-/* As the kernel tells it; the rest is not looked at. */
+/* As the kernel returns it; the other fields are ignored. */
 struct action {
     uintptr_t handler;
     uintptr_t flags;
@@ -55,13 +55,13 @@ static bool is_on_other_stack(void) {
 
 #if defined(__x86_64__) && defined(__LP64__)
 
-/* It reads what lies between variables, too. */
+/* It also reads the memory between variables. */
 #define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
 
-/* A handler's return address, and above it what was interrupted: sigreturn(2), struct rt_sigframe.
- * The stack pointer at that time lay above; the link is none, and of the processor's flags the
- * second is always set and those from the 22nd on never. Old contents of the stack may hold the
- * address. */
+/* Recognises a handler's return address, with the interrupted context above it: sigreturn(2),
+ * struct rt_sigframe. The interrupted stack pointer lies above; the link is null; of the
+ * processor's flags, bit 1 is always set and bits 22 and above never are. The address alone proves
+ * nothing, since the stack may hold old contents. */
 NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
     enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
     return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&

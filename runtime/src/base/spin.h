@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A lock for what takes less time than to sleep. Where a handler may find it held by its own
- * thread, since signals are not held back (signals.h), it must not be waited for without end. */
+/** A spin lock for sections shorter than a sleep. If signals are not blocked (signals.h), a handler
+ *  may find its own thread holding it, so it must not be waited for without limit. */
 #ifndef REDCC_SPIN_H
 #define REDCC_SPIN_H
 
@@ -8,18 +8,19 @@
 
 #include <stdatomic.h>
 
-/** All zero: free. */
+/** Zero: unlocked. */
 struct spin {
     atomic_int held;
 };
 
-/** Takes the lock if it is free; false: it is not. */
+/** Acquires the lock if it is free; false otherwise. */
 static inline bool redcc_spin_try(struct spin *lock) {
     return atomic_load_explicit(&lock->held, memory_order_relaxed) == 0 &&
            atomic_exchange_explicit(&lock->held, 1, memory_order_acquire) == 0;
 }
 
-/** Takes the lock; false: it was not free for so long that it may never be. */
+/** Acquires the lock; false after a wait that is long enough to suspect that it is never
+ *  released. */
 static inline bool redcc_spin_hope(struct spin *lock) {
     for (int tries = 0; tries < 10000; tries++) {
         if (redcc_spin_try(lock))

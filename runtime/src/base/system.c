@@ -16,7 +16,7 @@
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 
-/* The library's word for what the kernel told the program at its start, under a reserved name. */
+/* The library's reserved name for the kernel's auxiliary vector. */
 extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
 
 static unsigned long told(unsigned long what) {
@@ -28,7 +28,7 @@ typedef Elf64_Ehdr elf_header;
 #else
 typedef Elf32_Ehdr elf_header;
 #endif
-/* The linker's word for the beginning of this object. */
+/* The linker's symbol for the beginning of this object. */
 extern const elf_header __ehdr_start __attribute__((__weak__, __visibility__("hidden")));
 
 bool redcc_system_is_program(void) {
@@ -57,14 +57,14 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
     redcc_system_close(file);
 }
 
-#ifdef SYS_mmap2 /* the place in the file is counted in pages there; ours have no file */
+#ifdef SYS_mmap2 /* the file offset is in pages there; these mappings have no file */
 #define MAP_CALL SYS_mmap2
 #else
 #define MAP_CALL SYS_mmap
 #endif
 
-/* The kernel may map anew, for one thread, what another has unmapped, and orders the two. What
- * looks for data races cannot see that in these calls, only in this counter. */
+/* The kernel may map for one thread memory that another has unmapped, and orders the two. Race
+ * detectors cannot see that in these system calls, but they see this counter. */
 static atomic_uint unmapped;
 
 void *redcc_system_map(size_t bytes) {
@@ -150,7 +150,7 @@ long redcc_system_process(void) {
     return redcc_system(SYS_getpid);
 }
 
-/* Of /proc/self/stat the 22nd field; the second, a name in brackets, may hold anything. */
+/* The 22nd field of /proc/self/stat; the second, a name in brackets, may contain anything. */
 unsigned long long redcc_system_started(void) {
     char text[1024] = "";
     redcc_system_read_text("/proc/self/stat", text, sizeof text);
@@ -160,7 +160,7 @@ unsigned long long redcc_system_started(void) {
     return at ? strtoull(at, NULL, 10) : 0;
 }
 
-/* /proc/loadavg: "0.25 1.42 1.78 3/77 7479", of 77 threads 3 run. */
+/* /proc/loadavg: "0.25 1.42 1.78 3/77 7479": 3 of 77 threads run. */
 int redcc_system_running(void) {
     char text[128] = "";
     redcc_system_read_text("/proc/loadavg", text, sizeof text);

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The system, without a function that the program may define itself: ISO C leaves it read, close,
- * mmap, sysconf, clock_gettime and all other names of POSIX (C17 7.1.3), and a function of that
- * name in the program would be called in the place of the library's. So the kernel is called
- * directly. Nothing here sets errno, is a cancellation point, allocates or takes a lock; all of it
- * may be called by any thread and in a signal handler. tests/runtime/symbols checks what names are
- * left.
+ * System calls without functions that the program may define itself: ISO C reserves neither read,
+ * close, mmap, sysconf, clock_gettime nor any other name of POSIX (C17 7.1.3), and a function of
+ * that name in the program would replace the library's. So the kernel is called directly. Nothing
+ * here sets errno, is a cancellation point, allocates or takes a lock; all of it is thread-safe and
+ * async-signal-safe. tests/runtime/symbols checks the remaining names.
  */
 #ifndef REDCC_SYSTEM_H
 #define REDCC_SYSTEM_H
@@ -24,7 +23,7 @@
 
 #if defined(__x86_64__) && defined(__LP64__)
 
-/** System call `number`; what it returns, -errno where it fails. */
+/** System call `number`; returns its result, or -errno. */
 static inline long redcc_system_call(long number, long a, long b, long c, long d, long e, long f) {
     long result;
     register long fourth __asm__("r10") = d;
@@ -54,7 +53,7 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
     return first;
 }
 
-#else /* the library's own, under its public name: there is nothing else */
+#else /* the library's own, under its public name: no alternative exists */
 
 #include <errno.h>
 #include <unistd.h>
@@ -70,39 +69,38 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
 
 #endif
 
-/* With 0 for the arguments that are not given. */
+/* Passes 0 for the omitted arguments. */
 #define REDCC_SYSTEM_7(number, a, b, c, d, e, f, ...)                                              \
     redcc_system_call((long)(number), (long)(a), (long)(b), (long)(c), (long)(d), (long)(e),       \
                       (long)(f))
 #define redcc_system(...) REDCC_SYSTEM_7(__VA_ARGS__, 0, 0, 0, 0, 0, 0, 0)
 
-/** Is the runtime a part of the program's file, which is never unloaded? False where that cannot be
- *  said. */
+/** Is the runtime linked into the program's file, which is never unloaded? False if unknown. */
 bool redcc_system_is_program(void);
-/** Opens a file to read; its descriptor, or negative. */
+/** Opens a file for reading; returns its descriptor, or a negative number. */
 int redcc_system_open(const char *name);
 
-/** Reads up to `bytes` bytes; how many they were, 0 at the end, negative where it fails. */
+/** Reads up to `bytes` bytes; returns their number, 0 at the end, negative on failure. */
 long redcc_system_read(int descriptor, void *into, size_t bytes);
 
 void redcc_system_close(int descriptor);
 
-/** Reads the beginning of a file into `text`, `bytes` bytes of zeros, of which the last stays one.
- *  Where the file cannot be read all stay zeros. */
+/** Reads the beginning of a file into `text`, `bytes` bytes of zeros, keeping the last one. On
+ *  failure all stay zero. */
 void redcc_system_read_text(const char *name, char *text, size_t bytes);
 
 #endif
 
-/** `bytes` bytes of memory of our own, a multiple of a page, all zero; NULL: there are none. */
+/** Maps `bytes` bytes of memory, a multiple of a page, all zero; NULL on failure. */
 void *redcc_system_map(size_t bytes);
 
-/** Gives back what redcc_system_map gave. */
+/** Unmaps memory of redcc_system_map. */
 void redcc_system_unmap(void *memory, size_t bytes);
 
 /** Bytes of a page. */
 size_t redcc_page_size(void);
 
-/** Of a `clock` of <time.h>; cheap for CLOCK_MONOTONIC. */
+/** The time of a `clock` of <time.h>; cheap for CLOCK_MONOTONIC. */
 struct timespec redcc_system_clock(int clock);
 
 /** The NUMA node the calling thread is on; -1: not known. */
@@ -114,30 +112,30 @@ int redcc_system_core(void);
 /** Bytes of the machine's memory; 0: not known. */
 uint64_t redcc_system_memory(void);
 
-/** Lets another thread have the processor. */
+/** Yields the processor. */
 void redcc_system_yield(void);
 
 /** The process's id. */
 long redcc_system_process(void);
 
-/** When the process began, in ticks since the system did; 0: not known. Together with its id no
- *  other process has it. */
+/** The start time of the process, in ticks since boot; 0: not known. Together with the id it is
+ *  unique. */
 unsigned long long redcc_system_started(void);
 
-/** How many threads of all programs run or want to, the calling one included; 0: not known. */
+/** The number of runnable threads of all programs, including the caller; 0: not known. */
 int redcc_system_running(void);
 
-/** The machine's processors that are in use; 0: not known. */
+/** The number of online processors; 0: not known. */
 int redcc_system_online(void);
 
-/** How often the process's threads had to leave their cores to others; 0: not known. */
+/** The number of involuntary context switches of the process's threads; 0: not known. */
 long redcc_system_cores_lost(void);
 
-/** Has the program more rights than its caller (setuid), so that the environment must not tell it
- *  anything? */
+/** Does the program have more rights than its caller (setuid), so that the environment must be
+ *  ignored? */
 bool redcc_system_is_privileged(void);
 
-/** Fills `word` with what nobody can have known when the program was written. */
+/** Fills `word` with values that are unpredictable to the program's author. */
 void redcc_system_secret(uint64_t *word, size_t words);
 
 #endif

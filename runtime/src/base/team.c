@@ -22,8 +22,8 @@ _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* What OpenMP's library is known by, and what it uses itself to make threads: where a program
- * defines one of these its threads are its own affair. All weak: the library links without. */
+/* Symbols that identify OpenMP's library, and functions that it uses to create threads: a program
+ * that defines one of these manages its threads itself. All weak: the library links without. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void) WEAK;
 extern void __kmpc_fork_call(void) WEAK;
@@ -40,22 +40,22 @@ extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
 extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
 
 enum {
-    FEW = 8192, /* processes; limits above are not met by what a program adds to them */
+    FEW = 8192, /* processes; a program's additions stay below higher limits */
     SPARE = 4 * 1024 * 1024
 };
 
 struct team {
     int threads;         /* of the thread's last region; 0: there was none */
-    int pinned;          /* nothing will be unloaded under its threads */
-    int rest;            /* calls that were refused when a handler was seen last, */
-    int rest_left;       /* and how many of them are left */
-    size_t stack_before; /* bytes, to become the usual size again; 0: it was not changed */
+    int pinned;          /* the code of its threads will not be unloaded */
+    int rest;            /* calls that were skipped after a handler was last seen, */
+    int rest_left;       /* and how many of them remain */
+    size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
 };
 
 static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
 
 void redcc_team_bind(void) {
-    if (!GOMP_parallel || __kmpc_fork_call) /* LLVM's would begin, and read the environment */
+    if (!GOMP_parallel || __kmpc_fork_call) /* LLVM's would initialise, and read the environment */
         return;
     if (omp_in_parallel)
         omp_in_parallel();
@@ -70,7 +70,7 @@ static void nothing(void *unused) {
     (void)unused;
 }
 
-/* An object is not unloaded while a thread has something to do in it at its end. */
+/* An object is not unloaded while a thread has a destructor in it to run. */
 static void pin(void (*code)(void)) {
     if (code)
         __cxa_thread_atexit_impl(nothing, NULL, (void *)code);
@@ -87,7 +87,7 @@ static void pin_all(void) {
 
 /* ---- stacks ---------------------------------------------------------------------------------- */
 
-/* Could so much memory be had? */
+/* Is this much memory available? */
 static bool fits(size_t bytes) {
     void *place = redcc_system_map(bytes);
     if (place)
@@ -95,7 +95,7 @@ static bool fits(size_t bytes) {
     return place != NULL;
 }
 
-/* What the main thread's stack may grow to, as far as anybody uses it. */
+/* The maximum size of the main thread's stack, within the usual bounds. */
 static size_t main_stack(void) {
     struct rlimit limit;
     const size_t unlimited = (size_t)256 << 20, most = (size_t)1 << 30;
@@ -110,7 +110,7 @@ static bool is_told_by_user(void) {
     return getenv("OMP_STACKSIZE") || getenv("GOMP_STACKSIZE") || getenv("KMP_STACKSIZE");
 }
 
-/* Of the stacks that are made from now on; returns their size before. */
+/* Sets the size of stacks created from now on; returns the previous one. */
 static size_t set_stacks(size_t bytes) {
     pthread_attr_t usual;
     size_t before = 0;
@@ -125,8 +125,8 @@ static size_t set_stacks(size_t bytes) {
     return before;
 }
 
-/* Bytes of each of `more` stacks: as large as the main thread's, if there is memory; 0: as usual.
- */
+/* Bytes of each of `more` stacks: the size of the main thread's, if there is memory; 0: the
+ * default. */
 static size_t stack_for(int more) {
     size_t wanted = main_stack();
     const size_t usual = (size_t)2 << 20;
@@ -144,7 +144,7 @@ static void enlarge_stacks(int more) {
         kmp_set_stacksize_s(wanted);
     const size_t before = set_stacks(wanted);
     team.stack_before = before && before != wanted ? before : 0;
-    if (before > wanted) /* the program has asked for more */
+    if (before > wanted) /* the program has requested more */
         set_stacks(before);
 }
 
@@ -164,7 +164,7 @@ bool redcc_team_is_limited(void) {
            is_low("/sys/fs/cgroup/pids.max");
 }
 
-/* Threads that do nothing but be there. */
+/* Threads that do nothing. */
 struct trial {
     atomic_uint over;
     atomic_int asleep;
@@ -176,16 +176,16 @@ static void *be_there(void *argument) {
     return NULL;
 }
 
-/* Threads of the process; 0: not known. */
+/* Number of threads of the process; 0: not known. */
 static int count_tasks(void) {
-    enum { LINKS = 2 }; /* that a directory without any has */
+    enum { LINKS = 2 }; /* of a directory without subdirectories */
     struct statx tasks;
     if (redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0)
         return 0;
     return (int)tasks.stx_nlink - LINKS;
 }
 
-/* How many of `more` threads can be had at once. They are gone when it returns. */
+/* How many of `more` threads can exist at once. They have ended when it returns. */
 static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};
@@ -195,19 +195,19 @@ static int try_threads(int more) {
         return 0;
     while (made < more && pthread_create(&thread[made], NULL, be_there, &trial) == 0)
         made++;
-    const int useful = fits(SPARE) || made == 0 ? made : made - 1; /* OpenMP takes memory, too */
+    const int useful = fits(SPARE) || made == 0 ? made : made - 1; /* OpenMP needs memory, too */
     atomic_store(&trial.over, 1);
     redcc_wake(&trial.over, &trial.asleep);
     for (int i = 0; i < made; i++)
         pthread_join(thread[i], NULL);
     redcc_memory_give(thread);
     for (int wait = 0; wait < 10000 && count_tasks() > before; wait++)
-        redcc_system_yield(); /* they count until the system has cleared them away */
+        redcc_system_yield(); /* they count until the system has removed them */
     return useful;
 }
 
 static int threads_to_be_had(int threads) {
-    static atomic_int most; /* 0: more than were asked for so far */
+    static atomic_int most; /* 0: more than were requested so far */
     const int known = atomic_load(&most), there = team.threads > 0 ? team.threads : 1;
     if (known)
         return threads < known ? threads : known;
@@ -219,7 +219,7 @@ static int threads_to_be_had(int threads) {
     return can;
 }
 
-/* Looked at in fewer and fewer calls, where it has been so. */
+/* Checks the stack with exponential back-off after a handler was found. */
 static bool is_in_handler(uint64_t before) {
     enum { REST_MOST = 1024 };
     if (team.rest_left > 0) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What is done before OpenMP makes threads for a region, and after. Nothing, where the calling
- * thread's last region had as many: GCC's OpenMP and LLVM's keep them.
+ * Preparation before OpenMP creates threads for a region, and the work after it. Nothing if the
+ * calling thread's last region had the same number: GCC's OpenMP and LLVM's keep them.
  */
 #ifndef REDCC_TEAM_H
 #define REDCC_TEAM_H
@@ -9,38 +9,37 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Before a region of `threads` threads begins: how many can be had (OpenMP ends a program where
- *  the system refuses it a thread); 1: none beside the calling one; 0: the region must not begin,
- *  for the thread is in a handler, which may have found it in malloc. before: what the thread
- *  blocked before redcc_signals_hold. Sees to it that the code the
- *  threads run is not unloaded while they are there, and that their stacks are as large as the
- *  main thread's may become. Signals must be held (signals.h); those left to the system
- *  are let through. */
+/** Before a region of `threads` threads begins: returns how many are available (OpenMP ends a
+ *  program if the system refuses it a thread); 1: only the calling one; 0: the region must not
+ *  begin, because the thread is in a handler, which may have interrupted malloc. before: the
+ *  thread's mask before redcc_signals_hold. Ensures that the threads' code is not unloaded while
+ *  they exist, and that their stacks are as large as the main thread's may become. Signals must be
+ *  blocked (signals.h); those with default actions are let through. */
 int redcc_team_prepare(int threads, uint64_t before);
 
-/** Has what every translated loop asks OpenMP's library bound, as the program begins: that takes a
- *  first loop of some microseconds longer than the loop itself. */
+/** At program start, binds the functions of OpenMP's library that every translated loop calls:
+ *  otherwise binding them would take longer than a first loop of some microseconds. */
 void redcc_team_bind(void);
 
-/** Is the calling thread within an execution? A loop that begins meanwhile, unless in its body, is
- *  one in a handler, which may find locks held. */
+/** Is the calling thread within an execution? A loop that begins meanwhile, other than in its body,
+ *  is in a signal handler, which may find locks held. */
 extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 
 /** May the system refuse the process a thread, or memory for one? */
 bool redcc_team_is_limited(void);
 
-/** Will a region of `threads` threads have OpenMP make some? */
+/** Will OpenMP create threads for a region of `threads` threads? */
 bool redcc_team_grows(int threads);
 
-/** How many threads more than its last region had does one of `threads` need? */
+/** How many more threads than its last region had does one of `threads` need? */
 int redcc_team_missing(int threads);
 
-/** How many of these must OpenMP start? For the main thread none, where the process has as many
- *  threads as that: the program's regions may have started them. They may be other threads than
- *  OpenMP's, so this is for estimates. */
+/** How many of these must OpenMP start? None for the main thread if the process has that many
+ *  threads: the program's regions may have started them. They may be other threads than OpenMP's,
+ *  so this is only an estimate. */
 int redcc_team_to_start(int threads);
 
-/** The region has begun, with `threads` threads; to be called by its first thread. */
+/** The region has begun, with `threads` threads; called by its first thread. */
 void redcc_team_came(int threads);
 
 #endif

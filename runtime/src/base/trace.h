@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** REDCC_TRACE: what the runtime does, as it does it, on standard error. */
+/** REDCC_TRACE: prints events of the runtime on standard error as they occur. */
 #ifndef REDCC_TRACE_H
 #define REDCC_TRACE_H
 
 #include "redcc/runtime.h"
 
-/** Subject, its name in REDCC_TRACE. */
+/** Subject, and its name in REDCC_TRACE. */
 #define REDCC_TRACE_LIST(X)                                                                        \
-    X(TRACE_CHOICE, "choice")         /* the course taken, and why */                              \
-    X(TRACE_PLAN, "plan")             /* plans built and used again */                             \
+    X(TRACE_CHOICE, "choice")         /* the mode chosen, and the rule */                          \
+    X(TRACE_PLAN, "plan")             /* plans built and reused */                                 \
     X(TRACE_EXECUTION, "execution")   /* each execution in parallel */                             \
     X(TRACE_VALIDATION, "validation") /* each comparison with the sequential loop */
 
@@ -28,7 +28,7 @@ static inline int redcc_traces(enum trace subject) {
     return (int)(redcc_traced >> subject & 1);
 }
 
-/** One line about `loop`, where the subject is traced. Thread-safe. */
+/** Prints one line about `loop` if the subject is traced. Thread-safe. */
 void redcc_trace(enum trace subject, const redcc_loop *loop, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What the image's dynamic section leads to. */
+/* The tables that the image's dynamic section refers to. */
 struct image {
-    uintptr_t shift; /* from addresses in the image to where it lies */
+    uintptr_t shift; /* from addresses in the image to its actual ones */
     const Elf64_Sym *symbol;
     const char *text;
 };
@@ -26,7 +26,7 @@ static void take_entry(struct image *image, const Elf64_Dyn *entry) {
         image->text = place;
 }
 
-/* False: it is not of the form that we know. */
+/* False if its format is unknown. */
 static int read_image(struct image *image, uintptr_t place) {
     const Elf64_Ehdr *header = at(place);
     if (!place || memcmp(header->e_ident, ELFMAG, SELFMAG) != 0)
@@ -47,7 +47,7 @@ static int read_image(struct image *image, uintptr_t place) {
     return image->symbol && image->text;
 }
 
-/* How many symbols there are is told by hash tables of two kinds; but the texts follow them. */
+/* The number of symbols is in hash tables of two kinds; but the string table follows them. */
 void (*redcc_vdso_find(unsigned long place, const char *name))(void) {
     struct image image = {0};
     if (!read_image(&image, place))

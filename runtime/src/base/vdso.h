@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions of the kernel's own, which it maps into each process: a clock without a system call.
- */
+/** Functions that the kernel maps into each process: a clock without a system call. */
 #ifndef REDCC_VDSO_H
 #define REDCC_VDSO_H
 
@@ -12,8 +11,8 @@
 #define REDCC_VDSO_NODE "__vdso_getcpu"
 #endif
 
-/** The function called `name` in the image at address `image` (AT_SYSINFO_EHDR; 0: none), as
- *  vdso(7) says; a null pointer where there is none. */
+/** The function called `name` in the image at address `image` (AT_SYSINFO_EHDR; 0: none), according
+ *  to vdso(7); a null pointer if there is none. */
 void (*redcc_vdso_find(unsigned long image, const char *name))(void);
 
 #endif

@@ -12,15 +12,15 @@
 #endif
 
 enum {
-    SPINS = 4000, /* some 20 to 100 microseconds: longer than a balanced loop's threads differ */
+    SPINS = 4000, /* some 20 to 100 microseconds: more than the skew of a balanced loop's threads */
     IDLE = 1000,  /* docs/decisions/0002 */
-    YIELDS = 4,   /* then leave the core to the awaited thread, then sleep */
+    YIELDS = 4,   /* then yield the core to the awaited thread, then sleep */
     FULL = 1024
 };
 
-/* What a thread spins of that, of FULL: exponential back-off. Who waits for a thread that another
- * program keeps from its core spins for nothing, and keeps that core from others himself. So a wait
- * that ended asleep halves it. One that ended awake, or soon afterwards, doubles it. */
+/* The fraction of FULL that a thread spins: exponential back-off. If another program holds the core
+ * of the awaited thread, spinning is useless and occupies a core as well. So a wait that ended
+ * asleep halves it. One that ended awake, or soon afterwards, doubles it. */
 struct spinning {
     int part;
 };
@@ -29,7 +29,7 @@ static _Thread_local struct spinning at_barriers
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
 static _Thread_local struct spinning in_between
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
-static const double soon = 0.1e-3; /* as long as all spins take */
+static const double soon = 0.1e-3; /* the duration of all spins */
 
 static void note(struct spinning *it, bool was_worth_it) {
     const int next = was_worth_it ? 2 * it->part : it->part / 2;
@@ -54,8 +54,8 @@ static inline void relax(void) {
 #endif
 }
 
-/* Either we are counted as asleep before the word changes and are woken, or the kernel finds it
- * changed and does not let us sleep. */
+/* Either this thread is counted as asleep before the word changes and is woken, or the kernel finds
+ * the word changed and does not let it sleep. */
 static void sleep_while(atomic_uint *word, unsigned value, atomic_int *asleep) {
     atomic_fetch_add(asleep, 1);
     while (atomic_load(word) == value) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The ways of executing a loop that auto chooses from: the arms of its bandit. */
+/** The strategies that auto chooses from: the arms of its bandit. */
 #ifndef REDCC_WAY_H
 #define REDCC_WAY_H
 
@@ -7,13 +7,13 @@
 
 enum way {
     WAY_SEQUENTIAL,
-    /* By a plan, which an inspection makes: */
+    /* With a plan, built by an inspection: */
     WAY_COPIES, /**< private copies */
     WAY_INDEX,  /**< LOCALWRITE, owners by address */
     WAY_GRAPH,  /**< LOCALWRITE, owners cut from the access graph; wavefronts where these are uneven
                  */
     /* Without inspection and plan, so that subscripts may change: */
-    WAY_DIRECT, /**< LOCALWRITE, owners by address, with no set-up */
+    WAY_DIRECT, /**< LOCALWRITE, owners by address, without plan construction */
     WAY_BINS,   /**< in-order binning, whose trials may stop in the middle */
     WAY_COUNT,
     WAY_LAST_PLANNED = WAY_GRAPH

@@ -13,8 +13,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Of a loop that no sequential one can be timed against, iterations that are worth two threads
- * however long they take. */
+/* For a loop without a timed sequential one: the number of iterations that are worth two threads,
+ * whatever an iteration takes. */
 enum {
     SMALL_TRIP = 4096,
     /* Units of the leading array for each thread. If they are rows of a mesh, stealable blocks cost
@@ -67,7 +67,7 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
     return true;
 }
 
-/* Bytes of subscripts that are where the call says. */
+/* Bytes of subscripts whose addresses the call gives. */
 static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) {
     double bytes = 0;
     for (uint32_t s = 0; s < loop->source_count; s++)
@@ -83,8 +83,8 @@ static bool are_the_same(const struct chooser *chooser, const redcc_loop *loop,
            redcc_fingerprint_equal(all, chooser->all);
 }
 
-/* Was it met in one of the last calls? A loop that is called for a few arrays in turn keeps a plan
- * for each. */
+/* Was the sample seen in one of the last calls? A loop that is called for several arrays in turn
+ * keeps a plan for each. */
 static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
     int at = 0;
     while (at < REDCC_PLANS - 1 && chooser->sampled[at] != sampled)
@@ -115,7 +115,7 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
-/* But for kept plans, and with the least that starting threads may take. */
+/* Without kept plans, and with the minimum cost of starting threads. */
 static struct situation situation_of(const struct chooser *chooser, const redcc_loop *loop,
                                      redcc_int trip, int threads) {
     struct situation now = {.trip = trip,
@@ -174,10 +174,10 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     return advice;
 }
 
-/* ---- what is known of the loop ----------------------------------------------------------------
- */
+/* ---- facts about the loop
+ * ------------------------------------------------------------------------ */
 
-/* The same bits in whatever order the contributions come? */
+/* Does any order of contributions give the same bits? */
 static bool any_order_is_exact(const redcc_loop *loop) {
     for (uint32_t array = 0; array < loop->array_count; array++)
         if (loop->arrays[array].type > REDCC_UINT64)
@@ -204,7 +204,7 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
-/* What is known by the sample and by all iterations alike. */
+/* Facts that are known both after the sample and after all iterations. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -225,14 +225,14 @@ static struct findings begin_findings(const struct chooser *chooser,
         .checked = bytes_to_check(loop, call->request.known)};
 }
 
-/* Are stealable blocks (partition.h) worth what they cost, of which *found tells share, overhead
- * and changes? */
+/* Are stealable blocks (partition.h) worth their cost, which *found states as share, overhead and
+ * changes? */
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
     if (found->overhead > LEARN_SHARE / 2 || found->share * call->planned > LEARN_CONTENDED)
         return false; /* they save 2 to 20 % of the iterations */
-    /* Where the iterations of a block do not lie together, the subscripts of its neighbours are
-     * read with its own. */
+    /* If the iterations of a block are scattered, the subscripts of its neighbours are read with
+     * its own. */
     return found->changes < LEARN_FREQUENT ||
            usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
 }
@@ -251,12 +251,12 @@ static double bytes_touched(const struct inspection *inspection) {
     return bytes;
 }
 
-/* Are arrays beyond the caches updated in no order? */
+/* Are arrays larger than the caches updated irregularly? */
 static bool is_random(const struct inspection *inspection, double changes) {
     return changes >= LEARN_FREQUENT && bytes_touched(inspection) >= 3 * LEARN_CACHE;
 }
 
-/* Will plans prefetch what the original loop waits for? */
+/* Will plans prefetch the data that the original loop waits for? */
 static bool is_fetched(const struct inspection *inspection, double changes) {
     const struct call *call = inspection->call;
     const bool is_said_off = call->prefetch == 0;
@@ -264,8 +264,9 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* Each thread evaluates all slices, after all together have evaluated them once; a dry run, by one,
- * is that as well. What is left out of guarded iterations is more than half. */
+/* Each thread evaluates all slices, after all threads together have evaluated them once; a dry run,
+ * by one thread, counts as that, too. Owner-checked iterations skip more than half of their
+ * work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it) {
     const uint32_t flags = inspection->call->request.loop->flags;
     const double even = 1.0 / it->threads;
@@ -278,7 +279,7 @@ static double share_directly(const struct inspection *inspection, const struct f
                : 0;
 }
 
-/* Updates in no order; or of a small array of integers, which are made on private copies. */
+/* Irregular updates; or updates of a small array of integers, which use private copies. */
 static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
                       struct findings *findings) {
     const redcc_loop *loop = inspection->call->request.loop;
@@ -320,7 +321,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);
-    if (entry->alone) { /* whatever is worth a set-up is set up at another call */
+    if (entry->alone) { /* a profitable plan is constructed in another call */
         redcc_note_arms(&chooser->state, findings.trip, arm, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
@@ -363,14 +364,14 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     inspection->deadline = redcc_seconds() + decision.deadline;
     if (entry->way != WAY_COPIES)
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
-    redcc_partition_in_one(partition); /* nobody need know who touches what, only how far */
+    redcc_partition_in_one(partition); /* owners do not matter, only the range */
     return ROUTE_COPIES;
 }
 
 /* ---- after the sweep --------------------------------------------------------------------------
  */
 
-/* By index, now that all iterations are told: is it still expected to be faster? */
+/* Now that all iterations are recorded: are owners by index still expected to be faster? */
 static bool index_pays(const struct chooser *chooser, const struct inspection *inspection,
                        bool reusable) {
     struct arm arm[WAY_COUNT];
@@ -382,7 +383,8 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, inspection->call->request.loop);
     return arm[WAY_INDEX].execution <
-           (1 + LEARN_BETTER) / 2 * findings.sequential; /* exact by half */
+           (1 + LEARN_BETTER) / 2 * findings.sequential; /* the midpoint between equality and the
+                                                          * required gain */
 }
 
 const struct method *redcc_advise_swept(const struct chooser *chooser,
@@ -403,14 +405,14 @@ const struct method *redcc_advise_swept(const struct chooser *chooser,
 /* ---- after the log and the partition ----------------------------------------------------------
  */
 
-/* The iterations of an owner lie scattered over the loop. */
+/* The iterations of an owner are scattered over the loop. */
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
                               double overhead) {
     const struct estimate found = {.share = share, .overhead = overhead, .changes = 1};
     return stealing_pays(chooser, call, &found);
 }
 
-/* auto tries stealable blocks where parts are large; what they cost is seen when they are there. */
+/* auto tries stealable blocks if parts are large; their cost is known once they exist. */
 const struct method *redcc_advise_logged(const struct chooser *chooser,
                                          struct inspection *inspection, bool reusable) {
     const struct call *call = inspection->call;
@@ -431,7 +433,7 @@ void redcc_tell_no_graph(struct advice *entry) {
     entry->way = WAY_INDEX;
 }
 
-/* Are the stealable blocks that were tried not worth what they cost? */
+/* Are the stealable blocks that were tried not worth their cost? */
 static bool goes_without_stealing(const struct chooser *chooser,
                                   const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -444,8 +446,8 @@ static bool goes_without_stealing(const struct chooser *chooser,
                               (double)(with - without) / trip);
 }
 
-/* The owners that were cut leave one thread this share of the iterations. Would it be quicker by
- * levels? If so they are there. */
+/* The owners from the cut leave one thread this share of the iterations. Would levels be faster? If
+ * so, builds them. */
 static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;
@@ -476,7 +478,7 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason) {
     if (outcome->result == RESULT_REFUSED)
         chooser->refused = reason;
-    if (outcome->result == RESULT_CHANGED) /* though the sample was the same */
+    if (outcome->result == RESULT_CHANGED) /* although the sample was the same */
         chooser->steady = 0;
     redcc_observe(&chooser->state, outcome);
 }

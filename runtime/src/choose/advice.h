@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The seam between the pipeline and what chooses: every question that REDCC_METHOD=auto answers,
- * and everything that it is told, in the order in which a call comes to it. Nothing else calls the
- * decision core (learner.h); where a method is named it is not asked, and these functions answer by
- * the method.
+ * The interface between the pipeline and the chooser: every question that REDCC_METHOD=auto
+ * answers, and every result reported to it, in the order of a call. Nothing else calls the decision
+ * core (learner.h). If a method is named, the core is not used, and these functions answer by the
+ * method.
  *
  *     at entry              redcc_advise_rest, redcc_advise_saving, redcc_advise_entry
  *     after the sample      redcc_advise_sampled
- *     after the sweep       redcc_advise_swept; where it was kept, redcc_advise_logged
+ *     after the sweep       redcc_advise_swept; with an access log, redcc_advise_logged
  *     after the partition   redcc_advise_partitioned
- *     after the execution   redcc_tell, also of the sequential loop; redcc_advise_timed
+ *     after the execution   redcc_tell, also after the sequential loop; redcc_advise_timed
  *
- * One thread at a time uses a chooser: the one that holds the loop, or that a stage's end runs in.
+ * One thread at a time uses a chooser: the one that holds the loop, or that ends a stage.
  */
 #ifndef REDCC_ADVICE_H
 #define REDCC_ADVICE_H
@@ -21,106 +21,106 @@
 #include "plan/method.h"
 #include "reuse/kept.h"
 
-/** What auto knows of a loop; zeroes at first. */
+/** Auto's state for a loop; initially zero. */
 struct chooser {
     struct choice_state state;
     uint64_t sample;               /* of this call's subscripts (redcc_reuse_sample); 0: none */
     enum reach reach;              /* of this call */
-    uint64_t sampled[REDCC_PLANS]; /* samples, the last met first */
-    int steady;                    /* calls in a row that had one of these */
-    struct fingerprint all;        /* of all subscripts, after the last call; where remembered */
+    uint64_t sampled[REDCC_PLANS]; /* samples, most recent first */
+    int steady;                    /* consecutive calls that had one of these */
+    struct fingerprint all;        /* of all subscripts, after the last call; if kept */
     bool remembered;
     bool verified;       /* all were compared once, and the samples have been the same since */
-    int asked, came;     /* threads, in the last parallel region */
+    int asked, came;     /* threads requested and obtained in the last parallel region */
     long skipped;        /* sequential calls since a plan was used */
-    enum reason refused; /* why no plan could be had, last */
+    enum reason refused; /* the last reason why no plan was available */
 };
 
-/** What auto says at entry. */
+/** Auto's decision at entry. */
 struct advice {
     enum action action;
-    enum way way;       /* REUSE; INSPECT: as soon as it is decided */
+    enum way way;       /* REUSE; INSPECT: once it is decided */
     bool timed;         /* SEQUENTIAL */
-    bool alone;         /* INSPECT: a look, by one thread; a set-up is another call's */
-    double deadline;    /* INSPECT: seconds that a dry run may take */
-    double awaited;     /* INSPECT: seconds that passed until threads came which were not there */
-    double may_lose;    /* REUSE, of a trial: seconds; 0: it is none */
-    long skipped_calls; /* REUSE: that were sequential since a plan was used */
-    double earned;      /* REUSE: seconds saved since the last set-up, less what that took */
+    bool alone;         /* INSPECT: only a sample, by one thread; a plan is constructed in another
+                         * call */
+    double deadline;    /* INSPECT: time limit of a dry run, in seconds */
+    double awaited;     /* INSPECT: seconds spent waiting for threads that had to be started */
+    double may_lose;    /* REUSE, in a trial: seconds it may lose; 0: no trial */
+    long skipped_calls; /* REUSE: sequential calls since a plan was used */
+    double earned;      /* REUSE: seconds saved since the last plan construction, less its cost */
     enum reason reason; /* for SEQUENTIAL */
     enum rule rule;
 };
 
-/** By owners without an inspection of who executes what? It has no plan that could be used again.
- */
+/** By owners, without inspecting which thread executes what? There is no plan to reuse. */
 static inline bool redcc_goes_directly(const struct advice *advice) {
     return advice->action == ACTION_REUSE && advice->way == WAY_DIRECT;
 }
 
-/** Is this a call in which the loop is left alone, since it is short or nothing served it lately?
- *  Then *advice says so, for a compare and a counter. */
+/** Is the loop left sequential in this call, because it is short or no method helped recently? Then
+ *  sets *advice, at the cost of a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
 
-/** For a call that redcc_advise_rest had nothing to say of: samples its subscripts. Is there
- * nothing that may be begun, whatever threads cost? Then *advice says so, before anything is looked
- * for that only a parallel execution needs. */
+/** For a call that redcc_advise_rest did not decide: samples its subscripts. Is no action feasible,
+ *  whatever threads cost? Then sets *advice, before any work that only a parallel execution
+ *  needs. */
 bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                          redcc_int trip, int threads, struct advice *advice);
 
-/** For a call that neither had anything to say of. */
+/** For a call that neither of these decided. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
-/** The original loop was timed, and redcc_tell knows. Where it was the first time, samples the
- * subscripts, unless that was done at entry; and where comparing all of them costs next to nothing,
- * keeps their fingerprint for the next call. */
+/** The original loop was timed, and redcc_tell has the time. After the first timing it samples the
+ *  subscripts, unless that was done at entry; if comparing all of them costs next to nothing, it
+ *  keeps their fingerprint for the next call. */
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds);
 
-/** Of the sample: what of it auto goes by. */
+/** Does auto need estimates from the sample? */
 bool redcc_wants_estimate(const struct inspection *inspection);
 
-/** How shall the inspection go on? SERIAL: it is not worth it. May join stealable blocks of the
- *  partition to their owners, or make it one piece. Sets entry->way, and the deadline. */
+/** Decides how the inspection continues. SERIAL: it is not worth it. May join stealable blocks of
+ *  the partition to their owners, or make it one piece. Sets entry->way, and the deadline. */
 enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                                 struct inspection *inspection, const struct estimate *estimate);
 
-/** By what method, now that the access summaries are there? reusable: the plan can be kept. NULL:
- *  by none, it would be slower than the original loop. */
+/** Selects the method, given the access summaries. reusable: the plan can be kept. NULL: none, the
+ *  original loop is expected to be faster. */
 const struct method *redcc_advise_swept(const struct chooser *chooser,
                                         const struct inspection *inspection, bool reusable);
 
-/** Do memory and what is touched allow private copies? */
+/** Do the memory limit and the touched ranges permit private copies? */
 bool redcc_copies_allowed(const struct inspection *inspection);
 
-/** By what method, all touches being kept? May add stealable blocks to the partition. reusable, and
- *  NULL: as above; owners cut from the graph do not pay for themselves in one execution. */
+/** Selects the method, given a complete access log. May add stealable blocks to the partition.
+ *  reusable, and NULL: as above; owners cut from the graph do not pay off in one execution. */
 const struct method *redcc_advise_logged(const struct chooser *chooser,
                                          struct inspection *inspection, bool reusable);
 
 /** The owners cannot be cut from the access graph. */
 void redcc_tell_no_graph(struct advice *entry);
 
-/** The owners are cut. *method stays, or changes. JOIN: the stealable blocks, which the partition
- * has no longer, are to be joined to their owners; LEVELS: inspection->levels are there to be used.
- */
+/** Called after the owners are cut. *method is kept, or changes. JOIN: the stealable blocks, which
+ *  the partition no longer contains, must be joined to their owners; LEVELS: inspection->levels is
+ *  ready. */
 enum partitioned { PARTITIONED_KEEP, PARTITIONED_JOIN, PARTITIONED_LEVELS };
 enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
                                           struct inspection *inspection,
                                           const struct method **method);
 
-/** What came of a call, and what it took; reason: why there was no plan, or NONE. */
+/** Reports the result and the cost of a call; reason: why there was no plan, or NONE. */
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason);
 
-/** So many threads came where `asked` were asked for, of which so many were started, and that, or
- *  else waking them, took `seconds`; 0: not known. Thread-safe but for the chooser. */
+/** `came` threads arrived of `asked` requested ones, some of them newly started; starting them, or
+ *  else waking all, took `seconds`; 0: not known. Thread-safe except for the chooser. */
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started);
 
 /** The row of auto's table that decided last. */
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip);
 
-/** How many of `threads` are worth waking for a loop of `trip` iterations that no sequential loop
- *  can be timed against, since none gives its sums. seconds: what `iterations` of it have taken so
- *  far. */
+/** How many of `threads` are worth waking for a loop of `trip` iterations that has no timed
+ *  sequential loop, since no sequential one gives its sums. seconds: the time of its first
+ *  `iterations`. */
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations);
 
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/cost_model.h"
 
-/* Of an execution by owners, in proportion to the original loop. Rows in no order that are
- * prefetched take 0.42 to 0.57. By lanes one thread takes 0.3 to 0.9: worth a set-up from the
- * credit, but no loan. */
+/* Time by owners, relative to the original loop. Irregular rows that are prefetched take 0.42 to
+ * 0.57. With lanes one thread takes 0.3 to 0.9: worth a plan construction from the credit, but not
+ * an overdraft. */
 static double by_owners(const struct findings *it) {
     const double waiting = it->fetched ? LEARN_CLEAR * LEARN_BETTER : 1;
     return waiting * (it->threads > 1 ? LEARN_CONTENDED
@@ -11,7 +11,7 @@ static double by_owners(const struct findings *it) {
                                       : 1);
 }
 
-/* Runs of iterations are begun by each thread. */
+/* Each thread has a start-up cost for each run of iterations. */
 static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }
@@ -24,7 +24,7 @@ static void by_copies(const struct findings *it, struct arm *arm) {
                      it->copied * (it->reusable ? LEARN_BYTE : 4 * LEARN_BYTE) / trip;
 }
 
-/* Iterations that change owners are told apart, and ask who owns what they write. */
+/* Iterations that change owners are distinguished, and check the owner of each row they write. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
     const double told = it->touches * LEARN_TOUCH + it->runs * 2 * LEARN_ROW;
@@ -35,7 +35,7 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Of no use where owners by index are as even. */
+/* Useless if owners by index are equally balanced. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = it->touches * 7 * LEARN_TOUCH + it->further_rows * LEARN_ROW +
                                 it->leading_rows * 1.5 * LEARN_ROW;
@@ -51,7 +51,7 @@ static void directly(const struct findings *it, struct arm *arm) {
     arm->execution = it->sequential * by_owners(it) * it->direct;
 }
 
-/* What pushing and applying records takes is known only when it was tried. */
+/* The cost of pushing and applying records is known only after a trial. */
 static void by_bins(const struct findings *it, struct arm *arm) {
     arm->possible = it->binned;
     arm->guessed = !it->bins_known;
@@ -69,6 +69,7 @@ void redcc_estimate_arms(const struct findings *findings, struct arm *arm) {
     by_graph(findings, &arm[WAY_GRAPH]);
     directly(findings, &arm[WAY_DIRECT]);
     by_bins(findings, &arm[WAY_BINS]);
-    for (enum way way = WAY_COPIES; redcc_is_planned(way); way++) /* if not kept, it serves once */
+    for (enum way way = WAY_COPIES; redcc_is_planned(way); way++) /* if not kept, it is used only
+                                                                   * once */
         arm[way].execution += findings->reusable ? checked : arm[way].set_up / trip;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What each way would cost, by what an inspection has found so far. */
+/** Estimates the cost of each strategy from the results of an inspection so far. */
 #ifndef REDCC_CHOOSE_COST_MODEL_H
 #define REDCC_CHOOSE_COST_MODEL_H
 
@@ -8,23 +8,24 @@
 struct findings {
     long long trip; /**< iterations */
     int threads;
-    double sequential;   /**< seconds of the original loop for an iteration */
+    double sequential;   /**< seconds of the original loop per iteration */
     double spent;        /**< seconds of this inspection so far */
-    double share;        /**< of the iterations, by the thread that would execute most by index */
-    double direct;       /**< the same without an inspection; 0: that cannot be had */
-    double touches;      /**< of an iteration */
+    double share;        /**< share of the iterations of the most loaded thread, by index */
+    double direct;       /**< the same without an inspection; 0: not possible */
+    double touches;      /**< per iteration */
     double leading_rows; /**< ... at different addresses, of the group that owners are cut in */
     double further_rows; /**< ... of the others */
-    double runs;      /**< of the iterations: those that touch other owners than the one before */
-    bool fetched;     /**< its rows lie in no order beyond the caches, and plans prefetch them */
+    double runs;      /**< share of the iterations that touch other owners than the preceding one */
+    bool fetched;     /**< its accesses are irregular and exceed the caches, and plans prefetch
+                       * them */
     bool lanes;       /**< plans execute by lanes, if that is faster */
-    bool copies;      /**< private copies may and can be had */
+    bool copies;      /**< private copies are permitted and possible */
     double copied;    /**< bytes of one of them */
     bool binned;      /**< it has a form for binning, */
-    bool bins_known;  /**< which is expected to be worth it */
-    double bin_bytes; /**< of private copies that binning makes in place of records; 0: none */
+    bool bins_known;  /**< which is expected to pay */
+    double bin_bytes; /**< of the private copies that replace records in binning; 0: none */
     bool reusable;    /**< the plan can be kept */
-    double checked;   /**< bytes of subscripts that are compared before a plan is used again */
+    double checked;   /**< bytes of subscripts that are compared before a plan is reused */
 };
 
 /** Fills arm [WAY_COUNT]. */

@@ -9,9 +9,9 @@
 
 #include <stdatomic.h>
 
-/* Smoothed measurements of all loops'; 0: none yet. Where other programs want the cores, threads
- * that are started wait for their turn. Where the program's own regions have started them, a loop's
- * first region takes a quarter of what they would. */
+/* Smoothed measurements over all loops; 0: none yet. If other programs use the cores, new threads
+ * wait for their turn. If the program's own regions have started the threads, a loop's first region
+ * takes a quarter of the time to start them. */
 static _Atomic double wake, start;
 static const double first_wake = LEARN_LOOK / 40, turn = 10 * LEARN_LOOK,
                     first_region = LEARN_LOOK / 4;
@@ -21,8 +21,9 @@ double redcc_wake_seconds(void) {
     return measured > 0 ? measured : first_wake;
 }
 
-/* A look takes 4 microseconds, but 15 to 400 after a loop whose data filled the caches: it holds
- * for a while. Not for long: it may have met another program that was there for a moment. */
+/* A query takes 4 microseconds, but 15 to 400 after a loop whose data filled the caches, so its
+ * result is reused for a while: not for long, since another program may have run only for a
+ * moment. */
 static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
@@ -72,7 +73,7 @@ void redcc_note_waking(double seconds, int started) {
         return;
     }
     const double most =
-        5 * first_wake; /* more is a busy machine: loops are compared all the same */
+        5 * first_wake; /* more means a busy machine: loops are compared all the same */
     const double now = seconds < most ? seconds : most, before = redcc_wake_seconds();
     atomic_store_explicit(&wake, before + (now - before) / (2 * LEARN_SURE), memory_order_relaxed);
 }

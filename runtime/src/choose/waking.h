@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What waking threads takes, and starting those that are not there: measured in all loops of the
- *  process, estimated before. Thread-safe. */
+/** The time to wake threads, and to start missing ones: measured over all loops of the process,
+ *  estimated before. Thread-safe. */
 #ifndef REDCC_CHOOSE_WAKING_H
 #define REDCC_CHOOSE_WAKING_H
 
 #include <stdbool.h>
 
-/** Seconds that waking the threads takes. */
+/** Seconds to wake the threads. */
 double redcc_wake_seconds(void);
 
-/** Seconds that a region takes until so many threads are there that are to be started, at least
- * 0.1 ms; wanted: other programs run on the processors that they would need. */
+/** Seconds until a region has started `missing` threads, at least 0.1 ms; wanted: other programs
+ *  run on the processors that they would need. */
 double redcc_start_seconds(int missing, bool wanted);
 
-/** ... that a region of so many threads takes for those that are not there, as the machine is now;
- *  0: all are. To look takes long beside a light loop. */
+/** Seconds that a region of this many threads needs to start the missing ones under the current
+ *  load; 0: none is missing. The query is expensive compared with a light loop. */
 double redcc_likely_start(int threads);
 
-/** ... at least. Takes no look. */
+/** A lower bound of that, without a query. */
 double redcc_least_start(int threads);
 
-/** Of a region: starting `started` threads, or, where that is 0, waking all of them, took
+/** Records that starting `started` threads or, if that is 0, waking all threads of a region took
  *  `seconds`; 0: not known. */
 void redcc_note_waking(double seconds, int started);
 

@@ -32,7 +32,7 @@ void redcc_lost_bring(const struct plan *plan, int thread) {
         const size_t end = share_begin(plan, lost, thread + 1);
         for (size_t i = share_begin(plan, lost, thread); lost->value && i < end; i++) {
             if (lost->value[i] == 0 || !isfinite(lost->value[i]))
-                continue; /* what is not touched must not be written */
+                continue; /* an untouched element must not be written */
             if (lost->type == REDCC_FLOAT)
                 bring_float((float *)(void *)lost->first + i, lost->value[i]);
             else
@@ -60,13 +60,13 @@ void redcc_lost_begin(const struct lost *lost, void *address, size_t count) {
         }
 }
 
-/* What a + b is off by when rounded to `sum` (Knuth's TwoSum). */
+/* The rounding error of a + b = `sum` (Knuth's TwoSum). */
 static double error_of(double a, double b, double sum) {
     const double b_part = sum - a, a_part = sum - b_part;
     return (a - a_part) + (b - b_part);
 }
 
-/* Each returns what is lost. Where nothing was added that is 0, and the element what it was. */
+/* Each returns the rounding error. If nothing was added it is 0, and the element unchanged. */
 static double add_to_float(float *element, double before) {
     const double value = (double)*element, sum = before + value;
     *element = (float)sum;

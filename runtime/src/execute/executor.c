@@ -2,11 +2,11 @@
 /**
  * Execution, the same for all methods: chunks, stages between barriers, copies and their merge.
  *
- *     STEP_BEGIN: redcc_next comes for the first time; it begins, and goes on to
+ *     STEP_BEGIN: the first call of redcc_next, which continues with
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
- *     STEP_REST: of a binned loop, what is executed sequentially, by the first thread  -> STEP_END
- *                with validation, after what was binned:      STEP_CHECK -> STEP_REST
+ *     STEP_REST: sequential iterations of a binned loop, by the first thread  -> STEP_END
+ *                with validation, after the binned part:      STEP_CHECK -> STEP_REST
  */
 #include "execute/run.h"
 
@@ -26,8 +26,8 @@ static int team_size(const struct plan *plan, int team) {
            redcc_team_first(plan->threads, plan->teams.count, team);
 }
 
-/* Where this thread writes: in place (number < 0), or where its copy would begin if it were the
- * whole array. */
+/* Sets the thread's write addresses: in place (number < 0), or the base of its copy if that were
+ * the whole array. */
 static void place_bases(struct runner *runner, int number) {
     const struct plan *plan = runner->plan;
     void *const *bases = runner->run->call->request.bases;
@@ -42,7 +42,7 @@ static void place_bases(struct runner *runner, int number) {
     }
 }
 
-/* What a thread owns of an array whose units have a map. */
+/* The elements that a thread owns in an array whose units have a map. */
 static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const char *base,
                                 uint32_t owner) {
     const struct group_map *it = &plan->map.of[group];
@@ -64,7 +64,7 @@ static void place_owners(struct runner *runner) {
         const uintptr_t base = (uintptr_t)runner->run->call->request.bases[group];
         runner->owner[array] = (redcc_owner){.first = (const char *)base};
         if (owner >= plan->owners)
-            continue; /* a method with fewer owners than threads: nothing is guarded */
+            continue; /* a method with fewer owners than threads: no owner checks */
         if (plan->map.owner) {
             runner->owner[array] = mapped_owner(plan, group, (const char *)base, owner);
             continue;
@@ -84,7 +84,7 @@ void redcc_run_begin(struct run *run) {
     atomic_store_explicit(&run->blocks_claimed, 0, memory_order_relaxed);
 }
 
-/* All threads are there, and none has written yet. */
+/* Called when all threads have arrived and none has written. */
 static void take_snapshot(struct runner *runner) {
     struct run *run = runner->run;
     if (!redcc_barrier_arrive(run->barrier, runner->threads))
@@ -114,15 +114,15 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* That a thread executes; of stolen ones, in the mean. */
+/* Iterations that a thread executes; for stolen ones, the average. */
 static redcc_int iterations_of(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan->method->steals ? plan->executed / plan->threads
                                 : plan->schedule[runner->schedule].iterations;
 }
 
-/* Of iterations that touch nothing, where all are to be executed, each thread has a share; else
- * the last iteration is executed for the last values of the variables that it sets. */
+/* If iterations that touch nothing must be executed, each thread has a share of them; otherwise
+ * only the last iteration is, for the last values of the variables that it sets. */
 static void begin_selecting(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -143,7 +143,7 @@ static void begin_running(redcc_worker *worker) {
     struct run *run = runner->run;
     if (runner->thread == 0)
         run->ready = redcc_seconds();
-    errno = 0; /* what the inspector left there is not the loop's */
+    errno = 0; /* errno of the inspector does not belong to the loop */
     runner->stage = 0;
     runner->runs = (struct run_reader){0};
     worker->position = 0;
@@ -161,7 +161,8 @@ static void begin_running(redcc_worker *worker) {
     if (is_hooked(plan))
         begin_hooks(runner);
     redcc_copies_fill(plan, runner->thread);
-    if (plan->method->copies == COPY_TEAM) { /* several threads filled what each will write to */
+    if (plan->method->copies == COPY_TEAM) { /* several threads filled the memory that each will
+                                              * write to */
         const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
     }
@@ -179,7 +180,7 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
     worker->position = begin;
     worker->manner = (redcc_manner){0, 0, 0};
     worker->base = runner->base;
-    worker->owner = runner->owner; /* not asked: nothing is guarded */
+    worker->owner = runner->owner; /* not used: no owner checks */
     worker->run_end = NULL;
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->base[array] = call->request.bases[array];
@@ -201,7 +202,7 @@ void redcc_run_check(redcc_worker *worker, redcc_int end) {
     go_in_order(worker, STEP_CHECK, 0, end);
 }
 
-/* Hands out iterations in order. False: there are none left. */
+/* Hands out iterations in order. False: none is left. */
 static bool hand_out_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_int left = runner->in_order_end - worker->position;
@@ -230,7 +231,7 @@ bool redcc_run_again(redcc_worker *worker) {
     return is_left;
 }
 
-/* What is executed once more is compared; then comes what is left of a binned loop. */
+/* Compares repeated iterations; then continues with the rest of a binned loop. */
 static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run *run = runner->run;
@@ -246,7 +247,7 @@ static int next_in_order(redcc_worker *worker) {
     return runner->step == STEP_REST ? next_in_order(worker) : 0;
 }
 
-/* Goes on to `stage` together with the others of the team. */
+/* Waits at `stage` for the others of the team. */
 static void reach_stage(struct runner *runner, uint32_t stage) {
     const struct plan *plan = runner->plan;
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
@@ -279,13 +280,13 @@ static void finish(redcc_worker *worker) {
         redcc_run_check(worker, plan->trip);
 }
 
-/* The flag of the chunk that was executed goes up. */
+/* Raises the flag of the executed chunk. */
 static void pass_on(const struct plan *plan, const struct chunk *chunk) {
     if (chunk->flag)
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
-/* Waits for what must be done before `chunk`, and turns to the copy that it writes to. */
+/* Waits for the predecessors of `chunk`, and switches to the copy that it writes to. */
 static void get_ready(struct runner *runner, const struct chunk *chunk) {
     const struct plan *plan = runner->plan;
     const uint32_t *wait = plan->schedule[runner->schedule].wait;
@@ -296,7 +297,7 @@ static void get_ready(struct runner *runner, const struct chunk *chunk) {
         place_bases(runner, (int)chunk->copy);
 }
 
-/* Where the part under way is done, on to the next one, in its manner. */
+/* If the current part is done, begins the next one, in its variant. */
 static void turn_to_part(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
@@ -314,8 +315,8 @@ static size_t read_runs(redcc_worker *worker) {
     return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
 }
 
-/* Runs of the chunk at hand: all that are left where they can be executed as they stand, else some
- * of them. False: there are none left. */
+/* Hands out runs of the current chunk: all that are left if they can be executed unchanged, else
+ * some of them. False: none is left. */
 static bool hand_out_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run_reader *runs = &runner->runs;
@@ -333,7 +334,7 @@ static bool hand_out_runs(redcc_worker *worker) {
     return count > 0;
 }
 
-/* Work stealing: the next stealable block, whichever it is. False: there is none left. */
+/* Work stealing: takes the next stealable block. False: none is left. */
 static bool steal(struct runner *runner) {
     struct run *run = runner->run;
     const unsigned claimed =
@@ -343,7 +344,7 @@ static bool steal(struct runner *runner) {
     return next != UINT32_MAX;
 }
 
-/* On to the next schedule of a plan with stealable blocks. False: there is none left. */
+/* Advances to the next schedule of a plan with stealable blocks. False: none is left. */
 static bool turn_to_schedule(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
@@ -356,7 +357,7 @@ static bool turn_to_schedule(redcc_worker *worker) {
     return true;
 }
 
-/* On to the next chunk. False: there is none left. */
+/* Advances to the next chunk. False: none is left. */
 static bool turn_to_chunk(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct schedule *schedule = &runner->plan->schedule[runner->schedule];
@@ -372,8 +373,8 @@ static bool turn_to_chunk(redcc_worker *worker) {
     return true;
 }
 
-/* Runs of the iterations whose classes are there, or, while there are none, a question for those of
- * the next ones. What their slices left in errno is not the loop's. */
+/* Hands out runs of the classified iterations or, if there are none, a request to classify the next
+ * ones. errno of their slices does not belong to the loop. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -429,10 +430,10 @@ static int next_chunk(redcc_worker *worker) {
     return 0;
 }
 
-/* Mathematical functions set errno to EDOM or ERANGE; it is the calling thread's. That of the last
- * chunk in which one failed is kept, with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 :
- * 0). Of iterations that fail in both ways, and are executed by several threads, another may be the
- * last. */
+/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the last
+ * failing chunk is kept with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 : 0). If
+ * iterations fail in both ways in several threads, the kept error may be another than the
+ * sequential one. */
 void redcc_note_error(struct run *run, redcc_int end) {
     const int error = errno;
     if (error != EDOM && error != ERANGE)

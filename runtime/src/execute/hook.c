@@ -8,9 +8,9 @@
 
 enum { LOCKS = 1 << 14, TRIES = 100 };
 
-static atomic_uchar locks[LOCKS]; /* by a hash of the unit's address */
+static atomic_uchar locks[LOCKS]; /* indexed by a hash of the unit's address */
 
-/* How far into its unit the address lies. */
+/* The offset of the address in its unit. */
 static size_t into_unit(const struct redcc_hook *hook, const void *address) {
     const ptrdiff_t offset = (ptrdiff_t)((uintptr_t)address - hook->base);
     const ptrdiff_t into = offset % (ptrdiff_t)hook->unit;
@@ -61,7 +61,7 @@ void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const red
         const struct lost *lost = plan->lost ? &plan->lost[group] : NULL;
         if (!hooks->locks && (!lost || !lost->value))
             continue;
-        /* Arrays that overlap take the same locks: those of the largest units. */
+        /* Arrays that overlap use the same locks: those of the largest units. */
         const uint32_t units = hooks->locks ? group : array;
         hooks->hook[array] = (struct redcc_hook){.of = hooks,
                                                  .owner = owner[array],

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Updates that the runtime takes part in. The guarded form of a body asks redcc_owns before each
- * update of an element, or of several in one unit (a row, by a function that gets its address); an
- * owner with a hook owns nothing by itself, so that every question comes to redcc_hooked. What has
- * to be done after an update is done at the next question, or when the chunk is over
- * (redcc_hooks_settle).
+ * Updates in which the runtime takes part. The owner-checked form of a body calls redcc_owns before
+ * each update of an element, or of several in one unit (a row, by a function that gets its
+ * address). An owner with a hook has an empty range, so that every such call reaches redcc_hooked.
+ * Work after an update is done at the next call, or when the chunk is over (redcc_hooks_settle).
  *
- * Compensated sums: from the address asked for to the end of its unit, elements are set to the
- * neutral element before the update, and so hold the contribution after it, whatever the update
- * looks like. Locks: that of the unit is held meanwhile.
+ * Compensated sums: from the given address to the end of its unit, elements are set to the neutral
+ * element before the update, and so hold the contribution after it, for any form of update. Locks:
+ * the unit's lock is held meanwhile.
  */
 #ifndef REDCC_HOOK_H
 #define REDCC_HOOK_H
@@ -17,14 +16,14 @@
 
 struct redcc_hook {
     struct hooks *of;
-    redcc_owner owner;       /* what the thread owns; of locks: not asked */
+    redcc_owner owner;       /* the range that the thread owns; unused with locks */
     const struct lost *lost; /* compensated; NULL: not this array */
-    uintptr_t base;          /* units lie at multiples of `unit` from here */
+    uintptr_t base;          /* units begin at multiples of `unit` from here */
     uint32_t unit;           /* bytes */
     uint32_t element;
 };
 
-/** Of one thread. All zero: none. */
+/** One thread's hooks. Zero: none. */
 struct hooks {
     bool locks;
     atomic_uchar *held;          /* the lock that is held */
@@ -34,12 +33,12 @@ struct hooks {
     struct redcc_hook *hook; /* [array_count] */
 };
 
-/** Puts hooks into `owner` [array_count], for the thread whose hooks these are (hooks->hook is
- *  there); arrays at `bases`. */
+/** Installs hooks in `owner` [array_count], for the thread that has `hooks` (hooks->hook is
+ *  allocated); arrays at `bases`. */
 void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const redcc_array *arrays,
                          void *const *bases, redcc_owner *owner);
 
-/** Ends what the last update left to do. */
+/** Completes the last update. */
 void redcc_hooks_settle(struct hooks *hooks);
 
 #endif

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How many iterations at once can a loop be executed, and why so many (docs/lanes.md)? */
+/** Decides how many iterations of a loop are executed at once, with a reason (docs/lanes.md). */
 #ifndef REDCC_EXECUTE_LANES_H
 #define REDCC_EXECUTE_LANES_H
 
-/** What REDCC_LANES says. */
-enum lanes_setting { LANES_OFF, LANES_AUTO /* wherever loop and processor can */ };
+/** Values of REDCC_LANES. */
+enum lanes_setting { LANES_OFF, LANES_AUTO /* if loop and processor permit it */ };
 
-/** Why a loop was executed with so many lanes, or without: identifier, slug, what it means.
- *  docs/report.md has the slugs, and a test compares. */
+/** Reasons for the number of lanes in an execution: identifier, slug, meaning. docs/report.md lists
+ *  the slugs, and a test compares them. */
 #define REDCC_LANES_LIST(X)                                                                        \
     X(LANES_NOT_WRITTEN, "not-written", "the loop has no form for vectors")                        \
     X(LANES_SAID_OFF, "off", "`REDCC_LANES=off`")                                                  \
@@ -21,10 +21,10 @@ enum lanes_reason {
         LANES_REASON_COUNT
 };
 
-/** The slug of a reason; "" of none. */
+/** The slug of a reason; "" for none. */
 const char *redcc_lanes_slug(enum lanes_reason reason);
 
-/** Iterations at once, by the flags of a redcc_loop; 0: one by one, and *reason says why.
+/** Iterations at once, from the flags of a redcc_loop; 0: one by one, with the reason in *reason.
  *  Thread-safe. */
 int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_reason *reason);
 

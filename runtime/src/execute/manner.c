@@ -3,11 +3,11 @@
 
 #include <assert.h>
 
-/* Iterations of a part: less than 12 floating-point operations each are not timed, so that it takes
- * some microseconds at the least. */
+/* Iterations of a timing slice, so that it takes at least some microseconds: iterations of less
+ * than 12 floating-point operations are not timed separately. */
 enum { LEAST_PART = 512 };
 
-/* Rounds of a trial at the least: the first part of an execution finds cold caches. */
+/* The minimum number of rounds of a trial: the first slice of an execution finds cold caches. */
 enum { LEAST_ROUNDS = 2 };
 
 static bool is_trial(const struct manners *it, bool open) {
@@ -27,7 +27,7 @@ bool redcc_manner_of(const struct manners *it, bool open, unsigned part) {
            (is_trial(it, open) ? redcc_turn_of(it->turns.timed + (int)part) == 0 : it->best);
 }
 
-/* A trial takes the whole of an execution: the next one waits for four times as many. */
+/* A trial takes a whole execution: the next one waits for four times as many. */
 static void end_trial(struct manners *it, bool best) {
     it->turns = (struct turns){0};
     it->best = best;

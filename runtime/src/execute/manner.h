@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Are iterations of a loop executed with prefetches or without? Both give the same bits, so that
- * parts of executions take turns (learn/turns.h), and the faster variant is kept for a while. Long
- * executions are cut: one of them does for a trial.
+ * Chooses between executing a loop with prefetches or without. Both give the same bits, so timing
+ * slices of executions alternate (learn/turns.h), and the faster variant is kept for a while. A
+ * long execution is sliced, and suffices for a trial.
  */
 #ifndef REDCC_EXECUTE_MANNER_H
 #define REDCC_EXECUTE_MANNER_H
@@ -13,32 +13,31 @@
 
 #include <stdbool.h>
 
-/** Rounds of a long execution, in which each variant has one part. */
+/** Rounds of a long execution, in which each variant has one slice. */
 enum {
     MANNERS = TURN_ARMS,
     MANNER_ROUNDS = 2 * LEARN_PAIRS,
     MANNER_PARTS = MANNER_ROUNDS * MANNERS
 };
 
-/** What is known of a loop over its executions. All zero: nothing. */
+/** Results over a loop's executions. Initially zero. */
 struct manners {
-    struct turns turns;   /* of the trial under way */
-    bool best;            /* with prefetches, by the last trial */
-    long executions;      /* in which they may make a difference */
-    struct back_off rest; /* until the next trial, by their number */
+    struct turns turns;   /* of the current trial */
+    bool best;            /* with prefetches, according to the last trial */
+    long executions;      /* long enough for a difference */
+    struct back_off rest; /* executions until the next trial */
 };
 
-/** Into how many parts an execution is cut, of which each thread executes so many iterations in the
- *  mean: what the trial lacks, or what the iterations allow; 0: there is no trial. `open`: it is to
- *  be found out. */
+/** The number of timing slices of an execution in which each thread executes `iterations` on
+ *  average: as many as the trial still needs, or as the iterations permit; 0: no trial. `open`: the
+ *  variants are to be compared. */
 unsigned redcc_manner_parts(const struct manners *it, bool open, redcc_int iterations);
 
-/** Does part number `part` of that execution prefetch? Part 0 of a loop that was never executed
- *  does, where that is open. */
+/** Does slice number `part` of that execution prefetch? Slice 0 of a loop that was never executed
+ *  does, if the choice is open. */
 bool redcc_manner_of(const struct manners *it, bool open, unsigned part);
 
-/** Notes an execution that is over: the seconds an iteration took in each part. One thread at a
- *  time. */
+/** Records a finished execution: the seconds per iteration of each slice. One thread at a time. */
 void redcc_manner_note(struct manners *it, bool open, unsigned parts, const double *seconds);
 
 #endif

@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <limits.h>
 
-/* The last part has all that remain, of stolen iterations as well. */
+/* The last slice has all remaining iterations, including stolen ones. */
 static redcc_int given(const struct parts *it) {
     return it->number + 1 == it->count ? LLONG_MAX : it->size;
 }

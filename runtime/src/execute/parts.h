@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A thread's iterations of one execution, cut into parts that are timed, for a trial of manners.
- */
+/** A thread's iterations of one execution, divided into timing slices for a trial of variants. */
 #ifndef REDCC_EXECUTE_PARTS_H
 #define REDCC_EXECUTE_PARTS_H
 
@@ -8,12 +7,12 @@
 
 #include <stdbool.h>
 
-/** One thread's. With a count of 0 nothing is cut. */
+/** One thread's slices. A count of 0: no trial. */
 struct parts {
     unsigned count;
-    unsigned number; /* of the part under way */
+    unsigned number; /* of the current slice */
     redcc_int size;  /* iterations of each; the last one has all that remain */
-    redcc_int left;  /* of the part under way */
+    redcc_int left;  /* of the current slice */
     double began;
     struct {
         double seconds;
@@ -21,17 +20,17 @@ struct parts {
     } part[MANNER_PARTS];
 };
 
-/** Begins part 0 of `count`, now; of no more than MANNER_PARTS, of so many iterations in all. */
+/** Begins slice 0 of `count` (at most MANNER_PARTS) now, for this number of iterations in all. */
 void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations);
 
-/** Where no iteration is left of the part under way, ends it and begins the next one. Returns
- *  whether it did. */
+/** If the current slice has no iterations left, ends it and begins the next one. Returns whether it
+ *  did. */
 bool redcc_parts_turn(struct parts *it);
 
-/** Ends the part under way, where there is one. */
+/** Ends the current slice, if any. */
 void redcc_parts_end(struct parts *it);
 
-/** Adds to seconds[] and iterations[] [it->count] what the thread took for its parts. */
+/** Adds the thread's times to seconds[] and iterations[] [it->count]. */
 void redcc_parts_add(const struct parts *it, double *seconds, double *iterations);
 
 #endif

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/prefetch.h"
 
-/* Second-level caches of today's cores hold 0.25 to 2 MiB; what lies there is fetched while other
- * operations go on, without being asked for. */
+/* The second-level caches of current cores hold 0.25 to 2 MiB; their data are loaded during other
+ * operations, without a prefetch. */
 enum { LEAST_BYTES = 1 << 20 };
 
 /* Random updates of light loops gained from 10 MB on, and lost with 5 (script/bench lanes, SIDE=650
- * and 467): the common cache, of 32 MiB there, holds what is read as well. */
+ * and 467): the shared cache, of 32 MiB there, holds the data that are read as well. */
 enum { LEAST_BYTES_LIGHT = 8 << 20 };
 
-/* Iterations of a run, in the mean: what is longer lies in some order. */
+/* Average iterations of a run: longer runs mean regular accesses. */
 enum { SHORT_RUN = 4 };
 
 bool redcc_prefetch_is_possible(const struct plan *plan) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Can executions of a loop prefetch what iterations to come touch, and is it of use? */
+/** Decides whether executions of a loop can prefetch the accesses of later iterations, and whether
+ *  that pays. */
 #ifndef REDCC_EXECUTE_PREFETCH_H
 #define REDCC_EXECUTE_PREFETCH_H
 
@@ -7,18 +8,18 @@
 
 #include <stdbool.h>
 
-/** What REDCC_PREFETCH says. */
+/** Values of REDCC_PREFETCH. */
 enum prefetch_setting {
     PREFETCH_OFF,
-    PREFETCH_AUTO, /* where it has been found to pay (manner.h) */
-    PREFETCH_ON    /* wherever the loop can */
+    PREFETCH_AUTO, /* if it has been found to pay (manner.h) */
+    PREFETCH_ON    /* wherever the loop permits it */
 };
 
-/** Can it be done with this plan: are the arrays written where they are? */
+/** Is it possible with this plan: does it write to the arrays directly? */
 bool redcc_prefetch_is_possible(const struct plan *plan);
 
-/** Can it pay with this plan: is it possible, and do the arrays not fit in a core's caches? Of
- *  light iterations, not in the cores' common cache either, and do they come in no order? */
+/** Can it pay with this plan: is it possible, and do the arrays exceed a core's caches? For light
+ *  iterations: do they also exceed the shared cache, with irregular accesses? */
 bool redcc_prefetch_is_of_use(const struct plan *plan, bool is_light);
 
 #endif

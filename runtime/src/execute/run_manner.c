@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** From what is asked for, what a loop has and what is known of it to the manner of an execution.
- */
+/** Chooses the variant of an execution from the settings, the loop's forms and earlier results. */
 #include "execute/run.h"
 
 void redcc_run_choose_manner(struct run *run, const struct manners *known) {
@@ -14,7 +13,7 @@ void redcc_run_choose_manner(struct run *run, const struct manners *known) {
     it->is_open = can_prefetch && call->prefetch == PREFETCH_AUTO;
 }
 
-/* Does it make a difference to an execution with the plan, and is to be found out? */
+/* Does it affect an execution with the plan, and is it to be found out? */
 static bool is_open_with(const struct run *run, const struct plan *plan) {
     return run->manner.is_open &&
            redcc_prefetch_is_of_use(plan, run->call->request.loop->flags & REDCC_LIGHT);

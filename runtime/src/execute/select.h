@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Owners without an inspection of who executes what: each thread goes through all iterations,
- * block by block. Of a block it is told first which iterations touch what it owns (REDCC_SELECT);
- * these are the runs that it executes then.
+ * Owners without an inspection of which thread executes what: each thread scans all iterations,
+ * block by block. Iterations of a block are first classified by whether they touch an element that
+ * it owns (REDCC_SELECT); the matching ones form the runs that it executes.
  */
 #ifndef REDCC_EXECUTE_SELECT_H
 #define REDCC_EXECUTE_SELECT_H
@@ -12,32 +12,33 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** One thread's. */
+/** One thread's selection. */
 struct selection {
-    redcc_owner *window;  /* [arrays] what the thread owns */
+    redcc_owner *window;  /* [arrays] the range that the thread owns */
     redcc_int trip;       /* iterations of the loop */
-    redcc_int idle_begin; /* of iterations that touch nothing, the thread executes those */
+    redcc_int idle_begin; /* among iterations that touch nothing, the thread executes those */
     redcc_int idle_end;   /* from one to before the other */
     redcc_int executed;   /* iterations so far */
-    bool asked;           /* for classes of worker->first, ...: they are not looked at yet */
-    redcc_int taken;      /* of them, so many are handed out, */
-    bool follows;         /* the last ones so (redcc_manner) */
+    bool asked;           /* classes for worker->first, ... were requested, and are not evaluated
+                           * yet */
+    redcc_int taken;      /* the number of them already handed out, */
+    bool follows;         /* the last ones with this flag (redcc_manner) */
     unsigned char class[REDCC_SELECTED];
 };
 
-/** Begins: the thread owns what selection->window says. */
+/** Begins: selection->window is the range that the thread owns. */
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip);
 
-/** Of iterations that touch nothing, these are the thread's. */
+/** Assigns these of the iterations that touch nothing to the thread. */
 void redcc_selection_set_idle(struct selection *selection, redcc_int begin, redcc_int end);
 
-/** Asks for the classes of the next iterations. False: there are none left. */
+/** Requests the classes of the next iterations. False: none is left. */
 bool redcc_selection_ask(struct selection *selection, redcc_worker *worker);
 
-/** Runs of the iterations that were asked for, relative to worker->first, into `to`
- *  [REDCC_SELECTED]: of all that are left, or of those that the thread leads in, or follows in
- *  (selection->follows). hooked: all guarded. Returns how many, 0: nothing is left; *iterations: in
- *  them. */
+/** Writes runs of the classified iterations, relative to worker->first, into `to` [REDCC_SELECTED]:
+ *  of all that are left, or of those in which the thread leads, or follows (selection->follows).
+ *  hooked: all are owner-checked. Returns their number, 0: none is left; *iterations: the
+ *  iterations in them. */
 size_t redcc_selection_take(struct selection *selection, const redcc_worker *worker, bool hooked,
                             redcc_iterations *to, redcc_int *iterations);
 

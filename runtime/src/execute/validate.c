@@ -38,13 +38,13 @@ static void begin(struct validation *validation, uint32_t count, const char *met
     validation->count = count;
 }
 
-/* Puts a copy of so many bytes in the place of what is held. */
+/* Replaces the saved bytes by a copy of `bytes` bytes at `place`. */
 static bool hold(struct held *held, char *place, size_t bytes) {
     char *memory = redcc_memory_take(bytes);
     if (!memory)
         return false;
     memcpy(memory, place, bytes);
-    if (held->memory) /* what it held before was written since */
+    if (held->memory) /* the previously saved range has been written since */
         memcpy(memory + (held->place - place), held->memory, held->bytes);
     redcc_memory_give(held->memory);
     held->memory = memory;
@@ -110,7 +110,7 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* How many floats, doubles lie from one to the other: their bits are numbered in order. */
+/* The number of floats or doubles between two: their bits are numbered in order. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \
@@ -146,7 +146,7 @@ static double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-/* In units in the last place; of what has none, 0 or infinity. */
+/* In units in the last place; for other types, 0 or infinity. */
 static double ulps(redcc_type type, size_t size, const char *p, const char *q) {
     switch (type) {
     case REDCC_FLOAT:
@@ -174,8 +174,8 @@ static bool is_nan(redcc_type type, const char *p) {
     return f != f || d != d;
 }
 
-/* Do the two differ in a bit that counts? Not in those of numbers that are none, nor in the padding
- * of a long double. */
+/* Do the two differ in a relevant bit? Bits of NaNs and the padding of a long double are
+ * ignored. */
 static bool differ(redcc_type type, size_t size, const char *p, const char *q) {
     const size_t counted = type == REDCC_LONG_DOUBLE && LDBL_MANT_DIG == 64 ? 10 : size;
     return memcmp(p, q, counted) != 0 && !(is_nan(type, p) && is_nan(type, q));

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The dry run: does the loop update what decides where its slice reads? What was touched and what
- * was read are ranges, as for the guard that follows.
+ * The dry run: does the loop update data that decide which addresses its slice reads? Touched and
+ * read addresses are ranges, as for the guard that follows.
  *
- * Most touches and reads ask nothing of the runtime. A touch of an array is inside the array's
- * window, and a read of a source in what is clear for that source; no window and no clear range
- * overlap. Where all that matters of what is read is known, a window is the gap between two such
- * ranges. Else it is what was touched and a margin about it, that much again and no more than half
- * the way to what was read; and what is clear lies between two windows. So a range that grows with
- * each iteration is looked at a logarithm of times. A read in a margin may be of nothing that was
- * touched: then there is a second run without margins.
+ * Most touches and reads need no call of the runtime. A touch lies in the array's window, or a read
+ * in the source's clear range; no window overlaps a clear range. If all relevant read ranges are
+ * known, a window is the gap between two of them. Otherwise it is the touched range with a margin,
+ * which doubles it but extends at most half the way to the next read range; clear ranges lie
+ * between two windows. So a range that grows with each iteration is processed a logarithmic number
+ * of times. A read in a margin may overlap nothing that was touched: then there is a second run
+ * without margins.
  */
 #include "inspect/inspection.h"
 
@@ -18,7 +18,7 @@
 
 #include <assert.h>
 
-static const redcc_int never_settled = -((redcc_int)1 << 62); /* all are told, none is probed */
+static const redcc_int never_settled = -((redcc_int)1 << 62); /* all are recorded, none is probed */
 
 /* From the first iteration on, with nothing touched or read. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
@@ -49,7 +49,8 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     return !inspector->failed;
 }
 
-/* The next touch that no window holds is to be taken at once; an iteration's end comes after it. */
+/* The next touch outside of all windows must be processed at once; an iteration's end follows
+ * it. */
 static void expect_one(const struct inspector *inspector, redcc_worker *worker) {
     worker->entry = inspector->entries;
     worker->entry_end = inspector->entries + 1;
@@ -57,7 +58,7 @@ static void expect_one(const struct inspector *inspector, redcc_worker *worker) 
     worker->alike = never_settled;
 }
 
-/* Will it be late, as far as it can be told? After a sixteenth of the time it has that is asked. */
+/* Checks after 1/16 of the budget whether the deadline will be missed. */
 static bool will_be_late(const struct inspection *inspection, const struct inspector *inspector) {
     if (inspection->deadline == 0)
         return false;
@@ -89,12 +90,12 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     return true;
 }
 
-/* Is all that matters of what is read known beforehand? */
+/* Are all relevant read ranges known beforehand? */
 static bool is_all_known(const struct inspection *inspection) {
     return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
 }
 
-/* Of a source, as far as it is known or, where that matters, told. */
+/* A source's range: the known one, or the recorded one if that is relevant. */
 static struct range range_read(const struct inspection *inspection,
                                const struct inspector *inspector, uint32_t source) {
     const redcc_extent known = inspection->call->request.known[source];
@@ -115,7 +116,7 @@ static void end_run(struct inspection *inspection, struct inspector *inspector,
     worker->last = 0;
 }
 
-/* What lies around `range` up to the next one that a bound was given for. */
+/* The gap around `range` up to the nearest given bounds. */
 struct gap {
     struct range range, free;
 };
@@ -137,7 +138,7 @@ static uintptr_t least(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* The range and a margin about it. */
+/* The range and a margin on each side. */
 static struct range with_margin(const struct gap *gap) {
     const size_t size = redcc_range_size(gap->range);
     return (struct range){gap->range.first - least(size, (gap->range.first - gap->free.first) / 2),
@@ -148,7 +149,7 @@ static redcc_owner window_of(struct range range) {
     return (redcc_owner){.first = (const char *)range.first, .size = range.end - range.first};
 }
 
-/* A window has grown: what is clear ends before it. What was read lies on one side of it. */
+/* A window has grown: clear ranges must end before it. The read range lies on one side of it. */
 static void clear_of(struct inspection *inspection, struct inspector *inspector,
                      struct range window) {
     for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {

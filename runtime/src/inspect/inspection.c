@@ -18,7 +18,7 @@ void redcc_inspection_set_owners(struct inspection *inspection) {
                                        : (uint32_t)call->planned * each;
 }
 
-/* auto may come to stealable blocks later than the cut. */
+/* auto may choose stealable blocks after the cut. */
 static uint32_t most_owners(const struct call *call) {
     const uint32_t threads = (uint32_t)call->planned;
     if (!call->method)
@@ -63,7 +63,7 @@ void redcc_inspection_end(struct inspection *inspection) {
     }
     redcc_divide_end(&inspection->divide);
     redcc_levels_end(&inspection->levels);
-    redcc_memory_give(inspection->whole.cut); /* all else of it is the partition's */
+    redcc_memory_give(inspection->whole.cut); /* the partition owns its other memory */
     inspection->whole = (struct partition){0};
     redcc_partition_end(&inspection->partition);
     redcc_memory_give(inspection->samples);

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The access log, of a sweep that keeps all touches; and what is made of it: owners cut from the
- *  access graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h).
- *  Units are numbered before anything is told, by what the sample has seen and a little more: a
- *  touch of others is found, and then all is told once more, the extents being known. */
+/** The access log, of a sweep that keeps all touches; and its uses: owners cut from the access
+ *  graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h). Units are
+ *  numbered before the sweep, over the range that the sample has seen and a little more. If a touch
+ *  lies outside, the sweep is repeated with the then known extents. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
 
 #include <string.h>
 
-/* About how many touches of leading or of further groups an iteration tells, by the sample. */
+/* Approximate touches of leading or of further groups per iteration, according to the sample. */
 static double touches_an_iteration(const struct inspection *inspection, bool leading) {
     const struct partition *partition = &inspection->partition;
     double touches = 0, iterations = 1;
@@ -23,7 +23,7 @@ static double touches_an_iteration(const struct inspection *inspection, bool lea
     return touches / iterations;
 }
 
-/* ... and how many a thread will tell. */
+/* ... and of one thread in all. */
 static size_t expected_touches(const struct inspection *inspection,
                                const struct inspector *inspector, bool leading) {
     const double share =
@@ -36,7 +36,7 @@ bool redcc_is_logged(const struct inspection *inspection) {
     return inspection->route == ROUTE_GRAPH || inspection->route == ROUTE_LEVELS;
 }
 
-/* What is touched of a group, as the sample leads to expect. */
+/* The range of a group that the sample predicts. */
 static struct range expected_range(const struct inspection *inspection, uint32_t group) {
     const struct range sampled = inspection->touched[group];
     if (redcc_range_empty(sampled))
@@ -66,7 +66,7 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
     redcc_memory_give(range);
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->deadline;
-    if (inspection->route == ROUTE_LEVELS) /* whatever they take: the method was named */
+    if (inspection->route == ROUTE_LEVELS) /* at any cost: the method was named */
         divide->most_told = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;
 }

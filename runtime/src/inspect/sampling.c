@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sample of the iterations, by which the arrays are cut among the owners. */
+/** The sample of the iterations, which decides how the arrays are cut among the owners. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
@@ -8,22 +8,23 @@
 #include "plan/method.h"
 
 enum {
-    SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together; */
-    SAMPLED_FOR_A_LOOK = 128,   /* by one, for an estimate alone; the least */
-    SAMPLED_OF = 16,            /* iterations one, where that is between these two: a sample of
-                                   a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128,         /* iterations one, by a look: a few of a loop of few are heavy */
+    SAMPLED_FOR_AN_OWNER = 512, /* iterations, of all threads together; */
+    SAMPLED_FOR_A_LOOK = 128,   /* of one thread, for an estimate only; the minimum */
+    SAMPLED_OF = 16,            /* one iteration in this many, between these two limits: a larger
+                                 * sample of a short loop would cost as much as the loop */
+    LOOKED_AT_OF = 128,         /* one iteration in this many for an estimate: a few iterations of a
+                                 * short loop may be heavy */
     LOOKED_AT_LEAST = 16,
     SAMPLED_MOST = 8192,
-    SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
+    SAMPLED_TOUCHES = 32768,                    /* kept of them, with few owners; with many */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* this many each, */
     SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
     ROWS_OF_A_TOUCH = 64
 };
 
-/* Iterations 0, stride, 2 stride, ... are sampled, however many threads share them. The stride is
- * odd, or it might meet the same corner of each element again and again. Sorting more touches than
- * few owners need would cost more than the sweep of all iterations. */
+/* Iterations 0, stride, 2 stride, ... are sampled, for any number of threads. The stride is odd,
+ * because an even one might hit the same corner of each element again and again. Sorting more
+ * touches than few owners need would cost more than the sweep of all iterations. */
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     const redcc_int shares = partition->owners / (1 + partition->stealable);
@@ -35,15 +36,15 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     return trip / (looks ? redcc_least(few, seen) : redcc_least(even, most)) | 1;
 }
 
-/* How many of them lie before this thread's share. */
+/* The number of them before this thread's share. */
 static redcc_int sampled_before(const struct inspection *inspection,
                                 const struct inspector *inspector) {
     const redcc_int stride = sample_stride(inspection);
     return (redcc_own_begin(inspection, inspector) + stride - 1) / stride;
 }
 
-/* A part's cuts can be no more even than the touches from which they are chosen. (Where results
- * must not depend on the number of threads each of them has room for all, so these are few.) */
+/* Cuts cannot be more even than the touches from which they are chosen. (If results must not depend
+ * on the number of threads, each thread has space for all touches, so these are few.) */
 static size_t touches_to_keep(const struct inspection *inspection) {
     if (inspection->call->method && inspection->call->method->keeps == REDCC_ORDER_FIXED)
         return SAMPLED_TOUCHES;
@@ -52,8 +53,8 @@ static size_t touches_to_keep(const struct inspection *inspection) {
     return most < SAMPLED_TOUCHES ? SAMPLED_TOUCHES : most;
 }
 
-/* Where results must not depend on the number of threads, each has room for whatever of its share
- * may stay in the end. */
+/* If results must not depend on the number of threads, each has space for all of its share that may
+ * remain in the end. */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
     const size_t all = touches_to_keep(inspection);
@@ -95,7 +96,7 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
     return true;
 }
 
-/* A touch of several rows weighs as much as they do, up to some: cuts lie between rows. */
+/* A touch of several rows has the weight of each, up to a limit: cuts lie between rows. */
 static void sample_rows(const struct inspection *inspection, struct inspector *inspector,
                         const redcc_entry *entry) {
     const uint32_t unit = inspection->partition.arrays[entry->array].unit;
@@ -122,7 +123,7 @@ void redcc_sample_take(const struct inspection *inspection, struct inspector *in
     }
 }
 
-/* Groups were put together: so is what each thread has seen of them. */
+/* Groups were merged: merges the ranges that each thread has seen of them. */
 static void regroup_seen(struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
@@ -137,7 +138,7 @@ static void regroup_seen(struct inspection *inspection) {
     }
 }
 
-/* Where the others lie the sweep tells. */
+/* The sweep records the other ranges. */
 static void place_known_sources(struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++)
@@ -159,7 +160,8 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     return true;
 }
 
-/* One item stands for as many touches in all samples, and all have touches_to_keep at most. */
+/* One item represents the same number of touches in all samples, and together they have at most
+ * touches_to_keep. */
 static void thin_samples(struct inspection *inspection) {
     struct inspector *const *inspector = inspection->inspector;
     uint64_t keep_each = 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the access summaries say of the whole loop. */
+/** Statistics of the whole loop from the access summaries. */
 #include "inspect/inspection.h"
 
 double redcc_count_runs(const struct inspection *inspection) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sweep: all iterations tell their addresses, block after block, which gives the exact extents
- *  and the overlap guard, and either the access summaries by the owners that were cut, or an access
- *  log (logging.c), from which owners or levels are to be made. */
+/** The sweep: records the addresses of all iterations, block by block, for the exact extents and
+ *  the overlap guard. It produces either access summaries by the owners that were cut, or an access
+ *  log (logging.c) for cutting owners or levels. */
 #include "inspect/inspection.h"
 
 #include "base/aliases.h"
@@ -9,16 +9,16 @@
 #include <assert.h>
 #include <string.h>
 
-enum { HASHED_AT_ONCE = 512 * 1024 /* bytes of subscripts, that the caches hold */ };
+enum { HASHED_AT_ONCE = 512 * 1024 /* bytes of subscripts that the caches hold */ };
 
-/* As many iterations as read so much of the subscripts, which are then hashed. */
+/* The number of iterations that read this many bytes of subscripts, which are hashed next. */
 static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
     const redcc_int blocks = (redcc_int)(hashed / HASHED_AT_ONCE) + 1;
     const redcc_int each = own / blocks + 1;
     return each < REDCC_BLOCK ? each : REDCC_BLOCK;
 }
 
-/* By whose owners iterations are summed up: only extents are wanted where threads find their
+/* The owners by which iterations are summarised: only extents are needed if threads find their
  * iterations later. */
 static const struct partition *swept_by(const struct inspection *inspection) {
     return inspection->route == ROUTE_DIRECT ? &inspection->whole : &inspection->partition;
@@ -28,7 +28,7 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
                        size_t hashed) {
     const struct partition *partition = &inspection->partition;
     const redcc_int begin = redcc_own_begin(inspection, inspector);
-    redcc_sweep_end(&inspector->sweep); /* of the sweep before, where groups had to become one */
+    redcc_sweep_end(&inspector->sweep); /* of the preceding sweep, if groups had to be merged */
     memset(inspector->executed, 0, partition->owners * sizeof *inspector->executed);
     inspector->failed =
         redcc_is_logged(inspection)
@@ -73,7 +73,7 @@ void redcc_sweep_flush(struct inspection *inspection, struct inspector *inspecto
     redcc_sweep_take(&inspector->sweep, inspector->entries, worker->entry);
 }
 
-/* Was the block told, so many iterations and no more? */
+/* Was the block recorded with exactly this number of iterations? */
 static bool is_block_told(const struct inspection *inspection, struct inspector *inspector) {
     if (!redcc_is_logged(inspection))
         return redcc_sweep_close_block(&inspector->sweep, inspector->handed);

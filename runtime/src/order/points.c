@@ -13,7 +13,7 @@
 enum { BITS = 20, MOST_DIMENSIONS = 3 }; /* of each coordinate */
 
 struct stop {
-    uint64_t along; /* how far along the curve */
+    uint64_t along; /* the position along the curve */
     int point;
 };
 
@@ -55,7 +55,7 @@ static uint64_t along_curve(uint32_t *x, int dimensions) {
 
 static uint32_t cell(double value, double least, double width) {
     const double cells = 1u << BITS, at = width > 0 ? (value - least) / width * cells : 0;
-    if (!(at > 0)) /* or no number */
+    if (!(at > 0)) /* or NaN */
         return 0;
     return at < cells ? (uint32_t)at : (1u << BITS) - 1;
 }
@@ -67,7 +67,7 @@ static int by_place(const void *a, const void *b) {
     return (p->point > q->point) - (p->point < q->point);
 }
 
-/* From the least to the greatest of one coordinate; infinite ones count as far away. */
+/* The width of one coordinate's range; infinite values count as far away. */
 static double width_of(int count, int dimensions, const double *coordinate, double *least) {
     double low = DBL_MAX, high = -DBL_MAX;
     for (int p = 0; p < count; p++) {

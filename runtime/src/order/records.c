@@ -48,7 +48,7 @@ int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_
     return 0;
 }
 
-/* Is it a permutation? -1 also where memory is out. */
+/* Is it a permutation? -1 also without memory. */
 static int check_permutation(int count, const int *new_of_old) {
     char *taken = redcc_memory_take_zeroed((size_t)count, 1);
     int wrong = !taken;

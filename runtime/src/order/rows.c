@@ -8,8 +8,8 @@
 #include <assert.h>
 #include <stdbool.h>
 
-/* Which iterations update a row: iteration[start[r]] ... iteration[start[r + 1] - 1]. A row's
- * neighbours are those iterations' other rows; they are not listed, for there may be many. */
+/* The iterations that update a row: iteration[start[r]] ... iteration[start[r + 1] - 1]. A row's
+ * neighbours are these iterations' other rows; they are not stored, because there may be many. */
 struct rows {
     int count, touches;
     const int *row;
@@ -19,7 +19,7 @@ struct rows {
 
 /* A search from a root, breadth first. */
 struct search {
-    int *order; /* rows, as they are reached */
+    int *order; /* rows, in the order of the search */
     int *mark;  /* [rows] number of the search that reached it last */
     int *level; /* [rows] its distance from that search's root */
     int number;
@@ -35,7 +35,7 @@ static bool rows_begin(struct rows *rows, int trip) {
         rows->start[rows->row[i] + 2]++;
     for (int r = 0; r < rows->count; r++)
         rows->start[r + 2] += rows->start[r + 1];
-    for (size_t i = 0; i < all; i++) /* each start moves on to where its row's list ends */
+    for (size_t i = 0; i < all; i++) /* each start advances to the end of its row's list */
         rows->iteration[rows->start[rows->row[i] + 1]++] = (int)(i / (size_t)rows->touches);
     assert(rows->start[0] == 0 && rows->start[rows->count] == all);
     return true;
@@ -45,7 +45,7 @@ static size_t degree(const struct rows *rows, int row) {
     return rows->start[row + 1] - rows->start[row];
 }
 
-/* Insertion sort: stable, and few are reached from one row. */
+/* Insertion sort: stable, and few rows are reached from one row. */
 static void sort_by_degree(const struct rows *rows, int *list, int count) {
     for (int i = 1; i < count; i++) {
         const int moving = list[i];
@@ -82,8 +82,8 @@ static int search_from(const struct rows *rows, struct search *search, int *orde
     return reached;
 }
 
-/* The part of the graph that `row` lies in, from a root at nearly its far end: the root moves to
- * the last row reached until that is no farther. Returns how many rows the part has. */
+/* Orders the connected component of `row` from a pseudo-peripheral root: the root moves to the last
+ * row reached until the distance no longer grows. Returns the number of rows. */
 static int order_part(const struct rows *rows, struct search *search, int *order, int row) {
     int count = search_from(rows, search, order, row), far = -1;
     while (search->level[order[count - 1]] > far) {
@@ -114,7 +114,7 @@ int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new
     for (int r = 0; enough && r < rows; r++)
         if (search.mark[r] == 0)
             done += order_part(&graph, &search, search.order + done, r);
-    assert(!enough || done == rows); /* each row is in one part */
+    assert(!enough || done == rows); /* each row is in one component */
     for (int i = 0; enough && i < rows; i++)
         new_of_old[search.order[i]] = rows - 1 - i;
     redcc_memory_give(graph.start);

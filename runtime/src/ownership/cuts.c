@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* A touch of one group, and which iteration of all samples it belongs to. */
+/* A touch of one group, with the number of its iteration among all samples. */
 struct point {
     uintptr_t address;
     uint32_t iteration;
@@ -29,13 +29,13 @@ struct work {
     const struct sample *const *sample;
     int threads;
     struct points *of;    /* [array_count] of each group */
-    struct point *point;  /* where they are, one group's after another's */
-    struct point *spare;  /* as long */
+    struct point *point;  /* their storage, one group's after another's */
+    struct point *spare;  /* scratch memory of the same length */
     struct label *label;  /* of every sampled iteration */
     struct label *beside; /* of the iterations of a group's points */
 };
 
-/* The group's touches, to `point` and behind it. */
+/* Collects the group's touches at `point`. */
 static struct points gather(const struct work *work, uint32_t group, struct point *point) {
     struct points points = {point, 0};
     uint32_t first_iteration = 0;
@@ -54,8 +54,7 @@ static struct points gather(const struct work *work, uint32_t group, struct poin
 
 enum { DIGIT = 11 };
 
-/* By the `bits` bits from `shift` on of their addresses; points that are alike in them keep their
- * order. */
+/* Sorts by the `bits` bits from `shift` on of their addresses; stable. */
 static void sort_by_digit(const struct point *from, struct point *to, size_t count, unsigned shift,
                           unsigned bits) {
     const uintptr_t mask = ((uintptr_t)1 << bits) - 1;
@@ -69,8 +68,8 @@ static void sort_by_digit(const struct point *from, struct point *to, size_t cou
         to[start[from[i].address >> shift & mask]++] = from[i];
 }
 
-/* Least significant digit first, in as few digits as there must be, of equal length, for the bits
- * in which some differ. */
+/* Radix sort, least significant digit first, with the fewest digits of equal length that cover the
+ * differing bits. */
 static void sort_by_address(struct points points, struct point *spare) {
     unsigned long long differ = 0;
     for (size_t i = 1; i < points.count; i++)
@@ -103,7 +102,7 @@ static void close_cuts(const struct partition *partition, uint32_t group) {
     cut[partition->owners] = UINTPTR_MAX;
 }
 
-/* Returns how many different cuts there are. */
+/* Returns the number of different cuts. */
 static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     const struct partition *partition = work->partition;
     const struct points points = work->of[group];
@@ -133,8 +132,8 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
     }
 }
 
-/* Where between the points does a cut part best the iterations wholly below owner `owner` from
- * those wholly at or above it? Of equally good places, the middle one. */
+/* The cut between points that best separates the iterations wholly below owner `owner` from those
+ * wholly at or above it. Among equally good places, the middle one. */
 static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
     const struct points points = work->of[group];
     long cost = 0;
@@ -157,7 +156,7 @@ static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owne
     }
     last = last < first ? first : last;
     const size_t place = first + (last - first) / 2;
-    if (place == points.count) /* everything is below: nothing is left to the owners above */
+    if (place == points.count) /* everything is below: the owners above get nothing */
         return UINTPTR_MAX;
     return redcc_unit_begin(work->partition, group, points.point[place].address);
 }
@@ -171,7 +170,7 @@ static void cut_beside_leader(const struct work *work, uint32_t group) {
         labelled = labelled || work->beside[i].low <= work->beside[i].high;
     }
     if (!labelled)
-        return; /* never touched together with the leading group: its own quantiles stay */
+        return; /* never touched together with the leading group: keeps its own quantiles */
     uintptr_t *cut = redcc_cuts(partition, group);
     for (uint32_t owner = 1; owner < partition->owners; owner++)
         cut[owner] = best_cut(work, group, owner);
@@ -205,7 +204,8 @@ static void cut_all(const struct work *work, size_t iterations) {
 }
 
 #ifndef NDEBUG
-/* Does each owner begin where the one before ends, the first at 0, and the last end at the end? */
+/* Does each owner begin at the end of the preceding one, the first at 0, and the last end at the
+ * end? */
 static bool are_cut(const struct partition *partition) {
     for (uint32_t group = 0; group < partition->array_count; group++) {
         const uintptr_t *cut = redcc_cuts(partition, group);

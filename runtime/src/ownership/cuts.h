@@ -8,12 +8,12 @@
 /**
  * Cuts the groups of a partition, from the samples of `threads` threads (sample [threads]).
  *
- * The leading group (the first one that yields as many different parts as there are owners) is cut
- * at quantiles of its sampled touches. A cut of another group goes where it separates best what
- * the iterations on either side of the leading group's cut touch, so that iterations which need
- * two owners because of one array need the same two because of the others.
+ * The leading group is the first one that yields one part per owner. It is cut at quantiles of its
+ * sampled touches. Each cut of another group is placed so as to best separate the touches of the
+ * iterations on the two sides of the leading group's cut. Iterations that need two owners because
+ * of one array then need the same two because of the others.
  *
- * Returns false where there is no memory. Cost: O(touches * owners), some 10^5 touches at most.
+ * Returns false without memory. Cost: O(touches * owners), some 10^5 touches at most.
  */
 bool redcc_choose_cuts(struct partition *partition, const struct sample *const *sample,
                        int threads);

@@ -3,8 +3,8 @@
 
 #include "base/memory.h"
 
-/* Of each owner, and of each share, which is an owner and the stealable ones behind it: iterations
- * that it takes part in, and the last one of them, counted from 1. */
+/* For each owner, and for each share (an owner with its stealable blocks): the number of its
+ * iterations, and the last one of them, counted from 1. */
 struct part {
     uint32_t iterations;
     uint32_t last;
@@ -19,13 +19,13 @@ static void take_part(struct part *part, uint32_t iteration) {
     part->last = iteration;
 }
 
-/* The owners that an iteration touches, as far as it matters here. */
+/* The owners that an iteration touches, as far as relevant here. */
 struct span_of_owners {
     uint32_t low;
     uint32_t high;
 };
 
-/* Is it the first of its iteration at this address? */
+/* Is it the first touch of its iteration at this address? */
 static bool is_new_row(const struct sample *sample, size_t i) {
     enum { LOOKED_BACK = 32 };
     const struct sampled *item = &sample->item[i];
@@ -38,7 +38,8 @@ static bool is_new_row(const struct sample *sample, size_t i) {
     return true;
 }
 
-/* A thread's sample: who takes part, and how often one iteration differs from the one before. */
+/* Counts the owners' iterations in a thread's sample, and how often consecutive iterations
+ * differ. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
     const uint32_t each = 1 + partition->stealable;

@@ -5,7 +5,7 @@
 #include "ownership/partition.h"
 #include "ownership/sample.h"
 
-/* What an iteration touches, in the mean of the sample. */
+/* Average touches of an iteration in the sample. */
 struct touching {
     double touches;
     double leading_rows; /* of the leading group, at different addresses */
@@ -13,16 +13,18 @@ struct touching {
 };
 
 struct estimate {
-    double share;    /* of the iterations: what the owner that takes part in most of them has, the
-                        stealable ones behind it included */
-    double overhead; /* of the iterations: what is executed once more because of stealable owners */
-    struct touching each; /* iteration */
-    double changes; /* of the iterations: those that touch other owners than the one sampled before.
-                       Those in between may be alike: no more than these begin a run, about */
+    double share;         /* fraction of the iterations of the most loaded share (an owner with its
+                           * stealable blocks) */
+    double overhead;      /* fraction of the iterations that are replicated because of stealable
+                           * owners */
+    struct touching each; /* per iteration */
+    double changes; /* fraction of the iterations that touch other owners than the preceding sampled
+                     * one. Those in between may be equal, so it is roughly an upper bound on the
+                     * fraction that begins a run */
 };
 
-/** What the samples of `threads` threads say of a partition that is cut. Where not all of an
- *  iteration's touches are in the sample, the share is too low. False: no memory. */
+/** Statistics of the samples of `threads` threads for a partition that is cut. If the sample lacks
+ *  some of an iteration's touches, the share is too low. False: no memory. */
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate);
 

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The overlap guard: may a loop that reads here and writes there run in parallel? */
+/** The overlap guard: may a loop with these reads and writes run in parallel? */
 #ifndef REDCC_OVERLAP_H
 #define REDCC_OVERLAP_H
 
 #include "base/range.h"
 
-/** Which range that is read overlaps which one that is written. */
+/** The pair of a range that is read and one that is written. */
 struct overlap {
     uint32_t source;
     uint32_t array; /* from array_count on: a scalar, by its number among the sources */
 };
 
-/** Does the source lie apart from the scalars in memory that the loop adds to? */
+/** Is the source disjoint from the scalars in memory that the loop adds to? */
 static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
                                                      const struct range *read, uint32_t source,
                                                      struct overlap *overlap) {
@@ -26,10 +26,10 @@ static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
 }
 
 /**
- * Does nothing that the loop reads (read [loop->source_count]) overlap anything that it writes
- * (written [written_count])? Asked for a new plan at what its inspection found, for a kept one at
- * the places where the arrays and the sources are in this call. False: *overlap is the first pair
- * that does.
+ * Is everything that the loop reads (read [loop->source_count]) disjoint from everything that it
+ * writes (written [written_count])? Checked for a new plan with the inspection's ranges, for a kept
+ * one with the current ranges of arrays and sources. False: *overlap is the first pair that
+ * overlaps.
  */
 static inline bool redcc_ranges_are_apart(const redcc_loop *loop, const struct range *read,
                                           const struct range *written, uint32_t written_count,

@@ -14,10 +14,10 @@ void redcc_sample_end(struct sample *sample) {
     *sample = (struct sample){0};
 }
 
-/* True of one touch in `in` on average (a power of two); true of fewer where `in` is larger. The
- * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, lie evenly in every stretch
- * of iterations and of touches (Roberts, The unreasonable effectiveness of quasirandom sequences,
- * 2018); here in units of 2^-64. */
+/* True for one touch in `in` on average (a power of two); a larger `in` selects a subset. The
+ * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, are evenly distributed in
+ * every stretch of iterations and of touches (Roberts, The unreasonable effectiveness of
+ * quasirandom sequences, 2018); here in units of 2^-64. */
 static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
     const uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     return fraction <= UINT64_MAX / in;
@@ -39,7 +39,7 @@ size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
 void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
     size_t kept = 0;
     if (keep_each == sample->keep_each)
-        return; /* they were chosen so */
+        return; /* they were selected in this way already */
     for (size_t i = 0; i < sample->count; i++)
         if (stays(sample, &sample->item[i], keep_each))
             sample->item[kept++] = sample->item[i];

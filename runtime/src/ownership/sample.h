@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Addresses that some of the iterations touch, spread evenly over the loop: what the cuts are
- * chosen from. One for each thread.
+ * Addresses that some of the iterations touch, spread evenly over the loop: the cuts are chosen
+ * from them. One sample per thread.
  */
 #ifndef REDCC_SAMPLE_H
 #define REDCC_SAMPLE_H
@@ -13,41 +13,41 @@
 struct sampled {
     uintptr_t address;
     uint32_t array;
-    uint32_t iteration; /* of this thread's sample, counted from 0 */
-    uint32_t touch;     /* of this iteration, counted from 0 */
+    uint32_t iteration; /* within this thread's sample, counted from 0 */
+    uint32_t touch;     /* within this iteration, counted from 0 */
 };
 
 struct sample {
     struct sampled *item;
     size_t count;
     size_t capacity;
-    uint64_t keep_each; /* touches that one kept item stands for; a power of two */
-    uint64_t first;     /* sampled iterations of the threads before */
+    uint64_t keep_each; /* touches that one kept item represents; a power of two */
+    uint64_t first;     /* sampled iterations of the preceding threads */
     uint32_t iterations;
-    uint32_t touches; /* of the iteration at hand */
+    uint32_t touches; /* of the current iteration */
 };
 
-/** An empty one that keeps at most `capacity` touches, of a thread before whose share `first`
- *  iterations are sampled. False: no memory (end it all the same). */
+/** An empty sample of at most `capacity` touches, for a thread with `first` sampled iterations
+ *  before its share. False: no memory (call redcc_sample_end all the same). */
 bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void redcc_sample_end(struct sample *sample);
 
-/** Takes a touch in. When full, about half of the items are dropped and half as many are kept from
- *  then on, so that loops with thousands of touches an iteration are sampled evenly as well. Which
- *  ones, an even sequence of iteration and touch decides, not their rank: loops touch their arrays
- * in turn, and every fourth touch might be of one array only; nor a hash, which leaves more of one
- * part than of another. */
+/** Adds a touch. A full sample drops about half of the items and halves the rate from then on, so
+ *  that loops with thousands of touches per iteration are sampled evenly as well. An even sequence
+ *  over iteration and touch selects the items. Ranks would not do: loops touch their arrays in
+ *  turn, and every fourth touch might be of one array only. Nor would a hash, which leaves more
+ *  items in one part than in another. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array);
 
-/** Drops items until one stands for `keep_each` touches. */
+/** Drops items until each represents `keep_each` touches. */
 void redcc_sample_thin(struct sample *sample, uint64_t keep_each);
 
-/** How many items redcc_sample_thin would leave. */
+/** The number of items that redcc_sample_thin would leave. */
 size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each);
 
-/** What follows belongs to the next iteration. */
+/** Later touches belong to the next iteration. */
 static inline void redcc_sample_next_iteration(struct sample *sample) {
     sample->iterations++;
     sample->touches = 0;

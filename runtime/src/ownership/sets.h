@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sets of owners, each kept once and called by a number: 0 is the empty set, 1 + o the set {o},
- * larger ones follow in the order in which they were met.
+ * Sets of owners, each stored once and identified by a number: 0 is the empty set, 1 + o the set
+ * {o}; larger ones follow in the order of their first use.
  */
 #ifndef REDCC_SETS_H
 #define REDCC_SETS_H
@@ -21,10 +21,11 @@ struct sets {
     uint32_t slots; /* a power of two */
 };
 
-/** Begins with the empty set and those of one owner. False: no memory (end it all the same). */
+/** Begins with the empty set and the sets of one owner. False: no memory (call redcc_sets_end all
+ *  the same). */
 bool redcc_sets_begin(struct sets *sets, uint32_t owners);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void redcc_sets_end(struct sets *sets);
 
 /** The number of the set of `count` >= 2 owners, ascending. False: no memory. */

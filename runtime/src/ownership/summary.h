@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The access summary: for the iterations that one thread inspected, in order, spans of consecutive
- * iterations that touch the same set of owners. All that a method needs to know of a loop.
+ * iterations that touch the same set of owners. A method needs no other facts about a loop.
  */
 #ifndef REDCC_SUMMARY_H
 #define REDCC_SUMMARY_H
@@ -35,13 +35,13 @@ struct summary {
     size_t block_capacity;
 };
 
-/** An empty one over `owners` owners. False: no memory (end it all the same). */
+/** An empty summary for `owners` owners. False: no memory (call redcc_summary_end all the same). */
 bool redcc_summary_begin(struct summary *summary, uint32_t owners);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void redcc_summary_end(struct summary *summary);
 
-/** What follows lies in iterations origin, origin + 1, ... False: no memory. */
+/** The next block covers iterations origin, origin + 1, ... False: no memory. */
 bool redcc_summary_open_block(struct summary *summary, redcc_int origin);
 
 /** The block's next `count` >= 1 iterations touch `set`. False: no memory. */

@@ -3,19 +3,19 @@
 
 #include "ownership/graph/levels.h"
 
-/* Walks through a schedule, piece by piece, in the order of execution. */
+/* Iterates over a schedule, piece by piece, in the order of execution. */
 struct walk {
     const struct schedule *schedule;
     size_t chunk; /* the next one */
     struct run_reader runs;
     redcc_int origin;
-    redcc_int begin; /* of what is left of the run at hand */
+    redcc_int begin; /* of the rest of the current run */
     redcc_int count;
     uint32_t stage;
     bool guarded;
 };
 
-/* To the next run, where the one at hand is used up. False: there is none. */
+/* Advances to the next run if the current one is used up. False: there is none. */
 static bool advance(struct walk *walk) {
     redcc_iterations run;
     while (walk->count == 0) {
@@ -61,7 +61,7 @@ static bool contains(const struct sets *sets, uint32_t set, uint32_t owner) {
     return false;
 }
 
-/* Does the walk go on with what the owner has of the summary? */
+/* Are the next iterations of the walk those of the summary that the owner must execute? */
 static bool owner_follows(struct walk *walk, const struct summary *summary, uint32_t owner,
                           bool takes_idle) {
     for (size_t b = 0; b < summary->block_count; b++) {
@@ -112,7 +112,7 @@ static bool levels_are_right(const struct plan *plan, const struct evidence *evi
 
 /* ---- each iteration once --------------------------------------------------------------------- */
 
-/* Of a multiset of iterations: how many, their sum, and that of their squares, modulo 2^64. */
+/* Moments of a multiset of iterations: their number, sum, and sum of squares, modulo 2^64. */
 struct moments {
     uint64_t count;
     uint64_t sum;
@@ -177,7 +177,7 @@ static bool each_is_there_once(const struct plan *plan, const struct evidence *e
 
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence) {
     const struct method *method = plan->method;
-    if (method->selects) { /* threads find what they execute */
+    if (method->selects) { /* threads determine their iterations during execution */
         for (uint32_t s = 0; s < plan->schedules; s++)
             if (plan->schedule[s].chunk_count > 0)
                 return false;

@@ -5,12 +5,12 @@
 #include "plan/plan.h"
 
 /**
- * Is every iteration executed by whom it should be, as often as it should be, and in the order that
- * the method promises? Builds with assertions ask it of every plan; the inspection's evidence is
- * walked anew, and takes no memory.
+ * Checks that every iteration is executed by the right threads, the right number of times, and in
+ * the order that the method promises. Builds with assertions check every plan; this iterates over
+ * the access summaries again, and needs no memory.
  *
- *     LOCALWRITE  each owner's schedule is the iterations that touch what it owns, in the order of
- *                 the loop, guarded where they touch others' too
+ *     LOCALWRITE  each owner's schedule consists of the iterations that touch its elements, in the
+ *                 order of the loop, owner-checked if they also touch others'
  *     levels      each thread's schedule is its share of each level
  *     any other   each iteration, or each that touches something, is in one schedule, once
  */

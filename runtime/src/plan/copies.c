@@ -96,7 +96,7 @@ int redcc_copy_of(const struct plan *plan, int thread) {
     return -1;
 }
 
-/* The copies that `thread` is the first to use: [*first, *end). */
+/* The copies for which `thread` is the first user: [*first, *end). */
 static void copies_begun_by(const struct plan *plan, int thread, int *first, int *end) {
     if (plan->method->copies == COPY_SHARE) {
         const uint32_t count = (uint32_t)plan->copies.count;
@@ -146,7 +146,7 @@ bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
     return true;
 }
 
-/* Elements [*first, *end) of `count` that are the share of `part` of `parts`. */
+/* The share of `part` of `parts` in `count` elements: [*first, *end). */
 static void share(size_t count, int part, int parts, size_t *first, size_t *end) {
     *first = (size_t)redcc_share((redcc_int)count, parts, part);
     *end = (size_t)redcc_share((redcc_int)count, parts, part + 1);
@@ -196,7 +196,8 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
     }
 }
 
-/* Figure 9 (a): element after element, each from all copies. All of them hold the whole group. */
+/* Figure 9 (a): element after element, each from all copies. All of them contain the whole
+ * group. */
 static void merge_element_by_element(const struct plan *plan, uint32_t group,
                                      const struct element_rule *rule, char *base,
                                      struct offsets block) {

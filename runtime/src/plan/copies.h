@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Private copies of reduction arrays: one of each group (arrays that overlap share one), of the
- * bytes that are touched, and their way back into the arrays.
+ * Private copies of the touched bytes of reduction arrays, one for each group (arrays that overlap
+ * share one), and their merge into the arrays.
  */
 #ifndef REDCC_COPIES_H
 #define REDCC_COPIES_H
@@ -12,8 +12,8 @@ struct plan;
 
 /** A copy of all groups. */
 struct copy {
-    char **memory;        /* [array_count] of group g; NULL: nothing of it is touched */
-    struct offsets *held; /* [array_count] what of group g it is a copy of */
+    char **memory;        /* [array_count] of group g; NULL: it is not touched */
+    struct offsets *held; /* [array_count] the copied range of group g */
 };
 
 struct copies {
@@ -26,29 +26,31 @@ struct copies {
 /** As many copies as the plan's method needs, without memory for elements yet. False: no memory. */
 bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays);
 
-/** Gives back their memory. */
+/** Frees their memory. */
 void redcc_copies_end(struct copies *copies);
 
-/** Can there be private copies of what the partition's groups are touched in (touched
- *  [array_count])? Not of types without a rule, nor where elements do not lie in step. */
+/** Are private copies possible for the touched ranges of the partition's groups (touched
+ *  [array_count])? Not for types without a rule, nor for elements that are out of step with each
+ *  other. */
 bool redcc_copies_possible(const struct partition *partition, const struct range *touched);
 
-/** Bytes that a copy of everything touched takes. */
+/** Bytes of a copy of all touched ranges. */
 size_t redcc_copy_bytes(const struct partition *partition, const struct range *touched);
 
-/** Memory for the copy that `thread` is the first to use, if it is; `seen` [array_count] is what
- *  this thread's iterations touch, base [array_count] where the groups are. False: no memory. */
+/** Allocates the copy for which `thread` is the first user, if any; `seen` [array_count] is the
+ *  range touched by this thread's iterations, base [array_count] the groups' addresses. False: no
+ *  memory. */
 bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
                        const uintptr_t *base);
 
-/** The number of the copy that `thread` writes to; -1: it writes in place, or, by COPY_SHARE, to
- *  those that its chunks name. */
+/** The number of the copy that `thread` writes to; -1: it writes in place or, with COPY_SHARE, to
+ *  the copies that its chunks name. */
 int redcc_copy_of(const struct plan *plan, int thread);
 
 /** Sets this thread's share of its copy to the neutral element. */
 void redcc_copies_fill(const struct plan *plan, int thread);
 
-/** Brings this thread's share of the elements from all copies into the arrays at `bases`. */
+/** Merges this thread's share of the elements from all copies into the arrays at `bases`. */
 void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases);
 
 #endif

@@ -9,8 +9,8 @@
 
 #define ALWAYS_INLINE static inline __attribute__((__always_inline__))
 
-/* NAME, type stored, neutral element, does `x` leave the element as it is (then it is not written:
- * perhaps no iteration wrote it)?, `b` with `x` brought in */
+/* NAME, stored type, neutral element, is `x` neutral (then the element is not written, since
+ * perhaps no iteration updated it), `b` combined with `x` */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
     X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \
@@ -82,7 +82,7 @@
             for (size_t i = 0; i < count; i++) {                                                   \
                 TYPE *const to = &row[i];                                                          \
                 const TYPE b = *to, x = records[k * count + i];                                    \
-                if (count == 1 || !(IS_NEUTRAL)) /* no iteration may have come to it */            \
+                if (count == 1 || !(IS_NEUTRAL)) /* perhaps no iteration has updated it */         \
                     *to = COMBINED;                                                                \
             }                                                                                      \
         }                                                                                          \

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What private copies need of each operator and type: the neutral element, and how one copy is
- * brought into the array. Integers are combined as unsigned numbers, so that nothing overflows.
+ * Operations of private copies for each operator and type: the neutral element, and the merge of a
+ * copy into the array. Integers are combined as unsigned numbers, so that nothing overflows.
  *
- * An element of a copy that still holds the neutral element is left out, so that nothing is
- * written where no iteration updated: between the rows of an array of structures lie other things.
+ * An element of a copy that still has the neutral value is skipped. So nothing is written where no
+ * iteration updated: an array of structures has other data between its rows.
  */
 #ifndef REDCC_ELEMENTS_H
 #define REDCC_ELEMENTS_H
@@ -21,11 +21,11 @@ struct element_rule {
     void (*merge)(void *to, const void *from, size_t count);
     /** to[i] = to[i] op from[0][i] op from[1][i] ...: figure 9 (a), element by element. */
     void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count);
-    /** Brings records of `count` elements each into rows of as many, in order. */
+    /** Applies records of `count` elements each to rows of the same length, in order. */
     void (*apply)(const redcc_applied *applied, size_t count);
 };
 
-/** The rule for an operator and a type; NULL where there is none (REDCC_OTHER_TYPE, the minimum of
+/** The rule for an operator and a type; NULL if there is none (REDCC_OTHER_TYPE, the minimum of
  *  complex numbers, ...). */
 const struct element_rule *redcc_element_rule(redcc_operator operation, redcc_type type);
 

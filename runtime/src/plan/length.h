@@ -4,10 +4,9 @@
 
 #include "plan/plan.h"
 
-/** How long the plan's threads take, in iterations of the loop, each being as long as any other and
- *  all else taking no time: threads that wait for others at the end of a stage, or for a task's
- *  flag, are idle meanwhile. To be asked when the stages are numbered. Where there is no memory for
- *  the estimate: the iterations of the thread that has most. */
+/** The makespan of the plan, in iterations of equal length, without other costs; includes idle time
+ *  at the end of a stage, or while a task's flag is awaited. Valid once the stages are numbered.
+ *  Without memory for the computation: the largest number of iterations of a thread. */
 redcc_int redcc_plan_length(const struct plan *plan);
 
 #endif

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "plan/plan.h"
 
-/* Is array `array` one that can be a group's, or lie in it, in step? */
+/* Can array `array` be its group's, or lie within it in step? */
 static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
                  uint32_t array) {
     const redcc_array *it = &arrays[array], *lead = &arrays[group];

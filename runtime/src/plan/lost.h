@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Compensated sums: where a plan keeps what is lost of each element in rounding. */
+/** Compensated sums: a plan's storage for the rounding errors of each element. */
 #ifndef REDCC_LOST_H
 #define REDCC_LOST_H
 
@@ -10,13 +10,13 @@
 
 struct plan;
 
-/** What was lost of a group's elements. */
+/** Rounding errors of a group's elements. */
 struct lost {
     double *value;    /* of each touched element; NULL: the group is not compensated */
-    double *before;   /* of each one that is being updated: what it held */
+    double *before;   /* of each element being updated: its previous value */
     size_t count;     /* of elements */
     ptrdiff_t offset; /* of the first one, relative to the group's base */
-    char *first;      /* where it is in this execution */
+    char *first;      /* its address in this execution */
     redcc_type type;  /* REDCC_FLOAT or REDCC_DOUBLE */
 };
 
@@ -25,14 +25,14 @@ static inline size_t redcc_lost_element(redcc_type type) {
     return type == REDCC_FLOAT ? sizeof(float) : sizeof(double);
 }
 
-/** Makes room for what is lost in the plan's groups that are sums of floats or doubles. False: no
+/** Allocates the errors for the plan's groups that are sums of floats or doubles. False: no
  *  memory. */
 bool redcc_lost_new(struct plan *plan, const redcc_array *arrays);
 
-/** Gives the room back. */
+/** Frees them. */
 void redcc_lost_free(struct plan *plan);
 
-/** Bytes it takes. */
+/** Bytes they take. */
 size_t redcc_lost_bytes(const struct plan *plan);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The runs of a schedule, packed and read. */
+/** Packs and reads the runs of a schedule. */
 #include "plan/schedule.h"
 
 #include "base/memory.h"
@@ -10,16 +10,16 @@
  *
  *     gap << 6 | count_and_guard      gap < 2^10, 2 <= count_and_guard < 2^6
  *
- * where gap is how many iterations lie between the run before (or the chunk's origin) and this one;
- * else a word 0, then gap and count_and_guard in two words each, the lower one first. Gaps are
- * modulo 2^32: tasks of one chunk may go back. */
+ * where gap is the number of iterations between the preceding run (or the chunk's origin) and this
+ * one; a longer run is a word 0, then gap and count_and_guard in two words each, the lower one
+ * first. Gaps are modulo 2^32: tasks of one chunk may go back. */
 enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
 
 static bool is_short(redcc_u32 gap, redcc_iterations run) {
     return gap < GAPS && run.count_and_guard < COUNTS;
 }
 
-/* Packs the chunk's runs at `to`, or, where that is NULL, only counts; returns the words. */
+/* Packs the chunk's runs at `to`, or only counts if that is NULL; returns the number of words. */
 static size_t pack_chunk(const struct schedule *schedule, const struct chunk *chunk, uint16_t *to) {
     size_t words = 0;
     redcc_u32 at = 0;
@@ -89,7 +89,7 @@ static size_t copy_runs(struct run_reader *reader, redcc_iterations *to, size_t 
 #endif
 
 #ifdef BY_FOUR
-/* Of four words, is none the beginning of a longer run? */
+/* Is none of four words the beginning of a longer run? */
 static bool all_are_short(const uint16_t *word) {
     const uint64_t each = 0x0001000100010001u;
     uint64_t counts;
@@ -101,7 +101,8 @@ static bool all_are_short(const uint16_t *word) {
 typedef uint16_t four_words __attribute__((vector_size(8)));
 typedef uint32_t four __attribute__((vector_size(16)));
 
-/* Four runs of a word each, of which the first follows iteration at[0] (all of `at` are alike). */
+/* Reads four runs of a word each, the first of which follows iteration at[0] (all of `at` are
+ * equal). */
 static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     const four none = {0, 0, 0, 0};
     four_words words;
@@ -119,7 +120,7 @@ static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     return at + __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
 }
 
-/* As many runs of a word each as come next, four at a time; returns how many. */
+/* Reads all consecutive runs of a word each, four at a time; returns their number. */
 static size_t read_short(struct run_reader *reader, redcc_iterations *to, size_t room) {
     const uint16_t *word = reader->word;
     four at = {reader->at, reader->at, reader->at, reader->at};
@@ -170,7 +171,7 @@ static redcc_u32 length_of(redcc_iterations run) {
     return run.count_and_guard / 2;
 }
 
-/* The next run, or what is left of one. False: there is none. */
+/* The next run, or the rest of one. False: there is none. */
 static bool read_next(struct run_reader *reader, redcc_iterations *to) {
     *to = reader->rest;
     reader->rest = (redcc_iterations){0, 0};

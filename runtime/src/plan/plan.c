@@ -125,8 +125,8 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_give(plan);
 }
 
-/* The lowest stage >= `from` that some thread of the team has chunks in; UINT32_MAX: none. `at`
- * [threads] is how far each thread's chunks are numbered already. */
+/* The lowest stage >= `from` in which some thread of the team has chunks; UINT32_MAX: none. `at`
+ * [threads] is how far each thread's chunks are already numbered. */
 static uint32_t next_stage(const struct plan *plan, int first, int end, const size_t *at) {
     uint32_t lowest = UINT32_MAX;
     for (int thread = first; thread < end; thread++) {
@@ -156,7 +156,7 @@ static void number_stages(struct plan *plan, int team) {
         }
         plan->teams.stages[team]++;
     }
-    if (!at) /* no memory: as they came, the empty ones too */
+    if (!at) /* no memory: unchanged, with the empty ones */
         for (int thread = first; thread < end; thread++) {
             const struct schedule *schedule = &plan->schedule[thread];
             const size_t count = schedule->chunk_count;
@@ -168,7 +168,7 @@ static void number_stages(struct plan *plan, int team) {
 }
 
 #ifndef NDEBUG
-/* Does what the chunks of a schedule name exist? */
+/* Do the copies, flags and stages that a schedule refers to exist? */
 static bool names_what_is_there(const struct plan *plan, const struct schedule *schedule) {
     const uint32_t flags = plan->flags ? plan->method->flags(plan->owners) : 0;
     const uint32_t copies = plan->method->copies == COPY_SHARE ? (uint32_t)plan->copies.count : 1;
@@ -191,7 +191,7 @@ void redcc_plan_finish(struct plan *plan) {
     for (int team = 0; team < plan->teams.count && !plan->method->steals; team++)
         number_stages(plan, team);
     if (plan->method->steals)
-        plan->teams.stages[0] = 1; /* whatever is executed when */
+        plan->teams.stages[0] = 1; /* in any order */
     plan->executed = 0;
     for (uint32_t s = 0; s < plan->schedules; s++)
         plan->executed += plan->schedule[s].iterations;

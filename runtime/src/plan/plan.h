@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A plan: who executes which iterations of a loop, and where they write. All places in it are
- * relative to the arrays' first elements, so that it holds for other arrays at the same subscripts.
+ * A plan: which thread executes which iterations of a loop, and where they write. All addresses in
+ * it are relative to the arrays' first elements, so that it is valid for other arrays with the same
+ * subscripts.
  */
 #ifndef REDCC_PLAN_H
 #define REDCC_PLAN_H
@@ -15,7 +16,7 @@
 struct divide;
 struct lost;
 
-/** Where the owners of a group's units stand in a plan's map. */
+/** The part of a plan's map with the owners of a group's units. */
 struct group_map {
     ptrdiff_t first; /* of the units, relative to the group's base */
     uint32_t begin;  /* in the map */
@@ -29,10 +30,10 @@ struct owner_map {
     struct group_map *of; /* [array_count] of each group; with the map */
 };
 
-/** Teams of threads, which reach their stages together. */
+/** Teams of threads, which synchronise after each stage. */
 struct teams {
     int count;
-    uint32_t *stages;        /* [count] that each goes through */
+    uint32_t *stages;        /* [count] number of each team's stages */
     struct barrier *barrier; /* [count] */
 };
 
@@ -47,28 +48,27 @@ struct plan {
     uint32_t *group_of;      /* [array_count] as partition.group_of */
     ptrdiff_t *shift;        /* [array_count] bytes from its group's base to its own */
     struct offsets *touched; /* [array_count] of each group, relative to its base */
-    ptrdiff_t *bound;        /* [array_count * (owners + 1)] owner o of group g writes from
-                                bound[g * (owners + 1) + o] up to the next, relative to its base;
-                                not where there is a map */
+    ptrdiff_t *bound;        /* [array_count * (owners + 1)] owner o of group g writes from bound[g
+                              * * (owners + 1) + o] up to the next, relative to its base; unused
+                              * with a map */
     struct owner_map map;
     struct schedule *schedule; /* [schedules] of each thread; with stealable blocks of each owner */
     uint32_t schedules;
     struct flags *flags; /* of tasks; NULL: there are none */
-    unsigned round;      /* of this execution: what a flag that is up holds */
+    unsigned round;      /* of this execution: the value of a raised flag */
     struct lost *lost;   /* [array_count] of each group, of compensated sums; or NULL */
     struct copies copies;
-    redcc_int executed; /* iterations, replicated ones counted */
-    redcc_int length;   /* how long its threads take, in iterations (length.h) */
+    redcc_int executed; /* iterations, counting replicated ones */
+    redcc_int length;   /* its makespan, in iterations (length.h) */
 };
 
-/** The schedule that a thread begins with; the stealable ones behind it, where there are any, it
- * fills as well. */
+/** The schedule that a thread begins with; it also fills the stealable ones after it, if any. */
 static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
     return (uint32_t)thread * (plan->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/** The stealable schedule that is claimed after `claimed` others: of all threads the first, which
- * are the largest, then the second. UINT32_MAX: they are all claimed. */
+/** The stealable schedule that is claimed after `claimed` others: first those of all threads that
+ *  come first, which are the largest, then the second. UINT32_MAX: all are claimed. */
 static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_t claimed) {
     const uint32_t threads = (uint32_t)plan->threads;
     if (claimed >= plan->schedules - threads)
@@ -84,28 +84,28 @@ static inline int redcc_team_first(int threads, int teams, int team) {
 /** The team of a thread. */
 int redcc_team_of(int threads, int teams, int thread);
 
-/** An empty plan for `trip` iterations and what the partition says, group g being touched in
- *  touched[g]; compensated: with room for what is lost in sums. NULL: no memory. */
+/** An empty plan for `trip` iterations and the partition; group g is touched in touched[g];
+ *  compensated: with storage for rounding errors. NULL: no memory. */
 struct plan *redcc_plan_new(const struct method *method, int parameter, int threads, redcc_int trip,
                             const struct partition *partition, const struct range *touched,
                             bool compensated);
 
-/** From now on the owners are those of units, as they were divided; the map in `divide` becomes the
- *  plan's. False: no memory. */
+/** From now on owners are assigned per unit, as divided; the plan takes the map of `divide`. False:
+ *  no memory. */
 bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
                          struct divide *divide);
 
-/** Gives back a plan; NULL does nothing. */
+/** Frees a plan; NULL does nothing. */
 void redcc_plan_free(struct plan *plan);
 
-/** To be called once when all threads' schedules are there: numbers the stages that are not empty
- *  and adds up what is executed. */
+/** Called once when all threads' schedules are complete: numbers the non-empty stages and adds up
+ *  the executed iterations. */
 void redcc_plan_finish(struct plan *plan);
 
-/** Bytes it takes, copies included. */
+/** Bytes it takes, including copies. */
 size_t redcc_plan_bytes(const struct plan *plan);
 
-/** The most stages that a team goes through. */
+/** The largest number of a team's stages. */
 uint32_t redcc_plan_stages(const struct plan *plan);
 
 #endif

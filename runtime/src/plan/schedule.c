@@ -29,7 +29,8 @@ static bool room_for_run(struct schedule *schedule) {
     return true;
 }
 
-/* Lengthens the last run by as much of [begin, begin + count) as it can take; returns how much. */
+/* Extends the last run by as many of [begin, begin + count) as it can hold; returns their
+ * number. */
 static redcc_int lengthen(struct schedule *schedule, const struct chunk *chunk, redcc_int begin,
                           redcc_int count, bool guarded) {
     redcc_iterations *run = &schedule->run[schedule->run_count - 1];

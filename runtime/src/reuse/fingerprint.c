@@ -8,7 +8,7 @@
 
 enum { LANES = 8, STRIPE = LANES * 8 };
 
-/* Odd, bits well mixed: the golden ratio's, and primes of xxHash. */
+/* Odd constants with well-mixed bits: the golden ratio's, and primes of xxHash. */
 #define FIRST 0x9e3779b97f4a7c15u
 #define SECOND 0xc2b2ae3d27d4eb4fu
 #define THIRD 0x165667b19e3779f9u
@@ -39,13 +39,13 @@ static inline uint64_t load(const char *data, int word) {
 }
 
 /* Independent lanes keep the multiplier busy. Each word enters its own lane through a
- * multiplication and a rotation (a bijection, so that no single change is lost), and its neighbour
- * by addition, so that a change shows in two lanes of 64 bits. */
+ * multiplication and a rotation (a bijection, so that no single change is lost). It also enters the
+ * neighbouring lane by addition, so that a change affects two lanes of 64 bits. */
 #define TAKE_IN(lane, data, i)                                                                     \
     lane = rotate((lane ^ load(data, i)) * FIRST, 32) + load(data, (i) ^ 1)
 
-/* Takes `stripes` stripes at `data` in. The lanes are variables of their own, not an array: only
- * then do compilers keep them in registers at -O2, which is three times as fast. */
+/* Hashes `stripes` stripes at `data`. The lanes are separate variables, not an array: only then do
+ * compilers keep them in registers at -O2, which is three times as fast. */
 static void take_in(uint64_t lane[LANES], const char *data, size_t stripes) {
     uint64_t a = lane[0], b = lane[1], c = lane[2], d = lane[3];
     uint64_t e = lane[4], f = lane[5], g = lane[6], h = lane[7];
@@ -69,7 +69,7 @@ static uint64_t mix(uint64_t value) {
     return value ^ value >> 32;
 }
 
-/* Takes in as many whole blocks as there are; returns their bytes. */
+/* Hashes all whole blocks; returns their number of bytes. */
 static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t bytes) {
     if (bytes < REDCC_WIDE_BLOCK || !redcc_has_wide())
         return 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * 128 bits that stand for the contents of a piece of memory, at memory speed. A plan is used again
- * where its subscripts' fingerprint is unchanged. It is made under a secret of the process, so that
- * no contents can be made beforehand that differ and have one fingerprint.
+ * A 128-bit hash of a piece of memory, at memory speed. A plan is reused if the fingerprints of its
+ * subscripts are unchanged. The hash is keyed with a secret of the process, so that no colliding
+ * contents can be prepared in advance.
  */
 #ifndef REDCC_FINGERPRINT_H
 #define REDCC_FINGERPRINT_H
@@ -15,10 +15,10 @@ struct fingerprint {
     uint64_t word[2];
 };
 
-/** Of `bytes` bytes at `data`. */
+/** The fingerprint of `bytes` bytes at `data`. */
 struct fingerprint redcc_fingerprint(const char *data, size_t bytes);
 
-/** Of a whole, from those of its parts in order (count >= 0). */
+/** The fingerprint of a whole, from those of its parts in order (count >= 0). */
 struct fingerprint redcc_fingerprint_join(const struct fingerprint *parts, int count);
 
 static inline bool redcc_fingerprint_equal(struct fingerprint a, struct fingerprint b) {

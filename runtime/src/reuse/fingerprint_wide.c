@@ -23,12 +23,12 @@ WIDE __m256i upper(__m256i words) {
     return _mm256_srli_epi64(words, 32);
 }
 
-/* Each word's neighbour in its place. */
+/* Swaps each word with its neighbour. */
 WIDE __m256i other(__m256i words) {
     return _mm256_shuffle_epi32(words, 0x4e);
 }
 
-/* A bijection: no lane forgets a difference. */
+/* A bijection: no lane loses a difference. */
 WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
     const __m256i odd = _mm256_set1_epi64x(0x9e3779b1);
     const __m256i mixed =
@@ -37,10 +37,10 @@ WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
     return _mm256_add_epi64(_mm256_mul_epu32(mixed, odd), _mm256_slli_epi64(high, 32));
 }
 
-/* As XXH3 does (Y. Collet, xxHash's specification), a lane takes in the product of a word's halves
- * under a key of the stripe's own, and, so that no single change is ever lost, the neighbouring
- * word as it is. Words that change places are seen by the products alone: so each half is
- * multiplied with that of another word too. */
+/* As in XXH3 (Y. Collet, xxHash's specification), a lane adds the product of a word's halves under
+ * a key of the stripe and, so that no single change is lost, the neighbouring word unchanged. Only
+ * the products detect swapped words: so each half is also multiplied with a half of another
+ * word. */
 __attribute__((target("avx2"))) void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES],
                                                         const char *data, size_t blocks,
                                                         const uint64_t key[REDCC_WIDE_KEYS]) {

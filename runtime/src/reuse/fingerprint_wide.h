@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inner loop of fingerprints for processors with AVX2: twice as fast as that for all. */
+/** The inner loop of fingerprints for processors with AVX2: twice as fast as the portable one. */
 #ifndef REDCC_FINGERPRINT_WIDE_H
 #define REDCC_FINGERPRINT_WIDE_H
 
@@ -9,11 +9,11 @@
 
 enum { REDCC_WIDE_BLOCK = 1024, REDCC_WIDE_LANES = 16, REDCC_WIDE_KEYS = 24 };
 
-/** Is this such a processor? Always the same answer. */
+/** Does the processor support it? Always the same answer. */
 bool redcc_has_wide(void);
 
-/** Takes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. Whoever knows the key can
- *  make contents that differ and are taken in alike. Only where redcc_has_wide(). */
+/** Hashes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. With knowledge of the
+ *  key, collisions can be constructed. Only if redcc_has_wide(). */
 void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks,
                         const uint64_t key[REDCC_WIDE_KEYS]);
 

@@ -11,7 +11,7 @@ bool redcc_is_small(struct reading reading) {
     return redcc_range_bytes(reading.range) <= SMALL;
 }
 
-/* The share's first byte, and how many they are: whole stripes but for the last one's. */
+/* The share's first byte and size: whole stripes except for the last one. */
 static const char *share_of(struct reading reading, const struct hasher *hasher, size_t *count) {
     const size_t bytes = redcc_range_bytes(reading.range);
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
@@ -22,7 +22,7 @@ static const char *share_of(struct reading reading, const struct hasher *hasher,
     return (const char *)reading.range.first + first;
 }
 
-/* Goes on in whole pieces to `part` of the share; 1: to its end. */
+/* Continues in whole pieces to `part` of the share; 1: to its end. */
 static void hash_up_to(struct partial_hash *partial, const struct hasher *hasher, double part) {
     size_t count;
     const char *const share = share_of(partial->reading, hasher, &count);
@@ -44,7 +44,7 @@ struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading 
     return partial.so_far;
 }
 
-/* Is where this source lies known before the inspection? */
+/* Is this source's range known before the inspection? */
 static bool is_hashed_early(const struct request *request, const struct range *sources,
                             uint32_t source) {
     return (request->loop->sources[source].is_subscript & 1) && request->known[source].end &&
@@ -85,7 +85,7 @@ void redcc_hash_rest(struct hasher *hasher, const struct request *request,
                 hasher->fingerprint[s] = redcc_reading_fingerprint(reading);
             continue;
         }
-        if (!redcc_readings_equal(partial->reading, reading)) /* now it is known where all lie */
+        if (!redcc_readings_equal(partial->reading, reading)) /* now all ranges are known */
             *partial = (struct partial_hash){.reading = reading};
         hash_up_to(partial, hasher, 1);
         hasher->fingerprint[s] = partial->so_far;
@@ -99,7 +99,7 @@ struct fingerprint redcc_hash_joined(struct hasher *const *hasher, int threads, 
     int count = 1;
     for (int thread = 0; thread < threads; thread++) {
         part[count++] = hasher[thread]->fingerprint[source];
-        if (count > AT_ONCE) { /* what came first, then the next ones */
+        if (count > AT_ONCE) { /* what is already hashed, then the next ones */
             part[0] = redcc_fingerprint_join(part, count);
             count = 1;
         }

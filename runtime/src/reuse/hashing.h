@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Fingerprints of the subscripts, each thread's share. They are taken piece by piece while the
- * inspector goes through the thread's iterations, as far as it has come: a loop mostly reads its
- * subscripts in the order of its iterations, and so they are still in the caches.
+ * Fingerprints of the subscripts, each thread hashing its share. This is done piece by piece during
+ * the inspection, following the thread's iterations: a loop mostly reads its subscripts in the
+ * order of its iterations, so they are still in the caches.
  */
 #ifndef REDCC_HASHING_H
 #define REDCC_HASHING_H
@@ -10,10 +10,10 @@
 #include "base/call.h"
 #include "reuse/reading.h"
 
-/** A partial hash: the fingerprint of a thread's share of a source, as far as it is taken. */
+/** A partial hash: the fingerprint of the hashed span of a thread's share of a source. */
 struct partial_hash {
-    struct reading reading; /* of which it is; empty: of none yet */
-    size_t taken;           /* bytes */
+    struct reading reading; /* of this source range; empty: none yet */
+    size_t taken;           /* hashed span, in bytes */
     struct fingerprint so_far;
 };
 
@@ -21,27 +21,27 @@ struct partial_hash {
 struct hasher {
     int thread;
     int threads;
-    struct fingerprint *fingerprint; /* [source_count] of the own share */
-    struct partial_hash *partial;    /* [source_count] while all iterations are told */
+    struct fingerprint *fingerprint; /* [source_count] of this thread's share */
+    struct partial_hash *partial;    /* [source_count] while all iterations are recorded */
 };
 
-/** Is a source so small that every thread reads it, rather than its share? That costs less than the
- *  barrier that is saved. */
+/** Is a source so small that every thread hashes all of it rather than its share? That costs less
+ *  than the barrier it avoids. */
 bool redcc_is_small(struct reading reading);
 
-/** Of the thread's share of what is read. */
+/** The fingerprint of the thread's share of the range. */
 struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading reading);
 
-/** To be called before the thread's iterations are told. Returns the
- *  bytes of its share that will be hashed meanwhile, of sources whose place is known (sources
- *  [source_count]). */
+/** Called before the thread's iterations are recorded. Returns the bytes of its share that will be
+ *  hashed meanwhile, of sources with a known range (sources [source_count]). */
 size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
                         const struct range *sources);
 
-/** So much of its iterations, 0 to 1, the thread has told: hashes as much of these sources. */
+/** The thread has recorded this fraction of its iterations, 0 to 1: hashes the same fraction of
+ *  these sources. */
 void redcc_hash_some(struct hasher *hasher, const redcc_loop *loop, double part);
 
-/** Hashes what is left of the own share of all subscripts, into hasher->fingerprint. */
+/** Hashes the rest of this thread's share of all subscripts, into hasher->fingerprint. */
 void redcc_hash_rest(struct hasher *hasher, const struct request *request,
                      const struct range *sources);
 

@@ -11,7 +11,8 @@
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
 
-/* Sets sources [source_count] to where the sources are, if they are known as they were. */
+/* Sets sources [source_count] to the sources' ranges, if these are known in the same way as
+ * before. */
 static bool sources_fit(const struct kept_plan *kept, const struct request *request,
                         struct range *sources) {
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
@@ -39,8 +40,8 @@ static struct range place_of(const struct plan *plan, const struct request *requ
     return (struct range){base + (uintptr_t)touched.first, base + (uintptr_t)touched.end};
 }
 
-/* Do the arrays lie to each other as when the plan was made: groups in one piece, and apart? Sets
- * written [array_count] to where they are. */
+/* Are the arrays' relative positions those for which the plan was built: groups contiguous, and
+ * disjoint? Sets written [array_count] to their ranges. */
 static bool arrays_fit(const struct plan *plan, const struct request *request,
                        struct range *written) {
     for (uint32_t a = 0; a < plan->array_count; a++) {
@@ -97,9 +98,9 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
     return hash ^ hash >> 31;
 }
 
-/* A hash of a few words of a subscript that is where the call says; 0: it is not. */
+/* A hash of a few words of a subscript whose range the call gives; 0: it does not. */
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
-    enum { WORDS = 32 }; /* some 3 microseconds where none is in the caches */
+    enum { WORDS = 32 }; /* some 3 microseconds if none is in the caches */
     uint64_t hash = 0;
     if (!(source.is_subscript & 1) || !known.end ||
         known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
@@ -122,7 +123,7 @@ uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known) {
     return hash;
 }
 
-/* The first source whose sample is not what it was when the plan was made; -1: none. */
+/* The first source whose sample differs from that at the plan's construction; -1: none. */
 static int changed_source(const struct reuse *reuse, const struct kept_plan *kept) {
     const struct request *request = &reuse->call->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++)
@@ -138,7 +139,7 @@ static unsigned bit_of(const struct kept_plan *kept) {
 }
 
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, unsigned *changed) {
-    struct kept_plan *lost = NULL; /* the one used last */
+    struct kept_plan *lost = NULL; /* the most recently used */
     *fits_now = *changed = 0;
     for (int p = 0; p < REDCC_PLANS; p++) {
         struct kept_plan *kept = reuse->cache->kept[p];
@@ -156,7 +157,7 @@ void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, un
     reuse->changed_source = changed_source(reuse, lost);
 }
 
-/* Where other subscripts have the same sample, it is the plan used last. */
+/* If other subscripts have the same sample, it is the most recently used plan. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     struct plan_cache *cache = reuse->cache;
     struct kept_plan *found = NULL;
@@ -168,7 +169,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
             found = kept;
     }
     reuse->found = found;
-    if (!found || !fits(reuse, found, threads)) /* which sets where the sources are */
+    if (!found || !fits(reuse, found, threads)) /* also sets the sources' ranges */
         return;
     if (redcc_may_be_aliased(
             (struct touches){reuse->written, found->plan->array_count, reuse->sources,
@@ -183,8 +184,8 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     ask_tracking(reuse);
 }
 
-/* Where it begins is known, and that lies in a source that is known as a whole: another part of the
- * same array. */
+/* Its beginning is known, and lies in a source with a known range: another part of the same
+ * array. */
 static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known, uint32_t source) {
     const uintptr_t first = (uintptr_t)known[source].first;
     for (uint32_t s = 0; s < loop->source_count; s++)
@@ -193,7 +194,7 @@ static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known
     return false;
 }
 
-/* Takes the bytes into *all; false: the time was over before. */
+/* Hashes the bytes into *all; false if the time limit was exceeded. */
 static bool take_in(struct fingerprint *all, const char *data, size_t bytes, double until) {
     enum { PIECE = 256 * 1024 };
     for (size_t done = 0; done < bytes; done += PIECE) {
@@ -207,7 +208,7 @@ static bool take_in(struct fingerprint *all, const char *data, size_t bytes, dou
     return true;
 }
 
-/* Does the call say where all subscripts are? */
+/* Does the call give the ranges of all subscripts? */
 static bool are_known(const redcc_loop *loop, const redcc_extent *known) {
     for (uint32_t s = 0; s < loop->source_count; s++)
         if ((loop->sources[s].is_subscript & 1) && !known[s].end &&
@@ -229,11 +230,11 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
     return true;
 }
 
-/* ---- are its subscripts what they were? --------------------------------------------------------
- */
+/* ---- are its subscripts unchanged?
+ * -------------------------------------------------------------- */
 
-/* The range of the next source may come from the contents of this one: no thread goes on to it
- * before all have found this one unchanged. */
+/* The range of the next source may depend on the contents of this one: no thread reads it before
+ * all have found this one unchanged. */
 static bool verify_together(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const struct reading reading = reading_of(reuse, source);
     hasher->fingerprint[source] = redcc_hash_share(hasher, reading);
@@ -251,7 +252,7 @@ static bool verify_alone(const struct reuse *reuse, uint32_t source) {
                                    reuse->found->source[source].fingerprint);
 }
 
-/* What a later call goes by is written by the first thread, and read by no other in this one. */
+/* The first thread writes the data for later calls; no other thread reads them in this one. */
 static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const bool same = redcc_is_small(reading_of(reuse, source))
                           ? verify_alone(reuse, source)
@@ -296,7 +297,7 @@ bool redcc_is_reusable(const struct request *request, const struct range *source
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
         const redcc_extent known = request->known[s];
         if (!known.end && !known.first && !redcc_range_empty(sources[s]))
-            return false; /* where it would lie another time, nobody can say */
+            return false; /* its range in a later call is unknown */
     }
     return true;
 }

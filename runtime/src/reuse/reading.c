@@ -20,14 +20,14 @@ struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *know
         else if (shown.end >= it.end)
             rest.end = shown.first;
         else
-            continue; /* on both sides something is left */
+            continue; /* parts remain on both sides */
         return (struct reading){rest, has_gaps, s + 1, it.first - shown.first};
     }
     return (struct reading){it, has_gaps, 0, 0};
 }
 
-/* Would all of it be read without a fault, and from memory? The system brings its pages in, as to
- * read them would, and says whether it could (Linux from 5.14 on; madvise(2)). */
+/* Can all of it be read without a fault, and from memory? The system loads its pages, as reading
+ * would, and reports success (Linux from 5.14 on; madvise(2)). */
 static bool is_readable(struct range range) {
 #if defined(__linux__)
     enum { POPULATE_READ = 22 };

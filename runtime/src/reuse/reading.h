@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What is read of a source to find out whether its contents are what they were. */
+/** The part of a source that is read to check whether its contents are unchanged. */
 #ifndef REDCC_READING_H
 #define REDCC_READING_H
 
@@ -7,18 +7,18 @@
 #include "redcc/runtime.h"
 #include "reuse/fingerprint.h"
 
-/** Not what an earlier source (counted from 1; 0: none) has shown already, as of row_start[i] and
- *  row_start[i + 1]. How the two lie to each other is compared too. */
+/** Excludes bytes that an earlier source (counted from 1; 0: none) covers, as for row_start[i] and
+ *  row_start[i + 1]. The distance between the two is compared too. */
 struct reading {
     struct range range;
-    bool has_gaps; /* where it begins and ends was found by the inspection: what lies between need
-                      not have been read, nor be readable */
+    bool has_gaps; /* the inspection found its beginning and end: bytes between them need not have
+                    * been read, nor be readable */
     uint32_t beside;
-    uintptr_t distance; /* from there to the source */
+    uintptr_t distance; /* from the earlier source to this one */
 };
 
-/** Of source number `source` of the loop; sources [source_count] is where they lie, known what was
- *  known of that before the inspection. */
+/** For source number `source` of the loop; sources [source_count] are their ranges, known the
+ *  ranges known before the inspection. */
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 
@@ -32,14 +32,14 @@ static inline bool redcc_readings_equal(struct reading a, struct reading b) {
            a.distance == b.distance;
 }
 
-/** Of `range`, which lies in that of the reading. Of what cannot be read one that equals no other.
- */
+/** The fingerprint of `range`, a part of the reading. Unreadable memory gives a value that equals
+ *  no other. */
 struct fingerprint redcc_part_fingerprint(const struct reading *reading, struct range range);
 
-/** Of all of it. */
+/** The fingerprint of the whole reading. */
 struct fingerprint redcc_reading_fingerprint(struct reading reading);
 
-/** Of what lies before and behind its whole pages; all of it where it has none. */
+/** The fingerprint of the bytes before and after its whole pages; of all if it has none. */
 struct fingerprint redcc_reading_ends(struct reading reading);
 
 #endif

@@ -4,17 +4,19 @@
 #include "reuse/pages/watch.h"
 
 enum {
-    A_COMPARISON = 12, /* of a page takes so small a part of what tracking it for nothing does */
-    A_SOURCE = 165,    /* pages that cost as much as to look whether a source may be tracked */
-    LEAST = 256 * 1024 /* bytes; to compare fewer costs little more than to ask */
+    A_COMPARISON = 12, /* divisor: the cost of comparing a page relative to tracking it without
+                        * use */
+    A_SOURCE = 165,    /* pages whose cost equals the check whether a source may be tracked */
+    LEAST = 256 * 1024 /* bytes; comparing fewer costs little more than the query */
 };
 
 static double pages_of(struct range pages) {
     return (double)(redcc_range_bytes(pages) / 4096);
 }
 
-/* Seconds that tracking costs for nothing, each time in a row twice as much. After comparisons that
- * have cost as much it is begun: that loses at most as much again (ski rental). */
+/* The cost in seconds of tracking without use, which doubles with each consecutive failure.
+ * Tracking begins once comparisons have cost as much: it then loses at most the same amount again
+ * (ski rental). */
 static double price(struct range pages, const struct back_off *rest) {
     const double times = rest->length ? (double)rest->length / (LEARN_REST / 2.0) : 1;
     return times * LEARN_PAGE * (pages_of(pages) + (double)A_SOURCE);
@@ -29,7 +31,7 @@ static void back_off(struct tracking *tracking, struct back_off *rest) {
     rest->length = redcc_longer(rest->length);
 }
 
-/* The source was written to: was it worth it? */
+/* The source was written: did tracking pay? */
 static void end_tracking(struct tracking *tracking, struct range pages, struct back_off *rest) {
     if (compared(pages, tracking->skipped) < price(pages, &(struct back_off){0})) {
         back_off(tracking, rest);
@@ -40,9 +42,9 @@ static void end_tracking(struct tracking *tracking, struct range pages, struct b
     tracking->version = 0;
 }
 
-/* The version from which on the pages are tracked, where they are by now; 0: not yet. It is time
- * when comparisons, or what the plan has saved, pay for it. Where they cannot be tracked, it has
- * cost something to find that out. */
+/* Begins tracking if it is time, and returns the version from which on the pages are tracked; 0:
+ * not yet. It is time once the cost of comparisons, or the plan's savings, cover the cost. If they
+ * cannot be tracked, the attempt has its cost as well. */
 static uint64_t begin_tracking(struct tracking *tracking, struct range pages, struct back_off *rest,
                                double *earned) {
     if (redcc_range_bytes(pages) < LEAST)

@@ -9,7 +9,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
 
-/* ---- who writes a variable ------------------------------------------------------------------ */
+/* ---- writes of a variable ------------------------------------------------------------------- */
 
 bool variable_is_written_in(const ir_node *node, const ir_variable *variable) {
     const ir_node *target = expression_written(node);
@@ -62,7 +62,7 @@ static bool is_comparison(ir_operator op) {
     return (op >= IR_OP_LESS && op <= IR_OP_GREATER_EQUAL) || op == IR_OP_NOT_EQUAL;
 }
 
-/* The counter, or counter + c in its own type, with a constant c that is not negative. */
+/* The counter, or counter + c in its own type, with a constant c >= 0. */
 static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t *ahead) {
     *ahead = 0;
     if (expression_is_variable(node, counter))
@@ -76,7 +76,7 @@ static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t
            *ahead <= INT16_MAX;
 }
 
-/* counter <comparison> bound, whichever side the counter stands on. */
+/* counter <comparison> bound, with the counter on either side. */
 static bool split_condition(const ir_node *condition, counted_loop *counted) {
     if (condition->kind != IR_BINARY || !is_comparison(condition->op))
         return false;
@@ -106,7 +106,7 @@ static const char *first_name(const ir_node *node) {
     return name;
 }
 
-/* `name`: of the counter; NULL: it is not known, and whatever is compared stands for it. */
+/* `name`: of the counter; NULL: it is not known, and the compared expression replaces it. */
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
     if (!name)
         name = first_name(node);
@@ -141,7 +141,7 @@ static bool is_address(const ir_node *node) {
     return node->type && (node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY);
 }
 
-/* A pointer that goes from object to object: its numbers are addresses, its step is in bytes. */
+/* A pointer that steps from object to object: its numbers are addresses, its step is in bytes. */
 static bool is_plain_pointer(const ir_type *type) {
     const ir_type *object = type->kind == IR_POINTER ? type->target : NULL;
     return object && object->size > 0 && object->size <= INT16_MAX && object->kind != IR_VOID &&
@@ -164,7 +164,7 @@ static bool is_plain_but_for_calls(const ir_node *node) {
     return true;
 }
 
-/* Do comparison and step go together in the condition, the one by what the other is about? */
+/* Do comparison and step in the condition concern the same variable? */
 static bool compares_while_stepping(const counted_loop *loop) {
     return loop->steps_first || loop->ends_below;
 }
@@ -177,7 +177,7 @@ static bool may_count(const counted_loop *loop) {
 
 static bool wraps(const counted_loop *counted, const ir_node *loop) {
     const ir_type *counter = counted->counter->type;
-    if (counter->kind == IR_POINTER) /* C gives no meaning to one that leaves what it points into */
+    if (counter->kind == IR_POINTER) /* a pointer that leaves its object is undefined in C */
         return false;
     if (compares_while_stepping(counted))
         return counted_stepping_wraps(counted);
@@ -187,15 +187,15 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
-/* i + c < n goes on as i < n - c does: where it ends, i + c is the bound, or one more (<=), as i
- * would be. Longer steps might carry it over the largest number of its type. */
+/* i + c < n behaves as i < n - c: at the end i + c is the bound, or one more (<=), as i would be.
+ * Longer steps might exceed the largest number of the type. */
 static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
     return loop->ahead == 0 ||
            (loop->step == 1 && !loop->stride && node->kind != IR_DO && !loop->steps_inside &&
             (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL));
 }
 
-/* What must hold of counter, bound and lower, once they are found. */
+/* Conditions on counter, bound and lower, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
     const char *written = NULL;
@@ -209,7 +209,7 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_end(loop, loop->lower)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
     for (unsigned i = 0; !loop->steps_inside && (i < loop->body->child_count || i == 0); i++) {
-        /* the increment at the end of a while or do loop's body is not looked at */
+        /* excludes the increment at the end of a while or do loop's body */
         const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
         if (!part || part == increment)
             continue;
@@ -247,7 +247,7 @@ static const ir_node *own_increment(const ir_node *loop, const ir_node *incremen
     return left ? left : own_increment(loop, increment->children[1], condition);
 }
 
-/* i++, i++: is the counter written by another part than its own step? */
+/* i++, i++: is the counter written other than by its own step? */
 static bool is_written_besides(const ir_node *node, const ir_variable *counter,
                                const ir_node *step) {
     if (node == step)
@@ -268,8 +268,8 @@ static bool split_start(const ir_node *loop, counted_loop *counted) {
                                          : counted_split_initialisation(loop, start, counted);
 }
 
-/* for (i = n; --i >= 0;), while (n--), do ... while (--n): what else the header does is not the
- * counter's. */
+/* for (i = n; --i >= 0;), while (n--), do ... while (--n): other effects of the header do not
+ * concern the counter. */
 static counted_result recognise_stepping(const ir_node *loop, counted_loop *counted) {
     const char *name = counted->counter->name;
     const char *written = NULL;
@@ -317,8 +317,8 @@ static counted_result recognise_for(const ir_node *loop) {
     return check(&counted, loop, NULL);
 }
 
-/* while (p < end) h[*p++]++: the one step of what the condition compares, where each iteration
- * comes to it once and asks for the variable no more. */
+/* while (p < end) h[*p++]++: the only step of the compared variable, if each iteration executes it
+ * once and does not use the variable afterwards. */
 static bool split_inside(const ir_node *condition, counted_loop *counted) {
     for (unsigned side = 0; condition->kind == IR_BINARY && side < 2; side++) {
         const ir_node *compared = condition->children[side];
@@ -335,7 +335,7 @@ static bool split_inside(const ir_node *condition, counted_loop *counted) {
     return false;
 }
 
-/* A do loop is counted as the while loop with the same body and condition. Where that has no
+/* A do loop is counted as the while loop with the same body and condition. If that has no
  * iteration, which its first value and the bound decide, generated code counts none, and the
  * original runs. */
 static counted_result recognise_while(const ir_node *loop) {

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Before the loop is entered it is not known yet whether an iteration writes what the bound reads:
- * of `do h[k[i]]++; while (++i < n / m[0]);` m[0] may be 0 until the first iteration writes it. So
- * what is read from memory may be the bound, but no part of what is computed for it: neither an
- * address nor a divisor may depend on it.
+ * Before the loop is entered it is unknown whether an iteration writes memory that the bound reads:
+ * in `do h[k[i]]++; while (++i < n / m[0]);` m[0] may be 0 until the first iteration writes it. So
+ * the bound may be a value read from memory, but no address or divisor in its computation may
+ * depend on one.
  */
 #include "analysis/base/counted_bound.h"
 
 #include "analysis/base/expression.h"
 
-/* Made of numbers and of local variables that nothing but their names can change: the same before
- * the first iteration and after it. */
+/* Consists of numbers and of local variables that are changed only by name: the same before the
+ * first iteration and after it. */
 static bool is_steady(const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:

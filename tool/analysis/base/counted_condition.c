@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The condition steps the counter, and compares it as it is then (--i >= 0) or as it was before
- * (i-- > 0). Either way the first iteration has the first value and one step. What was greater than
- * the bound before the step is, with integers, not less than it afterwards. The same holds of a do
- * loop from its second iteration on; the first one has the first value.
+ * The condition steps the counter, and compares it after the step (--i >= 0) or before (i-- > 0).
+ * Either way the first iteration has the first value and one step. With integers, a value greater
+ * than the bound before the step is not less than it afterwards. The same holds in a do loop from
+ * its second iteration on; the first one has the first value.
  */
 #include "analysis/base/counted_condition.h"
 
 #include "analysis/base/expression.h"
 
-/* What `n--` is compared with, where nothing else is said. */
+/* The type of the number that a bare `n--` is compared with. */
 static const ir_type number_type = {
     .kind = IR_INTEGER, .is_signed = true, .size = 4, .spelling = "int"};
 static const ir_node zero = {
@@ -23,8 +23,8 @@ static bool is_before_test(const ir_node *step) {
     return step->op == IR_OP_PRE_INCREMENT || step->op == IR_OP_PRE_DECREMENT;
 }
 
-/* The comparison of the stepped counter that says what `comparison` says of the one before the
- * step; IR_OP_NONE: there is none, or it does not lead to the bound. */
+/* The comparison of the stepped counter that is equivalent to `comparison` before the step;
+ * IR_OP_NONE: there is none, or it does not lead to the bound. */
 static ir_operator after_step(ir_operator comparison, int64_t step) {
     if (comparison == IR_OP_NOT_EQUAL)
         return step < 0 ? IR_OP_GREATER_EQUAL : IR_OP_LESS_EQUAL;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a for loop's header does before the first iteration. */
+/* The initialisation in a for loop's header. */
 #include "analysis/base/counted_start.h"
 
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-/* ---- what is set, and to which value ----------------------------------------------------------
- */
+/* ---- variables set, and their values
+ * --------------------------------------------------------------- */
 
 static bool add_start(counted_loop *counted, loop_start start) {
     if (counted->start_count == sizeof counted->starts / sizeof counted->starts[0] ||
@@ -23,7 +23,8 @@ static bool mentions_start(const ir_node *node, const counted_loop *counted) {
     return false;
 }
 
-/* Do the values depend on nothing that the initialisation sets, nor is one set twice? */
+/* Are the values independent of the variables that the initialisation sets, and is none set
+ * twice? */
 static bool starts_are_apart(const counted_loop *counted) {
     if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
         return false;
@@ -56,8 +57,8 @@ static bool mentions_declared(const ir_node *node, const ir_node *declaration) {
     return false;
 }
 
-/* for (int t = 0, last = n - 1; t <= last; t++): with the value of `last`, which it keeps, in its
- * place. */
+/* for (int t = 0, last = n - 1; t <= last; t++): the value of `last`, which is constant, replaces
+ * it. */
 static bool split_declared_bound(const ir_node *loop, const ir_node *declaration,
                                  counted_loop *counted) {
     const ir_node *bound = counted->bound->kind == IR_VARIABLE
@@ -107,7 +108,7 @@ bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
 
 /* ---- assignments ----------------------------------------------------------------------------- */
 
-/* Is the constant, converted to the type, the number that it was? */
+/* Does the constant keep its value when converted to the type? */
 static bool keeps_constant(const ir_type *type, int64_t value) {
     if (!ir_type_is_plain_integer(type))
         return false;
@@ -124,7 +125,7 @@ static bool keeps_all(const ir_type *outer, const ir_type *inner) {
             outer->is_signed == inner->is_signed && outer->size >= inner->size);
 }
 
-/* Of i = q = e the value of i: e, where q has it unchanged. NULL: q may have another. */
+/* In i = q = e the value of i: e, if q stores it unchanged. NULL: q may have another. */
 static const ir_node *chained_value(const ir_node *value) {
     while (value && value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
            value->children[0]->kind == IR_VARIABLE) {
@@ -139,7 +140,7 @@ static const ir_node *chained_value(const ir_node *value) {
     return value;
 }
 
-/* The value that an assignment of the variable by = gives it; NULL: it is none. */
+/* The value that an assignment by = gives the variable; NULL: it is no such assignment. */
 static const ir_node *assigned_value(const ir_node *node, const ir_variable *variable) {
     return node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
                    expression_is_variable(node->children[0], variable)
@@ -147,8 +148,8 @@ static const ir_node *assigned_value(const ir_node *node, const ir_variable *var
                : NULL;
 }
 
-/* for (v = base, end = g->n; v < end; v++): with the value of `end`, where that is all the loop
- * does with it, in its place. */
+/* for (v = base, end = g->n; v < end; v++): the value of `end` replaces it, if the loop only
+ * compares with it. */
 static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *counted) {
     const ir_variable *variable =
         counted->bound->kind == IR_VARIABLE ? counted->bound->variable : NULL;
@@ -167,8 +168,8 @@ static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *
     return true;
 }
 
-/* for (i = 0, q = 5; ...): a variable beside the counter is set, by what nothing else there sets.
- */
+/* for (i = 0, q = 5; ...): sets another variable than the counter, to a value independent of the
+ * others. */
 static bool split_start(const ir_node *node, counted_loop *counted) {
     const ir_node *target = node->kind == IR_ASSIGN ? node->children[0] : NULL;
     if (!target || target->kind != IR_VARIABLE || target->variable == counted->counter)
@@ -177,7 +178,7 @@ static bool split_start(const ir_node *node, counted_loop *counted) {
     return value && add_start(counted, (loop_start){target->variable, value, node, false});
 }
 
-/* The assignment of the counter, in a sequence or a chain of such. */
+/* The assignment of the counter, in a sequence or a chain of assignments. */
 static const ir_node *start_of_counter(const ir_node *node, const ir_variable *counter) {
     const bool is_sequence = node->kind == IR_BINARY && node->op == IR_OP_COMMA;
     if (node->kind == IR_ASSIGN && expression_is_variable(node->children[0], counter))

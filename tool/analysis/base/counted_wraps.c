@@ -25,10 +25,10 @@ static int64_t type_maximum(const ir_type *type) {
 }
 
 /*
- * The generated code counts iterations in 64 bits by lower, bound and step as mathematical numbers.
- * That agrees with the loop where the comparison is one of numbers and the counter reaches the
- * bound without leaving its type. Where it would leave a signed type of int's size or more, C gives
- * no meaning to the loop at all; a trip count computed as zero or less runs the original loop.
+ * The generated code counts iterations in 64 bits with lower, bound and step as mathematical
+ * numbers. That agrees with the loop if the comparison is one of numbers and the counter reaches
+ * the bound without leaving its type. If it would leave a signed type of at least int's size, the
+ * loop is undefined in C; if the computed trip count is zero or less, the original loop runs.
  */
 bool counted_wraps(const counted_loop *loop) {
     const ir_type *counter = loop->counter->type;

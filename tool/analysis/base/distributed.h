@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A loop's body with and without the stores that are made after it (facts.h: distributed_store).
- */
+/** A loop's body with and without the stores that are made in a separate loop after it (loop
+ *  fission; facts.h: distributed_store). */
 #ifndef ANALYSIS_DISTRIBUTED_H
 #define ANALYSIS_DISTRIBUTED_H
 
 #include "analysis/base/facts.h"
 
-/** Takes the stores out of the tree of the function; each is asked for under its block no more, but
- *  has its parent still. NULL: nothing to do. */
+/** Removes the stores from the function's tree; the statement's block no longer has them as
+ *  children, but their parent links remain. NULL: nothing to do. */
 void distributed_take_out(const distribution *stores);
-/** Puts them back. Whoever takes them out does so before anything else asks for the function. */
+/** Puts them back, before any other analysis of the function. */
 void distributed_put_back(const distribution *stores);
 
 #endif

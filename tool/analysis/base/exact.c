@@ -4,8 +4,8 @@
 #include "analysis/base/expression.h"
 
 enum {
-    SMALLEST_SIZE = 4, /* who converts to less means it to wrap around */
-    ADDRESS_SIZE = 8   /* what is computed in so many bytes wraps around where addresses do */
+    SMALLEST_SIZE = 4, /* a conversion to fewer bytes is meant to wrap around */
+    ADDRESS_SIZE = 8   /* arithmetic in this many bytes wraps around as addresses do */
 };
 
 bool exact_is_operation(const ir_node *node) {
@@ -30,7 +30,7 @@ bool exact_needs_settled(const ir_node *node, const ir_node *operand) {
     return operand->type->size < node->type->size;
 }
 
-/* Of a conversion whose operand has C's value. */
+/* For a conversion whose operand has C's value. */
 static bool keeps_value(const ir_type *from, const ir_type *to) {
     if (to->size >= ADDRESS_SIZE)
         return true;
@@ -46,7 +46,7 @@ bool exact_is_settled(const ir_node *node, const ir_variable *counter) {
         return false;
     if (node->kind != IR_CAST && !node->type->is_signed)
         return false;
-    /* signed operations do not overflow where they are executed */
+    /* signed operations do not overflow when they are executed */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!exact_needs_settled(node, node->children[i]) &&
             !exact_is_settled(node->children[i], counter))

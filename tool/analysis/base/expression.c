@@ -42,7 +42,7 @@ bool expression_same(const ir_node *a, const ir_node *b) {
         a->variable != b->variable || a->function != b->function || a->field != b->field ||
         ((a->flags ^ b->flags) & IR_ARROW) || a->kind == IR_OPAQUE)
         return false;
-    if (a->kind == IR_SIZEOF) /* without a value: its text may mean another type elsewhere */
+    if (a->kind == IR_SIZEOF) /* without a value: its text may denote another type elsewhere */
         return false;
     if ((a->kind == IR_NUMBER || a->kind == IR_STRING) && !same_text(a->text, b->text))
         return false;
@@ -196,15 +196,15 @@ bool variable_is_automatic(const ir_variable *variable) {
     return variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER;
 }
 
-/* ---- what may have no meaning -----------------------------------------------------------------
- */
+/* ---- possibly undefined operations
+ * --------------------------------------------------------------- */
 
 static bool is_scalar_access(const ir_node *node) {
     return expression_is_lvalue(node) || node->kind == IR_NUMBER;
 }
 
-/* Does a floating value come in here that is computed, compared or converted? It may be out of
- * range, or not a number, and exceptions may stop the program. */
+/* Is a floating value computed, compared or converted here? It may be out of range or NaN, and
+ * exceptions may trap. */
 static bool has_floating_hazard(const ir_node *node) {
     if (is_floating(node->type) && !is_scalar_access(node))
         return true;
@@ -219,7 +219,7 @@ static bool has_floating_hazard(const ir_node *node) {
     return false;
 }
 
-/* A divisor that is neither 0 nor -1, a number of places within the type. */
+/* A divisor other than 0 and -1, or a shift count within the type. */
 static bool is_harmless_operand(const ir_node *node, const ir_node *right) {
     int64_t constant;
     if (!expression_constant(right, &constant))

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Questions about single expressions, answered from the tree alone. */
+/** Queries on single expressions that need only the tree. */
 #ifndef ANALYSIS_EXPRESSION_H
 #define ANALYSIS_EXPRESSION_H
 
 #include "ir/ir.h"
 
-/** The same tree: the same variables, fields, operators and constants in the same places. That
- *  they have the same value is the caller's to know. Opaque nodes equal nothing. */
+/** Equal trees: the same variables, fields, operators and constants in the same places. Whether
+ *  their values are equal, the caller must know. Opaque nodes equal nothing. */
 bool expression_same(const ir_node *a, const ir_node *b);
 
-/** How often the same tree as `part` stands in `node`, itself included. */
+/** The number of occurrences of the tree `part` in `node`, including itself. */
 unsigned expression_occurrences(const ir_node *node, const ir_node *part);
 
 /** Is it the integer constant *value? */
@@ -22,7 +22,7 @@ static inline bool expression_is_variable(const ir_node *node, const ir_variable
 
 bool expression_mentions(const ir_node *node, const ir_variable *variable);
 
-/** No assignment, increment, call or opaque node in it. */
+/** Does it contain no assignment, increment, call or opaque node? */
 bool expression_is_plain(const ir_node *node);
 
 /** Does evaluating it as a value, or (as_address) as &expression, read memory through a pointer or
@@ -32,34 +32,33 @@ bool expression_has_load(const ir_node *node, bool as_address);
 /** Is it an lvalue of memory (a[i], *p, s->x, s.x, v), casts not counted? */
 bool expression_is_lvalue(const ir_node *node);
 
-/** The variable in whose own storage the lvalue lies: of v, v.f, v[1].f, but not behind a pointer;
- *  or NULL. */
+/** The variable that contains the lvalue: of v, v.f, v[1].f, but not behind a pointer; or NULL. */
 ir_variable *expression_object(const ir_node *lvalue);
 
-/** Its text as C, for messages and names; "..." where it cannot be spelled. In the arena. */
+/** Its text as C, for messages and names; "..." if it cannot be spelled. In the arena. */
 const char *expression_text(arena *a, const ir_node *node);
 
-/** The statement or declarator around an expression: that before which a line of text may be put.
- */
+/** The statement or declarator around an expression, before which a line of text can be
+ *  inserted. */
 const ir_node *expression_place(const ir_node *node);
 
-/** Arithmetic on floating or complex values at this very node (not below; comparisons, casts and
- *  loads are none). */
+/** Is this node itself arithmetic on floating or complex values (excluding comparisons, casts and
+ *  loads)? */
 bool expression_is_floating_work(const ir_node *node);
 
-/** What an assignment, increment, decrement or declarator writes: its target lvalue as a node, or
- *  NULL. For declarators, and where nothing is written, NULL. */
+/** The target lvalue of an assignment, increment or decrement; NULL for declarators and nodes that
+ *  write nothing. */
 const ir_node *expression_written(const ir_node *node);
 
-/** May evaluating this very node (not what is below) trap, or have no meaning, for some operands:
- * calls, divisions, shifts, conversions of floating values, assignments with an operator? Sums and
- *  products of signed integers may too: they are written so that they wrap around
- *  (emit/base/wrapping.c), but for those that assign. */
+/** May evaluating this node itself trap or be undefined for some operands: calls, divisions,
+ *  shifts, conversions of floating values, compound assignments? Sums and products of signed
+ *  integers may overflow as well, but except in assignments they are generated in wrapping form
+ *  (emit/base/wrapping.c). */
 bool expression_is_hazard(const ir_node *node);
-/** The same of it and all that is below. Loads do not count. */
+/** The same for the node and everything below it. Loads do not count. */
 bool expression_has_hazard(const ir_node *node);
 
-/** The operator of `b op a` that says what `a op b` says; the same one but for orderings. */
+/** The operator of `b op a` that is equivalent to `a op b`; differs only for orderings. */
 ir_operator expression_mirrored(ir_operator op);
 
 /** Is it a local or parameter with automatic storage? */

@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* C17 7.12, 7.22.6 and what gcc and clang make of them; sorted by name (a test looks). Functions
- * that write through a pointer (frexp, modf, remquo, sincos) or a global (lgamma) are not here.
- * isnan and its like are macros of <math.h> for builtins: only of macros the names are reserved. */
+/* C17 7.12, 7.22.6 and gcc's and clang's versions of them; sorted by name (a test checks).
+ * Functions that write through a pointer (frexp, modf, remquo, sincos) or a global (lgamma) are
+ * excluded. isnan and the like are macros of <math.h> for builtins: only the names of macros are
+ * reserved. */
 static const library_function functions[] = {
     {"abs", false, true, LIBRARY_C89, false},
     {"acos", true, false, LIBRARY_C89, true},
@@ -150,18 +151,18 @@ bool library_is_locale_table(const ir_node *call) {
     return false;
 }
 
-/* What is declared const is computed from its arguments: without any, it can but be the same for a
- * whole thread (pthread_self, __errno_location), and an address may lead to the thread's own. (What
- * is declared pure may read all memory, that of the arrays as well, and is refused for that.) */
+/* A function declared const depends only on its arguments. Without any, its result may be specific
+ * to a thread (pthread_self, __errno_location), and an address may be that of thread-local data. (A
+ * function declared pure may read all memory, including the arrays, and is refused for that.) */
 bool library_tells_of_thread(const ir_function *function) {
     const ir_type *result = function->type ? function->type->target : NULL;
     return function->is_attribute_const &&
            (function->parameter_count == 0 || !result || result->kind == IR_POINTER);
 }
 
-/* What the headers of the C library declare pure or const and what reads nothing that a thread has
- * for itself, but for its locale, which the loop's threads have as well. Without __ in front and
- * without the suffix of a type behind; sorted. */
+/* Functions that the C library's headers declare pure or const and that read no thread-local data
+ * except the locale, which the loop's threads share. Without a leading __ and without the suffix of
+ * a type; sorted. */
 static const char *const same_in_threads[] = {"a64l",
                                               "abs",
                                               "argz_count",

@@ -48,7 +48,7 @@ const ir_node *assertion_condition(const ir_node *node) {
 
 /* ---- branches that leave --------------------------------------------------------------------- */
 
-/* Does control never come to what follows the statement, in the loop? */
+/* Does control never reach the code after the statement, in the loop? */
 static bool always_leaves(const ir_node *node, bool break_leaves) {
     switch (node->kind) {
     case IR_RETURN:
@@ -69,7 +69,8 @@ static bool always_leaves(const ir_node *node, bool break_leaves) {
     }
 }
 
-/* Something in the branch that the loop goes on after, or a label that other text jumps to. */
+/* Does the branch contain a path on which the loop continues, or a label that other text jumps
+ * to? */
 static bool goes_on(const ir_node *node) {
     if (node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
         node->kind == IR_DEFAULT || node->kind == IR_BREAK)
@@ -91,12 +92,12 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
     return true;
 }
 
-/* ---- the loop's ------------------------------------------------------------------------------ */
+/* ---- exits of the loop ---------------------------------------------------------------------- */
 
 typedef struct search {
     arena *memory;
     loop_exits *found;
-    bool is_over; /* more than fit, or one that cannot be taken out */
+    bool is_over; /* more than fit, or one that cannot be removed */
 } search;
 
 static unsigned last_id(const ir_node *node) {
@@ -105,7 +106,7 @@ static unsigned last_id(const ir_node *node) {
     return node->id;
 }
 
-/* May its bytes be replaced? Other statements that one macro makes with it have the same. */
+/* Can its bytes be replaced? Other statements from the same macro call have the same range. */
 static bool has_own_bytes(const ir_node *statement) {
     const ir_node *block = statement->parent;
     if (statement->range.begin >= statement->range.end || block->kind != IR_BLOCK ||
@@ -144,7 +145,7 @@ static void add(search *s, ir_node *statement, const ir_node *condition, bool is
                                                .is_negated = is_negated};
 }
 
-/* As a statement: an expression, or a sequence whose other parts do nothing. */
+/* As a statement: an expression, or a sequence whose other parts have no effect. */
 static const ir_node *asserted_by(const ir_node *statement) {
     if (statement->kind == IR_EXPRESSION)
         return assertion_condition(statement->children[0]);

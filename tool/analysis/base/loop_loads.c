@@ -5,7 +5,7 @@
 
 enum { MOST_NAMED = 32 }; /* in one function */
 
-/* ---- what can be read so --------------------------------------------------------------------- */
+/* ---- loads that qualify ---------------------------------------------------------------------- */
 
 static bool is_plain_pointer(const ir_type *type) {
     return type && type->kind == IR_POINTER && !type->is_const && !type->is_volatile &&
@@ -14,7 +14,8 @@ static bool is_plain_pointer(const ir_type *type) {
            !type->target->is_atomic && !type->target->has_address_space;
 }
 
-/* p->a.b.c, of the pointer type of c: the p, and how far behind it c lies. NULL: it is not that. */
+/* p->a.b.c, with the pointer type of c: returns p, and the offset of c behind it. NULL: another
+ * form. */
 static const ir_node *pointer_under(const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (!is_plain_pointer(node->type))
@@ -108,7 +109,7 @@ void loop_loads_name(ir_unit *unit) {
     unit->variable_count += n.variables.count;
 }
 
-/* ---- those of a loop ------------------------------------------------------------------------- */
+/* ---- loads of a loop ------------------------------------------------------------------------- */
 
 typedef struct search {
     arena *memory;

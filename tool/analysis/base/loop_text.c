@@ -21,7 +21,7 @@ static bool is_blank(const ir_unit *unit, uint32_t begin, uint32_t end) {
     return source_skip_blanks(unit->source, begin, end) >= end;
 }
 
-/* The #if of the group that this #endif ends; `last`, where it has none. */
+/* The #if of the group that this #endif ends; `last` if it has none. */
 static unsigned first_of_group(const ir_unit *unit, unsigned last) {
     unsigned depth = 0;
     for (unsigned i = last;; i--) {
@@ -33,7 +33,7 @@ static unsigned first_of_group(const ir_unit *unit, unsigned last) {
     }
 }
 
-/* Is nothing of the group compiled but pragmas? */
+/* Does the group compile nothing but pragmas? */
 static bool has_pragmas_at_most(const ir_unit *unit, unsigned first, unsigned last) {
     for (unsigned i = first; i <= last; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -68,7 +68,7 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
 
 /* ---- in it --------------------------------------------------------------------------------- */
 
-/* Past a word of the pragma, and the blanks behind it; NULL: another word stands there. */
+/* Past a word of the pragma, and the blanks behind it; NULL: another word is there. */
 static const char *after_word(const char *text, const char *word) {
     const size_t length = strlen(word);
     if (strncmp(text, word, length) != 0 || source_is_name_byte(text[length]))
@@ -91,7 +91,7 @@ static bool is_about_speed(const char *pragma) {
     return false;
 }
 
-/* What macros mean behind it may be something else. */
+/* Macros may have another meaning after it. */
 static bool is_about_macros(const ir_directive *d) {
     return d->text && (strstr(d->text, "push_macro") || strstr(d->text, "pop_macro"));
 }
@@ -109,8 +109,8 @@ bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d) {
            (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
 }
 
-/* The compilation of what is written has OpenMP where this one has not. A macro that depends on it,
- * HAVE_OPENMP, is one like others: where it is another the loop is the original. */
+/* The output is compiled with OpenMP even if this compilation is not. A macro that depends on it,
+ * HAVE_OPENMP, counts as any other: if its value differs, the original loop is used. */
 static bool asks_for_openmp(const ir_directive *d) {
     static const char name[] = "_OPENMP";
     for (const char *at = d->text; at && (at = strstr(at, name)); at += sizeof name - 1)
@@ -120,7 +120,7 @@ static bool asks_for_openmp(const ir_directive *d) {
     return false;
 }
 
-/* Does a directive stand between the loop's last expression and its semicolon? NULL: none does. */
+/* A directive between the loop's last expression and its semicolon; NULL: none. */
 static const ir_directive *directive_before_semicolon(const ir_unit *unit, const ir_node *loop) {
     const ir_node *last = loop;
     while (last->child_count > 0 && last->kind != IR_DO &&
@@ -163,9 +163,10 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
     return false;
 }
 
-/* ---- pragmas that macros make, and those in functions --------------------------------------- */
+/* ---- pragmas made by macros, and those in functions
+ * -------------------------------------------- */
 
-/* A name in two lines is none that is found. */
+/* A name split over two lines is not found. */
 static bool splits_a_name(const char *text, uint32_t at) {
     return text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r') &&
            source_is_name_byte(text[at - 1]);
@@ -213,7 +214,7 @@ bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop) {
     return loop_text_openmp_above(unit, loop) != NULL;
 }
 
-/* Where a header's function has its text is not known: any directive may be in it. */
+/* The text of a header's function is unknown: any directive may be in it. */
 static const char *openmp_of_headers(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
         if (strstr(unit->text.header_pragmas[i], "omp"))

@@ -1,52 +1,52 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which bytes of the file are a loop's, and the preprocessing directives among them. */
+/** The bytes of the file that belong to a loop, and the preprocessing directives among them. */
 #ifndef ANALYSIS_LOOP_TEXT_H
 #define ANALYSIS_LOOP_TEXT_H
 
 #include "ir/ir.h"
 
 /**
- * Where the loop's text begins: with the pragmas that stand directly above it, and with groups of
- * conditional directives (#if to #endif) there of which nothing is compiled but pragmas. They are
- * meant for the loop, in this compilation or in another. What macros stand for is not among them.
+ * The beginning of the loop's text. It includes the pragmas directly above it, and groups of
+ * conditional directives (#if to #endif) there that compile nothing but pragmas: they apply to the
+ * loop, in this compilation or in another. Pragmas made by macros are not included.
  */
 uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 
-/** Index of the unit's first directive that begins at `offset` or behind it. */
+/** Index of the unit's first directive at or after `offset`. */
 unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
 
 /**
- * A directive in the loop's text by which it is no statement of its own in each compilation of the
- * file, or which only one copy of the text can have; or NULL. Conditional directives are none as
- * long as their groups are complete, and neither are pragmas that are not compiled, stand above the
- * loop, or are about the speed of loops inside.
+ * A directive in the loop's text that prevents it from being one statement in each compilation of
+ * the file, or that only one copy of the text can have; or NULL. Permitted are conditional
+ * directives in complete groups, and pragmas that are not compiled, precede the loop, or concern
+ * only the speed of inner loops.
  */
 const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop);
 
 /** A name in the main file's text of this range by which a macro may make a pragma; NULL: none. */
 const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range);
 
-/** The first OpenMP directive in the function's text that is compiled, or the macro that may make
- * one; NULL: none. In the arena or the unit. */
+/** The first compiled OpenMP directive in the function's text, or a macro that may make one; NULL:
+ *  none. In the arena or the unit. */
 const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *function);
 
 /** Are there conditional directives in the loop's text? */
 bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
-/** May a copy of the text it stands in do without it, and without what it leaves out? So it is with
- *  conditional directives once they are decided, and with pragmas that are not compiled or by which
- *  a loop is only faster; with OpenMP's where they are asleep, which they are without -fopenmp. */
+/** May a copy of the text omit it, and the text that it excludes? True for conditional directives
+ *  once they are decided, and for pragmas that are not compiled or only make a loop faster; for
+ *  OpenMP's if they are inactive, as without -fopenmp. */
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
 
-/** Is it an OpenMP directive, and this compilation one without OpenMP, which passes over it? */
+/** Is it an OpenMP directive in a compilation without OpenMP, which ignores it? */
 bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
 
-/** An OpenMP directive that stands directly above the loop, others between, and that is compiled or
- *  no part of the loop's text; NULL: none. */
+/** A preceding OpenMP directive of the loop, perhaps followed by others, that is compiled or is no
+ *  part of the loop's text; NULL: none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** Do OpenMP directives stand in the loop's text or directly above it that are asleep? Where they
- *  are not, the loop is as it was written. */
+/** Are there inactive OpenMP directives in or directly above the loop's text? If they are active,
+ *  the loop stays as written. */
 bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop);
 
 /** #pragma omp, or #ifdef _OPENMP. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The text of a #pragma redcc. */
+/* Parses the text of a #pragma redcc. */
 #include "analysis/base/pragma.h"
 
 #include <ctype.h>
@@ -26,8 +26,8 @@ static const struct pragma_form {
 
 typedef struct reader {
     arena *memory;
-    char *text;       /* splices dropped, comments made blanks */
-    uint32_t *places; /* [length + 1]: where in the directive each byte stood */
+    char *text;       /* splices removed, comments replaced by blanks */
+    uint32_t *places; /* [length + 1]: the offset of each byte in the directive */
     size_t at;
 } reader;
 
@@ -82,7 +82,7 @@ static bool take(reader *r, const char *token) {
     return true;
 }
 
-/* The word that comes next, "" if none does. */
+/* The next word, "" if there is none. */
 static const char *take_word(reader *r) {
     skip_blanks(r);
     const size_t begin = r->at;
@@ -99,7 +99,7 @@ static bool take_keyword(reader *r, const char *keyword) {
     return is_it;
 }
 
-/* Passes over `#pragma redcc`, or `_Pragma("redcc`, whose end is cut off. */
+/* Skips `#pragma redcc`, or `_Pragma("redcc`, whose end is cut off. */
 static bool take_head(reader *r) {
     if (take(r, "#") || take(r, "%:") || take(r, "?\?="))
         return take_keyword(r, "pragma") && take_keyword(r, "redcc");

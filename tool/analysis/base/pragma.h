@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * #pragma redcc: the user's word about a loop or a function. docs/pragmas.md says what each means.
- *   private(NAME, ...)   above a loop: each iteration writes what it reads of these before it reads
+ * #pragma redcc: the user's assertions about a loop or a function. docs/pragmas.md explains each.
+ *   private(NAME, ...)   above a loop: each iteration writes these before it reads them
  *   independent          above a loop: distinct pointers in it do not overlap
  *   ignore               above a loop: it and the loops in it stay as they are
  *   pure(NAME, ...)      anywhere: these functions have no side effects, as by --pure
@@ -23,10 +23,10 @@ typedef enum pragma_word {
 typedef struct user_pragma {
     pragma_word word;
     ir_range range;   /* of the directive */
-    const char *text; /* as reports show it: "private(f, g)" */
+    const char *text; /* as in reports: "private(f, g)" */
     unsigned name_count;
     const char *const *names;
-    const ir_node *loop; /* that it stands above; NULL for PRAGMA_PURE */
+    const ir_node *loop; /* the loop after it; NULL for PRAGMA_PURE */
 } user_pragma;
 
 typedef struct pragma_problem {
@@ -42,14 +42,14 @@ typedef struct user_pragmas {
 } user_pragmas;
 
 /**
- * Reads one directive's text, splices and comments in it or not. Returns NULL, with *result filled
- * in but for range and loop, or what is wrong, with *offset where in the text. Lives in the arena.
+ * Parses one directive's text, which may contain splices and comments. Returns NULL, with *result
+ * filled in except for range and loop, or a message, with its offset in *offset. Allocated in the
+ * arena.
  */
 const char *pragma_parse(arena *a, const char *text, user_pragma *result, uint32_t *offset);
 
-/** All pragmas of the unit; those that stand above no loop, or name what is not there, are
- * problems.
- */
+/** All pragmas of the unit; those without a loop after them, or with unknown names, are
+ *  problems. */
 user_pragmas pragmas_of_unit(arena *a, const ir_unit *unit);
 
 /** The pragma of this kind above this loop, or NULL. */

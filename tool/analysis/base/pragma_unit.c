@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The pragmas of a unit, and the loops that they stand above. */
+/* The pragmas of a unit, and the loops that follow them. */
 #include <string.h>
 
 #include "analysis/base/pragma.h"
@@ -33,9 +33,9 @@ static void read_all(collection *c) {
     }
 }
 
-/* ---- above which loop ----------------------------------------------------------------------- */
+/* ---- the loop of a pragma ------------------------------------------------------------------ */
 
-/* The pragmas that stand above the loop, with nothing but pragmas between. */
+/* Binds the pragmas above the loop, with only pragmas between. */
 static void bind_loop(collection *c, const ir_node *loop) {
     uint32_t to = loop->range.begin;
     unsigned k = c->unit->directive_count;
@@ -59,7 +59,7 @@ static bool visit(ir_node *node, void *context) {
     return true;
 }
 
-/* ---- what is named -------------------------------------------------------------------------- */
+/* ---- names in pragmas ------------------------------------------------------------------------ */
 
 typedef struct name_search {
     const char *name;

@@ -16,7 +16,7 @@ static const reason_entry reasons[REASON_COUNT] = {
 #undef X
 };
 
-/* What the user could change, where there is something simple to say. */
+/* Changes of the source that would help, if there is a simple one. */
 static const char *const advices[REASON_COUNT] = {
     [REASON_UPDATE_VALUE_USED] = "where the value is a place to store at, count first, then place",
     [REASON_UPDATE_IN_EXPRESSION] = "make the update a statement of its own",

@@ -7,11 +7,10 @@
 
 #include "analysis/base/facts.h"
 
-/** The reason, its message made of reasons.def's and `name`. Lives in the arena. */
+/** The reason, with the message of reasons.def and `name`. Allocated in the arena. */
 reason reason_make(arena *a, reason_id id, const char *name, ir_range range);
 
-/** What can be done about the call of this function (REASON_IMPURE_CALL), whose body is here or is
- *  not. */
+/** Advice on a call of this function (REASON_IMPURE_CALL), with or without a body in this file. */
 const char *reason_advice_on_call(arena *a, const char *name, bool has_body);
 
 #endif

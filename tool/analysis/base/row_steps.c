@@ -3,7 +3,7 @@
 
 #include "analysis/base/expression.h"
 
-/* Either no value of this type wraps around, or it does where addresses do. */
+/* Either values of this type never wrap around, or they do as addresses do. */
 static bool is_steady(const ir_type *type) {
     return type && type->kind == IR_INTEGER &&
            ((type->is_signed && type->size >= 4) || type->size == 8);
@@ -15,7 +15,7 @@ static bool keeps_steps(const ir_type *from, const ir_type *to) {
             (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
 
-/* Does the index grow by one with the counter, which itself does not wrap around? */
+/* Does the index increase by one with the counter, without wrapping around? */
 static bool steps_with(const ir_node *index, const ir_variable *counter) {
     if (index->kind == IR_VARIABLE)
         return index->variable == counter && counter->type->size >= 4;
@@ -44,7 +44,7 @@ bool source_loop_is_span(const source_loop *loop, const ir_node *row) {
            expression_mentions(row, loop->counter) && row_steps_with(row, loop->counter);
 }
 
-/* The same tree, but that the counters of `b` stand where it has those of `a`. */
+/* Are the trees equal if the counters of `b` replace those of `a`? */
 static bool same_but_for_counters(const ir_node *x, const ir_node *y, unsigned count,
                                   const source_loop *a, const source_loop *b) {
     for (unsigned i = 0; x->kind == IR_VARIABLE && i < count; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* C17 7.21, 7.22, 7.24 and 7.27, and what POSIX adds of the same kinds. A parallel loop calls a
- * function without side effects as often as it likes, in any order: output would come twice. */
+/* C17 7.21, 7.22, 7.24 and 7.27, and POSIX functions of the same kinds. A parallel loop may call a
+ * function without side effects any number of times, in any order: output would appear twice. */
 #include "analysis/base/stateful.h"
 
 #include <stddef.h>

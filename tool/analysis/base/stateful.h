@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Functions of the C library of which no user's word makes functions without side effects. */
+/** Functions of the C library that no pragma of the user makes free of side effects. */
 #ifndef ANALYSIS_STATEFUL_H
 #define ANALYSIS_STATEFUL_H
 
-/** What a function of this name does, as a verb with its object: "writes output"; NULL: it is none
- *  of those known to print, allocate, keep state, write memory or end the program. */
+/** The effect of a function of this name, as a verb with its object: "writes output"; NULL: it is
+ *  not known to print, allocate, keep state, write memory or end the program. */
 const char *stateful_deed(const char *name);
 
 #endif

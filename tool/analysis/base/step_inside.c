@@ -16,7 +16,7 @@ static unsigned mentions(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* How often it is assigned, or its address taken. */
+/* The number of times it is assigned, or its address taken. */
 static unsigned writes(const ir_node *node, const ir_variable *variable) {
     const ir_node *target = expression_written(node);
     unsigned count = target && target->kind == IR_VARIABLE && target->variable == variable;
@@ -27,7 +27,7 @@ static unsigned writes(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/* The last mention of the variable, in the order of the text; NULL: there is none. */
+/* The last occurrence of the variable, in the order of the text; NULL: none. */
 static const ir_node *last_mention(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable)
         return node;
@@ -39,7 +39,7 @@ static const ir_node *last_mention(const ir_node *node, const ir_variable *varia
     return NULL;
 }
 
-/* Are these all evaluated, once, whenever the whole is? */
+/* Are all parts evaluated once whenever the whole is? */
 static bool is_evaluated_once(const ir_node *node) {
     switch (node->kind) {
     case IR_BLOCK:
@@ -74,7 +74,7 @@ const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) 
     return step;
 }
 
-/* Has it such steps, each of a variable that `statement` names this once? */
+/* Does it contain such steps, each of a variable that occurs only once in `statement`? */
 static bool has_lone_steps(const ir_node *node, const ir_node *statement, bool *has_other) {
     bool has_step = is_step_afterwards(node);
     if (has_step)

@@ -5,7 +5,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 
-/* No value of it wraps around before the loop ends: an object has no more elements. */
+/* Its values do not wrap around before the loop ends: no object has that many elements. */
 static bool may_go_along(const ir_node *body, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return type->kind == IR_INTEGER && ((type->is_signed && type->size >= 4) || type->size == 8) &&

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Loops that go up by 1, what else they step, and rows that lie one after the other in them. */
+/** Loops with step 1, other variables that they step, and consecutive rows in them. */
 #ifndef ANALYSIS_STEPPED_H
 #define ANALYSIS_STEPPED_H
 
 #include "analysis/base/facts.h"
 
-/** Is this a `for` that goes up by 1, whatever its body does? Then *span has what it steps. */
+/** Is this a `for` with step 1, with any body? Then *span has its stepped variables. */
 bool span_recognise(ir_node *loop, loop_span *span);
 
-/** How many of the variables that the loop steps the expression mentions. */
+/** The number of the loop's stepped variables that the expression mentions. */
 unsigned span_mentions(const loop_span *span, const ir_node *expression);
 
-/** The one that it mentions; NULL: none, or several. */
+/** The only stepped variable that it mentions; NULL: none, or several. */
 const ir_variable *span_stepped_in(const loop_span *span, const ir_node *expression);
 
-/** Does the row stay the same in the loop, or go on to the next element in each iteration? */
+/** Is the row invariant in the loop, or the next element in each iteration? */
 bool span_is_told(const loop_span *span, const ir_node *row);
 
 #endif

@@ -10,8 +10,8 @@ struct unit_text {
     const ir_unit *unit;
     const char *fenv_access;
     bool has_own_options;
-    VECTOR(uint32_t) counters; /* where __COUNTER__ is written, in order */
-    /* the function that was searched last: loops are analysed function by function */
+    VECTOR(uint32_t) counters; /* offsets of __COUNTER__, in order */
+    /* the last function searched: loops are analysed function by function */
     const ir_function *searched;
     const ir_node *obstacle;
     const char *obstacle_name;

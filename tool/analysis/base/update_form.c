@@ -26,8 +26,8 @@ static bool operator_of(ir_operator op, reduction_operator *reduction) {
     }
 }
 
-/* Goes down the spine of one operator (+ and - together) to where the target stands, always on the
- * side that keeps its sign. */
+/* Descends through one operator (+ and - together) to the target, always on the side that keeps its
+ * sign. */
 static const ir_node *find_self(const ir_node *value, const ir_node *target,
                                 reduction_operator op) {
     reduction_operator here;

@@ -6,15 +6,16 @@
 #include "analysis/base/facts.h"
 
 typedef struct update_form {
-    bool is_update;    /* the node writes a function of what its target held */
-    bool has_operator; /* by an operator that reductions have: `op` */
+    bool is_update;    /* the node writes a function of its target's old value */
+    bool has_operator; /* by an operator of reductions: `op` */
     reduction_operator op;
     const ir_node *target;
-    const ir_node *self;  /* where the target stands again in the value: R = R + e; else NULL */
+    const ir_node *self;  /* the second occurrence of the target, in the value: R = R + e; else
+                           * NULL */
     const ir_node *value; /* right side, NULL for ++ and -- */
 } update_form;
 
-/** Looks at an IR_ASSIGN or IR_UNARY; a plain store has is_update false. */
+/** Classifies an IR_ASSIGN or IR_UNARY; a plain store has is_update false. */
 update_form update_form_of(const ir_node *node);
 
 #endif

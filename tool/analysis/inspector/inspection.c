@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the inspector does: the slice of rows and touched sources, the sources in the order of
- * reading, the key, and whether all of that tells when a plan may be used again. */
+/* The contents of the inspector: the slice of rows and touched sources, the sources in the order of
+ * their reads, the key, and whether these determine when a plan may be reused. */
 #include "analysis/inspector/inspection.h"
 
 #include "analysis/base/expression.h"
@@ -19,8 +19,7 @@ static void add_touch(const loop_analysis *j, touch_list *list, const loop_sourc
     VECTOR_PUSH(j->an->memory, list, item);
 }
 
-/* Of add(h + s[t], v) and add_at(h, s[t], v) the row is put together from copies of the arguments.
- */
+/* In add(h + s[t], v) and add_at(h, s[t], v) the row is assembled from copies of the arguments. */
 static bool is_put_together(const reduction_update *update) {
     return !ir_contains(update->statement, update->row);
 }
@@ -65,7 +64,7 @@ static bool is_of_iteration(const loop_analysis *j, const location *where) {
     return declarator && ir_contains(j->loop, declarator);
 }
 
-/* Is the base handed to a function that may compute something from it: other than to update? */
+/* Is the base passed to a function that may compute a value from it, other than for an update? */
 static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir_node *base) {
     if (node->kind == IR_CALL && !analysis_is_update(j, node->parent) &&
         expression_occurrences(node, base))
@@ -76,8 +75,8 @@ static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir
     return false;
 }
 
-/* The base of an array need not be compared: what the plan knows moves with it. Unless something
- * else is computed from it, h[s[t] + (q - h)]. */
+/* The base of an array need not be compared: the plan is relative to it. Unless another value is
+ * computed from it, h[s[t] + (q - h)]. */
 static bool is_array_base(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (!j->arrays.items[i].array.is_scattered &&
@@ -113,7 +112,7 @@ static bool is_written(const loop_analysis *j, const ir_node *statement, const i
     return false;
 }
 
-/* Does the row, told before `first`, have the same address still before `second`, a later statement
+/* Does the row, recorded before `first`, have the same address before `second`, a later statement
  * of the same block? */
 static bool stays_until(const loop_analysis *j, const ir_node *row, const ir_node *first,
                         const ir_node *second) {
@@ -156,7 +155,7 @@ static void add_source(loop_analysis *j, const loop_source *item) {
     VECTOR_PUSH(j->an->memory, &j->sources, *item);
 }
 
-/* What a callee's search reads lies between two elements that can be told. */
+/* A callee's search reads between two elements that can be recorded. */
 static bool add_search(loop_analysis *j, const loop_access *read) {
     source_plan first, last;
     if (!read->access.to || !source_plans_of_search(j, read, &first, &last))
@@ -168,7 +167,7 @@ static bool add_search(loop_analysis *j, const loop_access *read) {
 
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript);
 
-/* What is read here decides subscripts, and cannot be compared. */
+/* This read determines subscripts, and cannot be compared. */
 static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
     if (j->slice.is_verifiable)
         j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
@@ -194,7 +193,7 @@ static bool is_within(const ir_node *lvalue, const ir_node *whole) {
     return true;
 }
 
-/* The read that this load is, made by itself, or with more around it. */
+/* The read of which this load is all or a part. */
 static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -205,23 +204,21 @@ static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue)
     return NULL;
 }
 
-/* Loads on the way to what is told, the whole of whose addresses the inspector computes. `read`:
- * the callee's read that it is told for; NULL: there is none. */
+/* Loads needed for recorded addresses, which the inspector computes completely. `read`: the
+ * callee's read that is recorded; NULL: none. */
 typedef struct told_loads {
     const loop_source *told;
     const loop_access *read;
 } told_loads;
 
-/* The read that this load must be as well, of which the callee's list has more than the one
- * element.
- */
+/* The read that this load implies, which the callee's list has for more than the one element. */
 static void add_load_in_loops(loop_analysis *j, const ir_node *node, const told_loads *of) {
     loop_access load = *of->read;
     load.access.lvalue = node;
     load.access.type = node->type;
     load.access.is_behind = false;
     load.where = location_of(j->an->facts, node, j->loop);
-    load.needs_guard = load.meets_scalars = false; /* that of the callee's read is elsewhere */
+    load.needs_guard = load.meets_scalars = false; /* the callee's own read may be elsewhere */
     while (load.access.loop_count &&
            !expression_mentions(node, of->told->loops[load.access.loop_count - 1].counter))
         load.access.loop_count--;
@@ -247,8 +244,7 @@ static void add_loads_below(loop_analysis *j, const ir_node *row, const told_loa
     }
 }
 
-/* What a callee reads on its way to an address decides where that address is: while a plan is kept,
- * it must stay. */
+/* A callee's loads determine its addresses: while a plan is kept, they must not change. */
 static void add_loads_of(loop_analysis *j, const loop_source *told, const loop_access *read) {
     const told_loads of = {told, read};
     add_loads_below(j, told->row, &of);
@@ -324,7 +320,7 @@ static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
 }
 
-/* The slice reads before the loop: nothing that it reads may be a sum in memory. */
+/* The slice reads before the loop: it must not read a sum in memory. */
 static bool are_scalars_apart(loop_analysis *j) {
     bool meets = false;
     for (unsigned i = 0; i < j->sources.count; i++)
@@ -355,7 +351,7 @@ static bool find_slice(loop_analysis *j) {
         if (!take_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
             return false;
     }
-    /* Sources found in the slice are told at their places, which may bring more into it. */
+    /* Sources found in the slice are recorded at their places, which may add to it. */
     bool is_settled = false;
     for (unsigned round = 0; round < 3 && !is_settled; round++) {
         const bool *before = j->slice.holds;
@@ -368,8 +364,8 @@ static bool find_slice(loop_analysis *j) {
         is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->exits) { /* before a plan were used again, all would be read that an iteration may never
-                       come to */
+    if (j->exits) { /* before a plan were reused, reads would be made that an iteration may never
+                     * execute */
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the inspector does, and whether its plan may be kept. */
+/** The contents of the inspector, and whether its plan may be kept. */
 #ifndef ANALYSIS_INSPECTION_H
 #define ANALYSIS_INSPECTION_H
 
@@ -7,13 +7,13 @@
 
 typedef struct slice_result {
     reason why;
-    private_list privates; /* with those whose values the inspector asks for */
+    private_list privates; /* with those that the inspector uses */
     source_list sources;   /* in the order in which the slice reads them */
     key_list key;
     loop_slice slice;
 } slice_result;
 
-/** What computes rows and touched sources, and whether a plan may be kept. */
+/** The code that computes rows and touched sources, and whether a plan may be kept. */
 slice_result check_slice(const loop_analysis *j);
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Data: every statement of the body that may assign a variable that is needed, with all control
- * around it, closed under "needs". Floating-point arithmetic is noted: the inspector must compute
- * the very subscripts of the executor, which two copies of one text do only where the compiler
- * rounds each operation by itself (docs/decisions/0003).
- * Control that only decides whether an address is touched is kept where it can be computed without
- * floating-point values; else it is left out, if the address may be computed without it.
+ * Data: every statement of the body that may assign a needed variable, with all control around it,
+ * closed under "needs". Floating-point arithmetic is recorded: the inspector must compute exactly
+ * the subscripts of the executor, and two copies of one text do so only if the compiler rounds each
+ * operation separately (docs/decisions/0003). Control that only decides whether an address is
+ * touched is kept if it can be computed without floating-point values; else it is left out, if the
+ * address may be computed without it.
  */
 #include "analysis/inspector/slice.h"
 
@@ -32,7 +32,7 @@ typedef struct slicer {
     const slice_touch *touches;
     bool *keep;
     VECTOR(needed_part) needed;
-    bool is_integer_only; /* of what is tried: floating-point values are an obstacle */
+    bool is_integer_only; /* of the attempt: floating-point values are an obstacle */
     bool has_floating_work;
     const ir_node *obstacle;
 } slicer;
@@ -48,7 +48,7 @@ static void fail(slicer *s, const ir_node *node) {
 /* ---- control ----------------------------------------------------------------------------------
  */
 
-/* The jumps that leave a loop or switch. Those that end an iteration of it are of their own. */
+/* The jumps that leave a loop or switch. Those that end an iteration are handled separately. */
 static void keep_breaks(slicer *s, const ir_node *node) {
     if (node->kind == IR_BREAK)
         keep_statement(s, node, NULL);
@@ -105,9 +105,9 @@ static bool is_declared_in(const slicer *s, const ir_variable *variable, const i
     return variable->storage == IR_LOCAL && declarator && ir_contains(node, declarator);
 }
 
-/* Everything around a node that is kept, up to the loop's body. Whether a condition holds around
- * the block in which the variable is declared says nothing of the value that it has there: what the
- * node is kept for stands there as well, and has its conditions kept, or is safe without them. */
+/* Keeps everything around a kept node, up to the loop's body. A condition around the block that
+ * declares the variable does not affect its value there: the node that needs the value is in that
+ * block as well, and has its conditions kept, or is safe without them. */
 static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
     for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
         if (outer->kind != IR_IF || !of || !is_declared_in(s, of, outer))
@@ -127,8 +127,7 @@ static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
     return declarator && ir_contains(s->j->loop, declarator);
 }
 
-/* What becomes of a variable in memory where it occurs. What is kept in pointers is not followed.
- */
+/* Uses of a variable in memory. Values stored through pointers are not followed. */
 typedef enum use_kind { USE_IN_PLACE, USE_BY_CALL, USE_UNKNOWN } use_kind;
 
 static use_kind use_kind_of(const ir_node *node) {
@@ -153,7 +152,7 @@ static bool is_in_memory(const ir_variable *variable) {
     return variable->address_taken || !ir_type_is_scalar(variable->type);
 }
 
-/* The field of the variable that an occurrence is about: v.f, v.f[1]; NULL: all of it. */
+/* The field of the variable in an occurrence: v.f, v.f[1]; NULL: all of it. */
 static const ir_field *part_of(const ir_node *use) {
     const ir_node *parent = use->parent;
     if (parent && parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW) && use->type &&
@@ -162,7 +161,7 @@ static const ir_field *part_of(const ir_node *use) {
     return NULL;
 }
 
-/* Where in a write the variable itself stands: the bottom of its target's path. */
+/* The occurrence of the variable in a write: the bottom of its target's path. */
 static const ir_node *bottom_of(const ir_node *write) {
     const ir_node *node = expression_written(write);
     if (write->kind == IR_UNARY && write->op == IR_OP_ADDRESS)
@@ -204,7 +203,7 @@ static void need_part(slicer *s, needed_part part) {
         const ir_node *write = fact->writes.items[i];
         const ir_node *bottom = bottom_of(write);
         if (is_step_afterwards(write) && is_in_update(s, write))
-            continue; /* the last word on it in the iteration (updates.c) */
+            continue; /* its last use in the iteration (updates.c) */
         if (ir_contains(s->j->counted.body, write) &&
             concerns(part.field, bottom ? part_of(bottom) : NULL))
             keep_statement(s, expression_place(write), variable);
@@ -221,8 +220,8 @@ static void need_part(slicer *s, needed_part part) {
     }
 }
 
-/* Another execution of the same text gives the same bits, once each operation is rounded by itself:
- * no extended types, of which only some compilers know what is rounded when. */
+/* Another execution of the same text gives the same bits if each operation is rounded separately:
+ * no extended types, whose rounding depends on the compiler. */
 static bool is_repeatable(const slicer *s, const ir_node *node) {
     return !s->is_integer_only && node->type && node->type->kind == IR_FLOATING &&
            node->type->size <= 8 && !s->j->function->has_other_attributes &&
@@ -246,7 +245,7 @@ static void need_call(slicer *s, const ir_node *call) {
                            !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
 }
 
-/* What the loop leaves is the executor's to write: the slice is executed as well. */
+/* Live-out values are written by the executor: the slice is executed as well. */
 static bool writes_shared(const slicer *s, const ir_node *node) {
     if (node->kind != IR_CALL && !expression_written(node))
         return false;
@@ -259,7 +258,7 @@ static bool writes_shared(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* The value is needed, and when it is stored; not the element. */
+/* The value is needed, and the condition of the store; not the element. */
 static void need_forward(slicer *s, const forwarded_store *store) {
     if (s->keep[store->statement->id])
         return;
@@ -288,8 +287,8 @@ static void need_expression(slicer *s, const ir_node *node) {
         need_expression(s, node->children[i]);
 }
 
-/* A simple statement, a declarator, a jump; or control, where the write stands in its header. `of`:
- * for the value of this variable; NULL: for whatever it does. */
+/* A simple statement, a declarator, a jump; or control, if the write is in its header. `of`: for
+ * the value of this variable; NULL: for all its effects. */
 static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of) {
     if (!statement || s->obstacle)
         return;
@@ -321,7 +320,7 @@ static snapshot take_snapshot(const slicer *s) {
     return before;
 }
 
-/* Keeps a piece of control if that succeeds; otherwise leaves everything as it was. */
+/* Keeps a piece of control if that succeeds; otherwise restores the state. */
 static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
     if (s->keep[node->id])
         return true;
@@ -344,8 +343,8 @@ static bool has_own_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH || ir_is_loop(node);
 }
 
-/* x[t - 1] where t is 0: its address, of no iteration that reads it, would make the extent reach
- * over all memory. Its condition is worth some work. */
+/* x[t - 1] where t is 0: its address, in an iteration that does not read it, would extend the range
+ * over all memory. Evaluating its condition is worth some work. */
 static bool is_wild(const slicer *s, const ir_node *node) {
     const ir_variable *counter = s->j->counted.counter;
     if (node->type && node->type->kind == IR_INTEGER)
@@ -356,7 +355,7 @@ static bool is_wild(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* Does a statement change nothing but variables that are declared in `scope`? NULL: in the loop. */
+/* Does a statement change only variables that are declared in `scope`? NULL: in the loop. */
 static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope) {
     if (!scope)
         return true;
@@ -370,7 +369,7 @@ static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope)
     return true;
 }
 
-/* May the slice come to what it keeps in and below this statement where the program does not? */
+/* May the slice execute the kept parts of this statement when the program does not? */
 static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node *scope) {
     const ir_variable *counter;
     int64_t first, last;
@@ -389,7 +388,7 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
     }
 }
 
-/* The same of all that it keeps below `node`, of what stands behind `from`. */
+/* The same for all kept parts below `node` that follow `from`. */
 static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *from,
                            const ir_node *scope) {
     if (node->id > from->id && s->keep[node->id] && !is_safe_to_enter(s, node, scope))
@@ -405,9 +404,9 @@ static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *
 }
 
 /* ---- loops over blocks ------------------------------------------------------------------------
- * In an innermost loop over the rows of a block, inside another loop of the iteration, what decides
- * whether a single row is touched is not worth asking: the block is told as a whole (spans.c), and
- * what the conditions read decides no subscripts. */
+ * In an innermost loop over the rows of a block, inside of another loop of the iteration, the
+ * condition of touching a single row is not worth evaluating: the block is recorded as a whole
+ * (spans.c), and the condition's reads determine no subscripts. */
 
 static ir_node *loop_around(const slicer *s, const ir_node *node) {
     ir_node *outer = node->parent;
@@ -445,7 +444,7 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
             s->keep[outer->id] |= outer->kind == IR_CASE || outer->kind == IR_DEFAULT;
             continue;
         }
-        /* A loop around an address that does not change in it: telling it once is enough. */
+        /* A loop around an invariant address: recording it once is enough. */
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
@@ -466,8 +465,8 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
 /* ---- continue ---------------------------------------------------------------------------------
  */
 
-/* A `continue` of this loop: where it cannot be kept without floating-point work, may the rest of
- * the iteration be gone through as well? */
+/* A `continue` of this loop: if it cannot be kept without floating-point work, may the rest of the
+ * iteration be executed as well? */
 static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node *jump,
                             unsigned touch_count, const slice_touch *touches) {
     const ir_node *body =
@@ -482,7 +481,7 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
     return is_safe_behind(s, body, jump, loop == s->j->loop ? NULL : body);
 }
 
-/* Does it lead past something that may end the loop or the program? */
+/* Does it skip code that may end the loop or the program? */
 static bool skips_exit(const slicer *s, const ir_node *loop, const ir_node *jump) {
     const loop_exits *exits = s->j->exits;
     for (unsigned i = 0; exits && i < exits->count; i++)
@@ -529,8 +528,8 @@ static void need_touch(slicer *s, const slice_touch *touch) {
     }
 }
 
-/* What decides whether an iteration leaves the loop, or the program, is computed exactly, in the
- * iterations that come to it alone. */
+/* The conditions by which an iteration leaves the loop, or the program, are computed exactly, and
+ * only in the iterations that reach them. */
 static void keep_exits(slicer *s) {
     const loop_exits *exits = s->j->exits;
     for (unsigned i = 0; exits && i < exits->count && !s->obstacle; i++)

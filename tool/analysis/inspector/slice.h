@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The backward slice: which statements and control of a loop's body compute the addresses that the
- * inspector tells.
+ * The backward slice: the statements and control of a loop's body that compute the addresses for
+ * the inspector.
  */
 #ifndef ANALYSIS_SLICE_H
 #define ANALYSIS_SLICE_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** An address to be told before a statement. */
+/** An address to be recorded before a statement. */
 typedef struct slice_touch {
     const ir_node *row;
-    unsigned loop_count; /* as of loop_source */
+    unsigned loop_count; /* as in loop_source */
     const source_loop *loops;
     const ir_node *place;
 } slice_touch;
 
 typedef struct slice {
     bool *keep;            /* [function->node_count] */
-    unsigned needed_count; /* variables of the iteration whose values it asks for */
+    unsigned needed_count; /* private variables of the iteration that it uses */
     const ir_variable **needed;
     bool has_floating_work;
-    const ir_node *obstacle; /* why there is none; NULL: there is one */
+    const ir_node *obstacle; /* the reason why there is none; NULL: there is one */
 } slice;
 
 /** The slice of all touches together. */

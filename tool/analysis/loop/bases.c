@@ -39,7 +39,7 @@ static bool list_dereferences(const access_list *list, const ir_node *pointer) {
     return false;
 }
 
-/* Statements that control passes on its way to the loop, each time. */
+/* Statements that are always executed before the loop. */
 static bool dereferenced_on_the_way(const loop_analysis *j, const ir_node *pointer) {
     if (pointer->kind != IR_VARIABLE)
         return false;
@@ -74,7 +74,7 @@ static bool has_subscript(const ir_node *node) {
     return false;
 }
 
-/* Is this very object read in each iteration? */
+/* Is exactly this object read in each iteration? */
 static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
         const access *a = &j->found.items.items[i];
@@ -91,11 +91,11 @@ bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load) {
 }
 
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
-    /* Another element of the array being there does not say that this one is. */
+    /* If another element of the array exists, this one need not. */
     if (has_subscript(base) && base->type && base->type->kind != IR_ARRAY)
         return is_read_anyway(j, base);
     const ir_node *pointer = dereferenced(base);
     if (!pointer || (base->type && base->type->kind == IR_ARRAY && pointer->kind == IR_VARIABLE))
-        return true; /* of p->b with an array b only an address is computed */
+        return true; /* for p->b with an array b only an address is computed */
     return list_dereferences(&j->found, pointer) || dereferenced_on_the_way(j, pointer);
 }

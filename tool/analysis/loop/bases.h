@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** May what an array or source hangs on be evaluated before the loop? */
+/** Decides whether the base of an array or source may be evaluated before the loop. */
 #ifndef ANALYSIS_BASES_H
 #define ANALYSIS_BASES_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** `base` is invariant. True where evaluating it reads no memory, or where the pointer it is read
+/** `base` is invariant. True if its evaluation reads no memory, or if the pointer that it is read
  *  through is dereferenced anyway, in each iteration or on the way to the loop: then it is not an
- *  optional one that may be null. Of an element of an array: where that element is read anyway. */
+ *  optional one that may be null. For an element of an array: if that element is read anyway. */
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base);
 
-/** Is the load of a member of an object, found by nothing but members and pointers, of which each
- *  iteration reads another member? Then it may be made where the program makes none. */
+/** Is the load of a member of an object, reached only by members and pointers, of which each
+ *  iteration reads another member? Then it may be made even if the program does not. */
 bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load);
 
 #endif

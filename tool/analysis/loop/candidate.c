@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Which variables of a loop's body depend on its counter: a closure over assignments, declarations,
- * calls that may fill something, and the conditions around them. Too many is the safe side here:
- * this decides only which loop of a nest is tried.
+ * The variables of a loop's body that depend on its counter: a closure over assignments,
+ * declarations, calls that may fill objects, and the conditions around them. Overestimating is
+ * safe: this decides only which loop of a nest is tried.
  */
 #include "analysis/loop/candidate.h"
 
@@ -17,7 +17,7 @@ typedef struct dependence {
     bool has_update; /* an update that depends on the counter */
 } dependence;
 
-/* However it is written: what else the header sets or steps makes it no longer. */
+/* In any form: other variables that the header sets or steps do not make it longer. */
 bool candidate_is_tiny(const ir_node *loop) {
     enum { TINY = 16 };
     const counted_result counted = counted_recognise_analysed((ir_node *)loop);
@@ -78,7 +78,7 @@ static bool is_pointer(const ir_variable *variable) {
     return variable->type->kind == IR_POINTER;
 }
 
-/* Does which element this lvalue is depend on the counter? */
+/* Does the element that this lvalue denotes depend on the counter? */
 static bool address_depends(const dependence *d, const ir_node *lvalue) {
     if (lvalue->type && lvalue->type->kind == IR_ARRAY && lvalue->kind == IR_VARIABLE)
         return false;
@@ -95,7 +95,7 @@ static void visit(dependence *d, const ir_node *node, bool is_dependent) {
     if (target) {
         bool value_depends = is_dependent || address_depends(d, target) ||
                              (node->kind == IR_ASSIGN && depends(d, node->children[1]));
-        /* What is stored behind a pointer does not change the pointer. */
+        /* A store through a pointer does not change the pointer. */
         ir_variable *root = ir_root_variable(target);
         if (value_depends && root && (target->kind == IR_VARIABLE || !is_pointer(root)))
             add(d, root);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Is a loop worth being analysed as one reduction loop, or only the loops inside it? */
+/** Decides whether a loop is worth being analysed as one reduction loop, or only its inner
+ *  loops. */
 #ifndef ANALYSIS_CANDIDATE_H
 #define ANALYSIS_CANDIDATE_H
 
@@ -8,13 +9,13 @@
 /** Is this a loop of a few iterations only, by its constants? */
 bool candidate_is_tiny(const ir_node *loop);
 
-/** Is an iteration's work that of a few statements: no loops but tiny ones, no calls but of the C
+/** Is an iteration's work that of a few statements: only tiny loops, and only calls of the C
  *  library's mathematics? */
 bool candidate_is_short(const ir_unit *unit, const ir_node *body);
 
 /** Do the elements that an iteration updates depend on the loop's counter, by subscripts or by
- *  conditions? Otherwise (repetitions, time steps) all iterations update the same, and there is
- *  nothing to be gained between them. True where that is not known. */
+ *  conditions? Otherwise (repetitions, time steps) all iterations update the same, and there is no
+ *  parallelism between them. True if unknown. */
 bool candidate_varies(const analyser *an, const ir_node *loop);
 
 #endif

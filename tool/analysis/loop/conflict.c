@@ -14,14 +14,14 @@ typedef struct question {
     unsigned depth;
 } question;
 
-/* What the terms of an address are made of. */
+/* The kinds of terms in an address. */
 typedef struct terms {
     bool has_window; /* counters of inner loops whose range changes with the iteration */
-    bool has_table;  /* what is read from memory */
-    bool has_row;    /* what changes with the iteration by itself: in a subscript of its own, or as
-                        a product, i * n */
+    bool has_table;  /* values read from memory */
+    bool has_row;    /* values that change with the iteration independently: in a separate
+                      * subscript, or as a product, i * n */
     bool has_own;    /* the same, but as a summand: i + j */
-    bool has_long;   /* counters of inner loops whose range stays */
+    bool has_long;   /* counters of inner loops with an invariant range */
     bool has_short;  /* the same, of a constant range */
 } terms;
 
@@ -47,7 +47,7 @@ static bool is_pointer(const ir_node *node) {
 }
 
 /* The pointer that an address begins with: of p[k], *p, *(p + k), p->m; NULL: it begins with an
- * object or an array. *has_subscript: more than its first element is reached. */
+ * object or an array. *has_subscript: it reaches more than the first element. */
 static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     const ir_node *child = node->child_count ? without_casts(node->children[0]) : NULL;
     *has_subscript = false;
@@ -66,7 +66,7 @@ static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     return child;
 }
 
-/* The one value that the loop gives a local pointer, other than by steps; NULL: there is none, or
+/* The only value that the loop gives a local pointer, other than by steps; NULL: there is none, or
  * several. */
 static const ir_node *value_in_loop(const question *q, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(q->facts, variable);
@@ -85,8 +85,8 @@ static const ir_node *value_in_loop(const question *q, const ir_variable *variab
     return value;
 }
 
-/* Does a pointer on the way come out of memory, another one in each iteration? Of a table of rows,
- * row[i][j], each row counts as an array of its own. */
+/* Is a pointer in the address loaded from memory, a different one in each iteration? In a table of
+ * rows, row[i][j], each row counts as a separate array. */
 static bool is_by_loaded_pointer(question *q, const ir_node *lvalue) {
     bool has_subscript;
     for (const ir_node *node = without_casts(lvalue); node;) {
@@ -117,7 +117,7 @@ static bool is_by_loaded_pointer(question *q, const ir_node *lvalue) {
 
 /* ---- ranges of inner loops ------------------------------------------------------------------- */
 
-/* What the header sets the variable to. */
+/* The value that the header sets the variable to. */
 static const ir_node *start_in(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_DECLARATOR && node->variable == variable)
         return ir_child(node, 0);
@@ -139,7 +139,7 @@ static bool mentions_written(const ir_node *node, const ir_node *header) {
     return false;
 }
 
-/* The side of the comparison that stays while the inner loop runs; NULL: it is none. */
+/* The side of the comparison that is invariant in the inner loop; NULL: another condition. */
 static const ir_node *bound_of(const ir_node *inner) {
     const ir_node *condition = inner->children[1];
     if (condition->kind == IR_EXPRESSION)
@@ -176,8 +176,7 @@ static bool is_segment(const question *q, const ir_node *start, const ir_node *b
            expression_constant(next->children[1], &one) && one == 1;
 }
 
-/* The inner `for` around the lvalue whose header sets and steps the variable; NULL: there is none.
- */
+/* The inner `for` around the lvalue whose header sets and steps the variable; NULL: none. */
 static const ir_node *inner_loop_of(const question *q, const ir_variable *variable) {
     for (const ir_node *outer = q->lvalue->parent; outer && outer != q->loop; outer = outer->parent)
         if (outer->kind == IR_FOR && start_in(outer->children[0], variable) &&
@@ -241,7 +240,7 @@ static void add_all(terms *to, const terms *from) {
     to->has_short |= from->has_short;
 }
 
-/* The terms of the address, subscript by subscript: what moves by itself in one of them makes rows
+/* The terms of the address, subscript by subscript: an independent value in one of them makes rows
  * of the others. */
 static terms terms_of(question *q, const ir_node *lvalue) {
     terms all = {0};
@@ -260,7 +259,7 @@ static terms terms_of(question *q, const ir_node *lvalue) {
                                        ? value_in_loop(q, node->variable)
                                        : NULL;
             if (value && variable_fact_of(q->facts, node->variable)->write_count > 1)
-                own.has_long = true; /* it walks */
+                own.has_long = true; /* it steps through them */
             else if (!value && is_pointer(node) && is_varying(q, node))
                 own.has_row = true;
             q->depth++;

@@ -120,7 +120,7 @@ unsigned executed_limits(const loop_analysis *j, const ir_node *node,
         else if (parent->kind == IR_BLOCK)
             take_jumps_above(j, &list, parent, below);
         else if (parent->kind == IR_SWITCH)
-            list.count = 0; /* its labels may stand behind any condition inside */
+            list.count = 0; /* its labels may follow any condition inside */
     }
     *limits = list.items;
     return list.count;
@@ -168,7 +168,7 @@ bool executed_certainly_in(const ir_node *outer, const ir_node *node) {
     return true;
 }
 
-/* Is there a `continue` of the loop above the node? */
+/* Is there a `continue` of the loop before the node? */
 static bool is_passed_by(const ir_node *part, const ir_node *node) {
     if (part->kind == IR_CONTINUE)
         return part->id < node->id;

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** In which iterations is a piece of the loop's body executed, as far as its counter decides? */
+/** The iterations in which a piece of the loop's body is executed, as far as the counter
+ *  decides. */
 #ifndef ANALYSIS_EXECUTED_H
 #define ANALYSIS_EXECUTED_H
 
 #include "analysis/loop/loop_analysis.h"
 
 /** The conditions on the counter without which control does not reach `node`: of `if (t > 0)`, of
- *  `t == 0 ? 0 : x[t - 1]`, of `if (t < m) continue;` above it. Returns how many; *limits is in the
- *  arena. None where nothing is known. */
+ *  `t == 0 ? 0 : x[t - 1]`, of a preceding `if (t < m) continue;`. Returns their number; *limits is
+ *  in the arena. None if nothing is known. */
 unsigned executed_limits(const loop_analysis *j, const ir_node *node, const counter_limit **limits);
 
 /** Is a piece of `outer` executed whenever `outer` is, once? */
@@ -15,7 +16,7 @@ bool executed_certainly_in(const ir_node *outer, const ir_node *node);
 /** Is a piece of the body executed in each iteration, once? */
 bool executed_in_each(const loop_analysis *j, const ir_node *node);
 
-/** Are the extents of two reads of one row computed alike? */
+/** Are the extents of two reads of one row computed in the same way? */
 bool source_ends_equal(const loop_source *a, const loop_source *b);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What keeps a loop's text from being rewritten, or its iterations from being counted, whatever it
- * computes. */
+/* Obstacles to rewriting a loop's text, or to counting its iterations, for any computation. */
 #include "analysis/loop/gate.h"
 
 #include <stdlib.h>
@@ -14,7 +13,7 @@
 /* ---- the source text --------------------------------------------------------------------------
  */
 
-/* Past blanks, comments, empty statements and directives; where something else begins, or `to`. */
+/* Past blanks, comments, empty statements and directives; the beginning of other text, or `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
     while ((from = source_skip_blanks(unit->source, from, to)) < to) {
@@ -29,16 +28,16 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     return to;
 }
 
-/* A macro that makes a pragma in the text of the statement that holds the loop, above it:
- * `if (n > 3) IVDEP for (...)`. */
+/* A macro that makes a pragma in the text before the loop, in the statement that contains it: `if
+ * (n > 3) IVDEP for (...)`. */
 static const char *pragma_macro_before(const loop_analysis *j, uint32_t to) {
     const ir_unit *unit = j->an->unit;
     const ir_range above = {j->loop->parent->range.begin, to};
     return text_pragma_macro(j->an->memory, unit, above);
 }
 
-/* A macro, or a _Pragma, between the loop and the statement before: it may be meant for the loop,
- * and a compiler wants a loop after it. */
+/* A macro, or a _Pragma, between the loop and the preceding statement: it may apply to the loop,
+ * and a compiler may require a loop after it. */
 static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
@@ -50,7 +49,7 @@ static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
         return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro) : (reason){0};
     }
     uint32_t from = block->range.begin;
-    /* else a macro makes it, and who knows what behind it */
+    /* else a macro makes it, perhaps with other text */
     static const char *const braces[] = {"{", "<%", "?\?<"};
     for (unsigned i = 0; i < sizeof braces / sizeof *braces; i++)
         if (strncmp(s->text + from, braces[i], strlen(braces[i])) == 0)
@@ -132,8 +131,8 @@ reason check_text(const loop_analysis *j) {
 /* ---- jumps ------------------------------------------------------------------------------------
  */
 
-/* How many loops and switches inside the analysed loop stand around the statement, and how many
- * switches: a case without one belongs to a switch around the loop, which leads into it. */
+/* The number of loops and switches inside of the analysed loop around the statement, and the number
+ * of switches: a case without one belongs to a switch around the loop, which leads into it. */
 static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                          unsigned switches) {
     const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
@@ -185,7 +184,7 @@ static bool reads_errno(const ir_node *node) {
     return false;
 }
 
-/* Whoever called the function may look at it as well. */
+/* A caller of the function may read it as well. */
 static bool file_reads_errno(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && reads_errno(unit->functions[i]->body))
@@ -193,7 +192,7 @@ static bool file_reads_errno(const ir_unit *unit) {
     return false;
 }
 
-/* An update whose value is used: what is done with it hardly matters. */
+/* An update whose value is used; how it is used hardly matters. */
 static reason check_values(const loop_analysis *j, const access_list *found) {
     for (unsigned i = 0; i < found->items.count; i++) {
         const access *a = &found->items.items[i];
@@ -213,7 +212,7 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* The first values are computed once more by the original loop, if that is to run. */
+/* The first values are computed again by the original loop, if that runs. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)
@@ -223,9 +222,9 @@ static reason check_lower(const loop_analysis *j) {
     return first_problem(j, &list);
 }
 
-/* A bound is computed once, where the sequential loop computes it before each iteration: with
- * functions that only read, and of which no two calls could give other bits. That what they read
- * stays as it is, is shown as for all that the loop reads. */
+/* A bound is computed once; the sequential loop computes it before each iteration. So it may call
+ * only functions that read and whose results are repeatable. That the memory they read does not
+ * change is shown as for all reads of the loop. */
 static reason check_bound(const loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->counted.bound, &list);
@@ -238,7 +237,7 @@ static reason check_bound(const loop_analysis *j) {
     return analysis_reason(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
 }
 
-/* A counter of which a pointer may be kept somewhere: no access of the loop may be by that. */
+/* For a counter whose address may be stored: the loop must not access it through a pointer. */
 static reason check_counter(const loop_analysis *j, const access_result *result) {
     const ir_variable *counter = j->counted.counter;
     const location where = {.object = counter, .type = counter->type};
@@ -253,7 +252,7 @@ static reason check_counter(const loop_analysis *j, const access_result *result)
     return (reason){0};
 }
 
-/* What is in the way before single accesses are looked at. */
+/* Obstacles that do not depend on single accesses. */
 static reason check_all(const loop_analysis *j, const access_list *found) {
     const ir_unit *unit = j->an->unit;
     reason why = check_values(j, found);

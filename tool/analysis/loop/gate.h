@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What keeps a loop from being rewritten, whatever it computes. */
+/** Obstacles to rewriting a loop, for any computation. */
 #ifndef ANALYSIS_GATE_H
 #define ANALYSIS_GATE_H
 
@@ -11,12 +11,13 @@ reason check_jumps(const loop_analysis *j);
 
 typedef struct access_result {
     reason why;
-    access_list found;     /* as the summaries give them */
-    unsigned count;        /* of the same, with where in memory they are: */
+    access_list found;     /* from the summaries */
+    unsigned count;        /* the same, with their locations in memory: */
     loop_access *accesses; /* all of CLASS_OPEN */
 } access_result;
 
-/** Lists all accesses of one iteration, header included; refuses what is not understood. */
+/** Lists all accesses of one iteration, including the header; refuses constructs that are not
+ *  supported. */
 access_result check_accesses(const loop_analysis *j);
 
 #endif

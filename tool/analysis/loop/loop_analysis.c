@@ -135,7 +135,7 @@ const char *analysis_name(const loop_analysis *j, const ir_node *lvalue) {
     return root ? root->name : expression_text(j->an->memory, lvalue);
 }
 
-/* What is made of a base on the way to its elements: b[i], *(b + i), (*b).x. */
+/* The steps from a base to its elements: b[i], *(b + i), (*b).x. */
 static bool leads_on(const ir_node *parent, const ir_node *node) {
     const bool is_left = parent->child_count > 0 && parent->children[0] == node;
     const bool is_pointer = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What is known of the unit as a whole, and of the one loop that is analysed. */
+/** Known facts about the unit as a whole, and about the analysed loop. */
 #ifndef ANALYSIS_LOOP_ANALYSIS_H
 #define ANALYSIS_LOOP_ANALYSIS_H
 
@@ -21,14 +21,14 @@ typedef struct analyser {
     const user_pragmas *pragmas;
 } analyser;
 
-/** What an access of the loop turned out to be. */
+/** The classification of an access of the loop. */
 typedef enum access_class {
     CLASS_OPEN,      /* not decided */
-    CLASS_SCALAR,    /* of a variable of the iteration's own, or one that nothing can change */
+    CLASS_SCALAR,    /* of a private variable of the iteration, or an unchanging one */
     CLASS_REDUCTION, /* an update of arrays[number] */
-    CLASS_SELF, /* a read, by an update's statement, of the element that it updates; all accesses
-                   to a scalar that the loop accumulates into */
-    CLASS_FORWARDED, /* a read of what the iteration has stored: it takes the value */
+    CLASS_SELF,      /* a read, in an update's statement, of the updated element; all accesses to a
+                      * scalar that the loop accumulates into */
+    CLASS_FORWARDED, /* a read of a value that the iteration has stored: it is forwarded */
     CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
 } access_class;
 
@@ -38,7 +38,8 @@ typedef struct loop_access {
     access_class class;
     unsigned array;        /* CLASS_REDUCTION */
     reduction_operator op; /* CLASS_REDUCTION */
-    bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known; or is_scalar */
+    bool needs_guard;      /* CLASS_SHARED: may overlap an array, according to the analysis; or
+                            * is_scalar */
     bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded */
     bool meets_scalars;    /* CLASS_SHARED: may be one of these */
 } loop_access;
@@ -59,10 +60,10 @@ typedef VECTOR(ir_variable *) variable_list;
 typedef VECTOR(loop_source) source_list;
 typedef VECTOR(const ir_node *) key_list;
 
-/** What is known of the one loop that is analysed. A check is given it const, with what the checks
- *  before have found, and returns its own result: with a `why` whose id is not REASON_NONE where it
- *  found something in the way, the rest then being of no use. verdict.c puts the results together.
- *  A check that adds to what is known in several steps does so in a copy. */
+/** Facts about the analysed loop. A check gets it as const, with the results of earlier checks, and
+ *  returns its own result: with a `why` other than REASON_NONE if it found an obstacle, the rest
+ *  then being invalid. verdict.c combines the results. A check that adds facts in several steps
+ *  works on a copy. */
 typedef struct loop_analysis {
     const analyser *an;
     ir_function *function;
@@ -75,8 +76,8 @@ typedef struct loop_analysis {
     update_list updates;
     scalar_list scalars;
     forward_list forwards;
-    const distribution *distribution; /* NULL: there is none */
-    const loop_exits *exits;          /* as of loop_slice */
+    const distribution *distribution; /* NULL: none */
+    const loop_exits *exits;          /* as in loop_slice */
     private_list privates;
     variable_list captured;
     source_list sources;
@@ -86,37 +87,36 @@ typedef struct loop_analysis {
     reason why;
 } loop_analysis;
 
-/** A copy whose accesses and lists may be changed, and added to, while `known` stays as it is. */
+/** A copy whose accesses and lists may be changed and extended, while `known` is unchanged. */
 loop_analysis analysis_copy(const loop_analysis *known);
 
-/** A number that is another one where an access, or an item of a list, of what is known of a loop
- * is another. 0 where NDEBUG is defined. */
+/** A hash of the accesses and list items of the known facts. 0 if NDEBUG is defined. */
 uint64_t analysis_fingerprint(const loop_analysis *known);
 
-/** Stops the program where a check has changed what it was given: `before` is its fingerprint of
- *  before the check. Nothing is looked at where NDEBUG is defined. */
+/** Asserts that a check has not changed its input: `before` is the fingerprint before the check.
+ *  Checks nothing if NDEBUG is defined. */
 void analysis_assert_unchanged(const loop_analysis *known, uint64_t before);
 
-/** What keeps the loop from being transformed, at this node; NULL: the loop itself. */
+/** The reason why the loop cannot be transformed, at this node; NULL: the loop itself. */
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name);
 
-/** Sets the reason of a check's own copy, if none is set yet. Returns false. */
+/** Sets the reason in a check's own copy, if none is set yet. Returns false. */
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name);
 
-/** Is an address in the array with this base used as a value below `node`, as in `h == p` or
- *  `&h[i] - q`? A function that gets it is analysed by what it reaches. */
+/** Does anything below `node` use an address in the array with this base as a value, as in `h == p`
+ *  or `&h[i] - q`? A function that gets it is analysed by its accesses. */
 bool has_address_as_value(const ir_node *node, const ir_node *base);
 
 /** Does the loop's text declare the variable? */
 bool analysis_declares(const loop_analysis *j, const ir_variable *variable);
 
-/** What the header sets beside the counter: the variable's part; NULL: it sets it to nothing. */
+/** Variables other than the counter that the header sets: the variable's entry; NULL: none. */
 const loop_start *analysis_start_of(const loop_analysis *j, const ir_variable *variable);
-/** Is it declared in the header, with a type of which a copy may be declared elsewhere? */
+/** Is it declared in the header, with a type with which a copy can be declared elsewhere? */
 bool analysis_header_declares(const loop_analysis *j, const ir_variable *variable);
 
-/** A local variable that nothing but the text could change, and that the loop leaves as it is. */
+/** A local variable that changes only by its name, and is loop-invariant. */
 bool analysis_leaves(const loop_analysis *j, const ir_node *node);
 
 /** Is this statement one of the updates found? */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the inspector may compute at another place, or under fewer conditions, than the program. */
+/* Expressions that the inspector may compute at another place, or under fewer conditions, than the
+ * program. */
 #include "analysis/loop/place.h"
 
 #include "analysis/base/expression.h"
@@ -12,7 +13,7 @@ bool slice_is_safe_anywhere(const ir_node *row) {
     return !expression_has_load(row, true) && !expression_has_hazard(row);
 }
 
-/* Is this load made in each iteration whatever the conditions, with the same address? */
+/* Is this load made in each iteration under any conditions, with the same address? */
 static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -23,7 +24,7 @@ static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     return false;
 }
 
-/* Nothing in it changes in the course of an iteration. */
+/* Nothing in it changes during an iteration. */
 static bool is_steady(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_VARIABLE && node->variable != j->counted.counter &&
         variable_written_in(j->an->facts, j->loop, node->variable))
@@ -83,8 +84,8 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place) {
     return false;
 }
 
-/* Is all that `place` says of the variable one step v++: does it have the value there that it has
- * where `place` begins? */
+/* Does `place` use the variable only in one step v++, so that it has the same value there as at the
+ * beginning of `place`? */
 static bool is_only_stepped(const loop_analysis *j, const ir_node *place,
                             const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
@@ -128,7 +129,7 @@ bool slice_can_tell(const loop_analysis *j, const loop_source *told, const ir_no
         (slice_is_ahead(node, place) && (!slice_is_safe_anywhere(told->row) ||
                                          !slice_loops_are_constant(told->loop_count, told->loops))))
         return false;
-    /* Of if and switch only the condition is computed between. */
+    /* For if and switch only the condition is computed in between. */
     if (place->kind == IR_IF || place->kind == IR_SWITCH)
         place = place->children[0];
     for (unsigned i = 0; i < told->loop_count; i++)

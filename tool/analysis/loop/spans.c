@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Inner loops that the inspector need not walk through: all that is left of them in the slice are
- * rows to be told, and these lie one after the other,
+ * Inner loops that the inspector need not iterate: in the slice they only record consecutive rows,
  *
  *     for (c = 0; c < m; c++)  centers[k * m + c] += ...
  *
- * so that the first and the last say where all of them are. One inside of another whose header does
- * not depend on the outer one gives the same rows in each iteration of that, and is told once:
+ * so that the first and the last row determine the range. A nested one whose header does not depend
+ * on the outer one has the same rows in each of its iterations, and is recorded once:
  *
  *     for (p = first, i = 0; i < n; i++, p++)
  *         for (q = second, k = 0; k < m; k++, q++)  f[p] += ..., f[q] -= ...
@@ -15,11 +14,12 @@
 
 #include "analysis/base/stepped.h"
 
-/* ---- what is left of it in the slice --------------------------------------------------------- */
+/* ---- its parts in the slice
+ * --------------------------------------------------------------------- */
 
 static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span);
 
-/* Does what the loop inside tells not depend on what the outer one steps? */
+/* Are the rows of the inner loop independent of the outer one's stepped variables? */
 static bool stays_in(const loop_span *outer, const loop_span *inner) {
     for (unsigned i = 0; i < 3; i++)
         if (span_mentions(outer, inner->loop->children[i]) > 0)
@@ -27,7 +27,7 @@ static bool stays_in(const loop_span *outer, const loop_span *inner) {
     return true;
 }
 
-/* Is there a loop of the slice in between that steps something of the row as well? */
+/* Is there a loop of the slice in between that also steps a variable of the row? */
 static bool is_stepped_below(const loop_analysis *j, const loop_span *span, const ir_node *place,
                              const ir_node *row) {
     loop_span inner;
@@ -38,7 +38,7 @@ static bool is_stepped_below(const loop_analysis *j, const loop_span *span, cons
     return false;
 }
 
-/* Nothing below is in the slice but spans, nor jumps. */
+/* Below, the slice has only spans, and no jumps. */
 static bool is_left_out(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];

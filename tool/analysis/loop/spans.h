@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Inner loops of the slice whose rows are told at once. */
+/** Inner loops of the slice whose rows are recorded at once. */
 #ifndef ANALYSIS_SPANS_H
 #define ANALYSIS_SPANS_H
 
@@ -7,8 +7,7 @@
 
 typedef VECTOR(loop_span) span_list;
 
-/** All of them, in source order, each before those inside of it. To be asked when the slice is
- *  known. */
+/** All of them, in source order, each before those inside of it. Requires the slice. */
 span_list find_spans(const loop_analysis *j);
 
 #endif

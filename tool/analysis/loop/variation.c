@@ -4,9 +4,7 @@
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 
-/* A counter of a function that is called, in what its access is in the caller's terms
- * (access.loops).
- */
+/* A counter of a called function, in its access in the caller's terms (access.loops). */
 static bool is_of_callee(variable_facts *facts, const ir_node *loop, const ir_variable *variable) {
     const ir_node *outer = variable_fact_of(facts, variable)->declarator;
     while (loop->parent)
@@ -123,7 +121,7 @@ typedef struct regularity {
 
 static bool is_varying(regularity *r, const ir_node *node);
 
-/* v++, v += c with a c that stays. */
+/* v++, v += c with an invariant c. */
 static bool is_step(const regularity *r, const ir_node *write) {
     if (write->kind == IR_UNARY)
         return write->op != IR_OP_ADDRESS;
@@ -138,7 +136,7 @@ static bool is_in_for_header(const ir_node *write) {
     return place->parent && place->parent->kind == IR_FOR && place->parent->children[3] != place;
 }
 
-/* Is the variable a counter: in the loop it is only stepped, or set at the head of a for? */
+/* Is the variable a counter: in the loop it is only stepped, or set in the header of a for? */
 static bool is_counter(const regularity *r, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(r->facts, variable);
     for (unsigned i = 0; i < fact->writes.count; i++) {
@@ -151,15 +149,15 @@ static bool is_counter(const regularity *r, const ir_variable *variable) {
 
 static bool is_irregular_place(regularity *r, const ir_node *lvalue);
 
-/* What a write in the head of a for sets a counter to; NULL: it steps it. */
+/* The value that a write in the header of a for sets a counter to; NULL: it steps it. */
 static const ir_node *first_value(const ir_node *write) {
     if (write->kind == IR_DECLARATOR)
         return write->child_count ? write->children[0] : NULL;
     return write->kind == IR_ASSIGN && write->op == IR_OP_NONE ? write->children[1] : NULL;
 }
 
-/* Does the value come from an element that is itself found through a table: start[row[t]]? Not so
- * start[t], where the t-th of segments begins that lie one behind the other. */
+/* Does the value come from an element that is itself found through a table: start[row[t]]? Not
+ * start[t], the beginning of the t-th of consecutive segments. */
 static bool is_looked_up(regularity *r, const ir_node *value) {
     if ((value->kind == IR_INDEX || value->kind == IR_MEMBER || value->kind == IR_UNARY) &&
         is_irregular_place(r, value))
@@ -179,7 +177,7 @@ static bool is_looked_up(regularity *r, const ir_node *value) {
     return false;
 }
 
-/* for (k = start[row[t]]; ...): a counter, but of elements that are found through a table. */
+/* for (k = start[row[t]]; ...): a counter of elements that are found through a table. */
 static bool begins_irregularly(regularity *r, const ir_variable *counter) {
     const variable_fact *fact = variable_fact_of(r->facts, counter);
     bool result = false;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How an expression changes from one iteration of a loop to the next. */
+/** The change of an expression from one iteration of a loop to the next. */
 #ifndef ANALYSIS_VARIATION_H
 #define ANALYSIS_VARIATION_H
 
 #include "analysis/memory/variable_facts.h"
 
-/** No variable in it is assigned in the loop, and it calls nothing. Memory that it reads is the
- *  caller's to check. */
+/** No variable in it is assigned in the loop, and it calls nothing. The caller must check the
+ *  memory that it reads. */
 bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir_node *expression);
 
-/** The same of an lvalue's address: what stands there may change. */
+/** The same for an lvalue's address: its contents may change. */
 bool variation_is_fixed(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
 
 typedef struct affine_form {
@@ -18,13 +18,13 @@ typedef struct affine_form {
     int64_t multiple;
 } affine_form;
 
-/** In the loop's own counter alone; looks through nothing. It is the number that is affine: C's
- * value is that number only where no operation wraps around (exact.h). */
+/** In the loop's own counter alone; looks through no definitions. The number is affine: C's value
+ *  equals it only if no operation wraps around (exact.h). */
 affine_form variation_affine(variable_facts *facts, const ir_node *loop, const ir_variable *counter,
                              const ir_node *expression);
 
 /** Is this lvalue an array element found through a subscript that is not affine in the counters of
- *  the loop and of those inside it? Looks through local variables assigned once. */
+ *  the loop and of inner ones? Looks through local variables assigned once. */
 bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
 
 #endif

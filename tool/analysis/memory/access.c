@@ -22,7 +22,7 @@ static bool is_array(const ir_node *node) {
     return node->type && node->type->kind == IR_ARRAY;
 }
 
-/* Is the object, or a part of it, one that must be accessed as written? */
+/* Must the object, or a part of it, be accessed exactly as written? */
 static bool has_volatile_part(const ir_type *type) {
     type = ir_type_innermost(type);
     if (type->is_volatile || type->is_atomic)
@@ -34,7 +34,7 @@ static bool has_volatile_part(const ir_type *type) {
     return false;
 }
 
-/* Volatile objects, bit-fields and the like show in the types along the way. */
+/* Volatile objects, bit-fields and the like appear in the types along the path. */
 static void check_type(access_walk *w, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const char *name = root ? root->name : "?";
@@ -65,7 +65,7 @@ static void add_lvalue(access_walk *w, access_kind kind, const ir_node *lvalue, 
                            .form = form});
 }
 
-/* What computing the address of an lvalue touches: pointers and subscripts on the way. */
+/* Accesses of computing an lvalue's address: pointers and subscripts in it. */
 static void walk_address(access_walk *w, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -101,7 +101,7 @@ static void walk_address(access_walk *w, const ir_node *node) {
     }
 }
 
-/* A value read; `skip` is the target's own place in R = R + e. */
+/* A value read; `skip` is the occurrence of the target in R = R + e. */
 static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *skip) {
     if (node == skip)
         return;
@@ -146,7 +146,7 @@ static void walk_unary(access_walk *w, const ir_node *node) {
     }
 }
 
-/* May the loop be left in the midst of its iterations? */
+/* May the loop be left during its iterations? */
 static bool is_left_early(const ir_node *node, bool by_break) {
     if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
         return true;
@@ -195,7 +195,7 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     case IR_BREAK:
     case IR_RETURN:
         walk_children(w, node);
-        w->condition_depth++; /* what follows may be jumped over; never taken back */
+        w->condition_depth++; /* the following code may be skipped; never taken back */
         return;
     case IR_DECLARATOR:
         walk_children(w, node);
@@ -207,7 +207,7 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     }
 }
 
-/* f().x: a part of a value that is in no object the program can reach. */
+/* f().x: a part of a temporary value, which is not in an addressable object. */
 static bool is_part_of_value(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = node->children[0];
@@ -228,14 +228,14 @@ static bool holds_assertion(const ir_node *node) {
     return false;
 }
 
-/* In a function that is called: where it does not fail, nothing but its condition is evaluated. */
+/* In a called function: unless it fails, only its condition is evaluated. */
 static bool walk_assertion(access_walk *w, const ir_node *node) {
     const ir_node *condition = w->in_callee ? assertion_condition(node) : NULL;
     if (!condition)
         return false;
     access_walk_node(w, condition);
     VECTOR_PUSH(w->memory, &w->list->ends, node);
-    w->condition_depth++; /* what follows may not be executed; never taken back */
+    w->condition_depth++; /* the following code may not be executed; never taken back */
     return true;
 }
 
@@ -299,7 +299,7 @@ static bool is_inside(const ir_node *subscript, const ir_type *array) {
            high < array->count;
 }
 
-/* What is left must be selected by a subscript: not the whole object. */
+/* The rest must be selected by a subscript: not the whole object. */
 static bool is_selected(const ir_node *lvalue) {
     while (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW))
         lvalue = lvalue->children[0];

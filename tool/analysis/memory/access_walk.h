@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The walk over expressions and statements in the order of evaluation; what it finds goes to an
- *  access_list, what a call does is asked of the effects. Of this room's access.h only. */
+/** The traversal of expressions and statements in the order of evaluation; results go to an
+ *  access_list, calls are looked up in the effects. Internal to access.h. */
 #ifndef ANALYSIS_ACCESS_WALK_H
 #define ANALYSIS_ACCESS_WALK_H
 
@@ -10,16 +10,16 @@ typedef struct access_walk {
     arena *memory;
     effects *all;
     access_list *list;
-    unsigned condition_depth; /* > 0: what follows may not be executed */
-    bool in_callee;           /* assertions are noted, and no problem */
+    unsigned condition_depth; /* > 0: the following code may not be executed */
+    bool in_callee;           /* assertions are recorded, and no problem */
 } access_walk;
 
 void access_walk_node(access_walk *w, const ir_node *node);
 
-/** Appends what the call touches: its function's summary in the caller's terms. */
+/** Appends the accesses of the call: its function's summary in the caller's terms. */
 void access_walk_call(access_walk *w, const ir_node *call);
 
-/** Is it the function that a C library's `assert` calls where it fails? Messages say `assert`. */
+/** Is it the function that a C library's `assert` calls on failure? Messages say `assert`. */
 bool access_is_assertion(const ir_function *function);
 
 void access_add(access_walk *w, access item);

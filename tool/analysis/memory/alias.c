@@ -42,8 +42,8 @@ bool types_may_overlap(const ir_type *a, const ir_type *b) {
     }
 }
 
-/* An array of no, or of unknown, length: its elements lie where others, or nothing, are declared.
- */
+/* An array of length 0 or of unknown length: its elements overlap other declarations, or lie
+ * outside of them. */
 static bool is_open(const ir_type *type) {
     for (; type->kind == IR_ARRAY; type = type->target)
         if (type->count <= 0)
@@ -63,8 +63,9 @@ static bool apart_in_record(const ir_field *a, const ir_field *b) {
            !(is_open(b->type) && a->offset >= b->offset);
 }
 
-/* Different fields of one record, found before the two ways part otherwise. Subscripts between do
- * not matter: the same element has both fields apart, different elements are apart anyway. */
+/* Different fields of one record, found before the two paths diverge otherwise. Subscripts between
+ * do not matter: in the same element the fields are disjoint, and different elements are disjoint
+ * anyway. */
 static bool fields_part(const location *a, const location *b) {
     unsigned count = a->step_count < b->step_count ? a->step_count : b->step_count;
     for (unsigned i = 0; i < count; i++) {
@@ -82,7 +83,7 @@ static bool fields_part(const location *a, const location *b) {
     return false;
 }
 
-/* p->x and q->y, with p and q of one record type: whatever they point to, these are apart. */
+/* p->x and q->y, with p and q of one record type: disjoint for any targets. */
 static bool record_fields_part(const location *a, const location *b) {
     if (a->is_punned || b->is_punned || !a->pointer || !b->pointer)
         return false;
@@ -99,14 +100,14 @@ static bool is_reachable(const alias_rules *rules, const ir_variable *object,
     /* Initialisers at file scope are not in the IR: a static object's address may be anywhere. */
     if (!variable_is_automatic(object))
         return true;
-    /* A pointer whose origin is unknown may be any that was ever taken. */
+    /* A pointer of unknown origin may be any whose address was ever taken. */
     if (!other->pointer)
         return variable_is_exposed(rules->facts, object);
     return variable_escapes(rules->facts, object);
 }
 
-/* A pointer's promise holds while its block is executed (C17 6.7.3.1p2): of one that the body
- * declares, for an iteration. */
+/* A restrict pointer is exclusive while its block is executed (C17 6.7.3.1p2): if the body declares
+ * it, for an iteration. */
 static bool promises_for_one_iteration(const alias_rules *rules, const ir_variable *pointer) {
     const ir_node *declarator = variable_fact_of(rules->facts, pointer)->declarator;
     return rules->loop && declarator && ir_contains(rules->loop, declarator);
@@ -130,13 +131,13 @@ static bool restrict_parts(const alias_rules *rules, const location *a, const lo
     return (x && b->object) || (y && a->object);
 }
 
-/* An object defined const: no write to it is defined (C17 6.7.3p7), through whatever pointer. */
+/* An object defined const: any write to it is undefined (C17 6.7.3p7), through any pointer. */
 static bool is_constant(const location *l) {
     const ir_type *type = l->object ? ir_type_innermost(l->object->type) : NULL;
     return type && (type->is_const || l->object->type->is_const) && !type->is_volatile;
 }
 
-/* `types_hold`: neither gives the memory another effective type before the other is made. */
+/* `types_hold`: neither access gives the memory another effective type before the other is made. */
 static overlap compare(const alias_rules *rules, const location *a, const location *b,
                        bool types_hold) {
     if (a->is_string || b->is_string || a->is_of_locale || b->is_of_locale || is_constant(a) ||

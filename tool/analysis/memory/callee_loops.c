@@ -3,10 +3,9 @@
 
 #include "analysis/base/expression.h"
 
-/* ---- leaving a loop --------------------------------------------------------------------------
- */
+/* ---- leaving a loop -------------------------------------------------------------------------- */
 
-/* Is there a way out of the loop whose body this is, other than at its end? */
+/* Does the body leave its loop other than at its end? */
 static bool leaves(const ir_node *node, bool by_break) {
     if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
         return true;
@@ -17,7 +16,7 @@ static bool leaves(const ir_node *node, bool by_break) {
     return false;
 }
 
-/* Is there a `continue` above `node`, by which an iteration passes it over? */
+/* Is there a `continue` before `node`, which may skip it? */
 static bool continues_before(const ir_node *part, const ir_node *node) {
     if (part->kind == IR_CONTINUE)
         return part->id < node->id;
@@ -29,7 +28,7 @@ static bool continues_before(const ir_node *part, const ir_node *node) {
     return false;
 }
 
-/* A return above `node`. */
+/* A return before `node`. */
 static bool returns_before(const ir_node *part, const ir_node *node) {
     if (part->id >= node->id)
         return false;
@@ -41,7 +40,7 @@ static bool returns_before(const ir_node *part, const ir_node *node) {
     return false;
 }
 
-/* A label of a switch around the statement: a way into it other than from its beginning. */
+/* A label of a switch around the statement: it can be entered other than at its beginning. */
 static bool holds_label(const ir_node *node) {
     if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
         return true;
@@ -77,7 +76,7 @@ callee_loops callee_loops_around(const ir_function *function, const ir_node *nod
     for (ir_node *outer = node->parent; outer; child = outer, outer = outer->parent)
         if (outer->kind == IR_FOR && ir_loop_body(outer) == child)
             take_loop(&loops, outer);
-    /* a jump may lead into a loop, or around what sets a variable */
+    /* a jump may lead into a loop, or skip the assignment of a variable */
     if (child != function->body || ir_has_kind(function->body, IR_LABEL) ||
         ir_has_kind(function->body, IR_GOTO) || ir_has_kind(function->body, IR_OPAQUE))
         loops.are_known = false;
@@ -105,8 +104,7 @@ bool callee_loops_share(const callee_loops *loops, const ir_variable *variable,
     return false;
 }
 
-/* ---- what is certain -------------------------------------------------------------------------
- */
+/* ---- certain execution ----------------------------------------------------------------------- */
 
 static bool is_one_of(const callee_loops *loops, const ir_node *loop) {
     for (unsigned i = 0; i < loops->count; i++)
@@ -115,7 +113,7 @@ static bool is_one_of(const callee_loops *loops, const ir_node *loop) {
     return false;
 }
 
-/* Are as many iterations of the loop executed as are counted, each of them as far as to `node`? */
+/* Are all counted iterations of the loop executed, each of them as far as `node`? */
 static bool comes_to(const callee_loops *loops, const ir_node *loop, const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
@@ -166,7 +164,7 @@ bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node) {
 
 /* ---- variables set once ---------------------------------------------------------------------- */
 
-/* The statement of a block that it is; NULL: it stands elsewhere. */
+/* Its statement in a block; NULL: it is elsewhere. */
 static const ir_node *statement_in_block(const ir_node *place) {
     const ir_node *statement = place->parent;
     return statement && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATION) &&

@@ -11,11 +11,11 @@
 typedef struct rewriting {
     const callee_terms *terms;
     const access *item;
-    callee_loops *loops; /* NULL: no counter has a meaning */
-    const ir_node *site; /* in the function's text, where what is rewritten is evaluated; NULL: it
-                            may be another iteration's value */
+    callee_loops *loops; /* NULL: counters have no meaning */
+    const ir_node *site; /* the place of evaluation in the function's text; NULL: it may be another
+                          * iteration's value */
     bool is_exact;
-    bool has_load;          /* memory is read on the way to an address, */
+    bool has_load;          /* an address depends on a load, */
     bool loads_are_certain; /* each time that the function is called */
     unsigned depth;
 } rewriting;
@@ -33,7 +33,7 @@ static ir_node *unknown_part(rewriting *r, const ir_node *node) {
 /* ---- loads -------------------------------------------------------------------------------------
  */
 
-/* May the function itself change what is read here on the way to an address? */
+/* May the function itself change memory that this address computation reads? */
 static bool is_stable(const rewriting *r, const ir_node *load) {
     for (unsigned i = 0; i < r->terms->raw->items.count; i++) {
         const access *store = &r->terms->raw->items.items[i];
@@ -46,13 +46,12 @@ static bool is_stable(const rewriting *r, const ir_node *load) {
     return true;
 }
 
-/* Is it of this function's text, and not of what the access of another says? */
+/* Does it belong to this function's text, not to the access of another function? */
 static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
 
-/* Are all variables in it parameters that nothing changes, and counters of loops around both nodes?
- */
+/* Are all variables in it unchanged parameters, and counters of loops around both nodes? */
 static bool has_one_value(const rewriting *r, const ir_node *node, const ir_node *first,
                           const ir_node *second) {
     if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {
@@ -98,7 +97,7 @@ static void note_load(rewriting *r, const ir_node *load) {
         return;
     if (is_of_text(r, load))
         r->loads_are_certain &= is_certain_load(r, load);
-    else /* the function called makes it whenever it is called, or its loops come to it */
+    else /* the called function makes it whenever it is called, or its loops do */
         r->loads_are_certain &= callee_loops_is_certain(r->loops, r->item->node) &&
                                 (r->item->loop_count || !r->item->is_conditional);
 }
@@ -239,7 +238,7 @@ static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
     return rewrite(r, row);
 }
 
-/* A search's element at another subscript, in the terms of the parameters; NULL: cannot be told. */
+/* A search's element at another subscript, in the terms of the parameters; NULL: unknown. */
 static const ir_node *search_element(rewriting *r) {
     const access *item = r->item;
     const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
@@ -267,8 +266,8 @@ static const ir_node *search_element(rewriting *r) {
 
 typedef VECTOR(source_loop) loop_list;
 
-/* The loops of this function that the rewritten row depends on, or whose number of iterations
- * decides whether it is read at all; outermost first. */
+/* The loops of this function that the rewritten row depends on, or whose trip count decides whether
+ * it is read at all; outermost first. */
 static bool take_own_loops(rewriting *r, loop_list *list) {
     source_loop found[CALLEE_MOST_LOOPS];
     unsigned count = 0;
@@ -294,7 +293,8 @@ static bool take_own_loops(rewriting *r, loop_list *list) {
     return true;
 }
 
-/* Those of the function called, whose access this is; their bounds are in its caller's terms. */
+/* The loops of the called function that makes the access; their bounds are in its caller's
+ * terms. */
 static void take_callee_loops(rewriting *r, loop_list *list) {
     r->site = r->item->node;
     for (unsigned i = 0; i < r->item->loop_count; i++) {
@@ -305,8 +305,8 @@ static void take_callee_loops(rewriting *r, loop_list *list) {
     }
 }
 
-/* Is what the loops tell found in time, and nothing told but what the function reads, or next to
- * it? A loop that may end early comes to a row of elements one behind the other, told at once. */
+/* Can the loops' rows be recorded in time, and only rows that the function reads, or adjacent ones?
+ * A loop that may end early accesses consecutive elements, recorded at once. */
 static bool can_be_gone_through(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&
@@ -315,8 +315,8 @@ static bool can_be_gone_through(const loop_list *list, const ir_node *row) {
     return true;
 }
 
-/* With the loops around it. An element that is not read at each turn may still be told, where that
- * takes nothing but what is evaluated anyway. */
+/* With the loops around it. An element that is not read in each iteration may still be recorded, if
+ * that evaluates only expressions that are evaluated anyway. */
 static bool take_with_loops(const callee_terms *terms, const access *item, access *result) {
     callee_loops loops = callee_loops_around(terms->function, item->node);
     if (item->kind != ACCESS_READ || !item->is_exact || !loops.are_known ||

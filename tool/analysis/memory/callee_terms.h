@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a function accesses, said in terms of its parameters and of the file's objects. */
+/** A function's accesses, in terms of its parameters and of the file's objects. */
 #ifndef ANALYSIS_CALLEE_TERMS_H
 #define ANALYSIS_CALLEE_TERMS_H
 
@@ -12,12 +12,12 @@ typedef struct callee_terms {
     const hidden_names *names;
     bool strict_aliasing;
     const ir_function *function;
-    const access_list *raw; /* all that its text accesses, its own variables included */
+    const access_list *raw; /* all accesses of its text, including those of its local variables */
 } callee_terms;
 
 /** The access in these terms. Reads whose subscripts depend on counters of the function's loops get
- *  these loops (access.loops). Where it cannot be told which element is accessed, is_exact is not
- * set; of a search's then access.from is. */
+ *  these loops (access.loops). If the accessed element is unknown, is_exact is not set; for a
+ *  search access.from is set then. */
 access callee_terms_of(const callee_terms *terms, const access *item);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One summary a function, bottom-up: what it accesses that is not its own. */
+/* One summary per function, bottom-up: its accesses other than to local variables. */
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -137,7 +137,7 @@ static bool is_pure(const effects *all, const ir_function *function) {
     return function->is_attribute_pure || external_kind(all->options, function) == EXPORTED_PURE;
 }
 
-/* By the user's word, or because another file shows it: it reads what its arguments lead to. */
+/* Asserted by the user, or shown by another file: it reads only the targets of its arguments. */
 static bool is_presumed_pure(const effects *all, const ir_function *function) {
     if (external_kind(all->options, function) == EXPORTED_ARGUMENTS)
         return true;
@@ -164,12 +164,12 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
                            .is_presumed = is_presumed});
 }
 
-/* Without side effects by attribute or by the user's word: what may it read? */
+/* Without side effects by attribute or by the user's assertion: what may it read? */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
     if (library_is_locale_table(call))
         return;
-    /* of another file's function the body was looked at */
+    /* the body in another file was analysed */
     const bool is_seen = external_kind(w->all->options, function) != EXPORTED_NOTHING;
     if (!by_user && !is_seen && library_tells_of_thread(function)) {
         const bool is_errno = strcmp(function->name, "__errno_location") == 0;
@@ -207,7 +207,7 @@ static bool walk_memory_call(access_walk *w, const ir_node *call) {
     return true;
 }
 
-/* Are all globals in it declared where the call stands? */
+/* Are all globals in it declared before the call? */
 static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
     const ir_declared *declared = lvalue->kind == IR_VARIABLE ? lvalue->variable->declared : NULL;
     if (declared && !declared->file && declared->offset > call->range.begin &&
@@ -219,8 +219,8 @@ static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
     return true;
 }
 
-/* The access's loops with the arguments in their bounds. Unsets is_exact where these cannot be
- * spelled there. */
+/* The access's loops with the arguments in their bounds. Clears is_exact if these cannot be spelled
+ * there. */
 static const source_loop *loops_for_caller(access_walk *w, access *item, const ir_node *call) {
     const ir_function *function = call->children[0]->function;
     source_loop *loops = ARENA_ARRAY(w->memory, source_loop, item->loop_count);
@@ -269,7 +269,7 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
     }
     if (known->ends.count) {
         VECTOR_PUSH(all->memory, &w->list->ends, call);
-        w->condition_depth++; /* what follows may not be executed; never taken back */
+        w->condition_depth++; /* the following code may not be executed; never taken back */
     }
 }
 
@@ -296,13 +296,14 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     const char *openmp = NULL;
     bool by_user = is_presumed_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
-    if (library_is_message_passing(function)) { /* whatever else is said of it */
+    if (library_is_message_passing(function)) { /* overrides other assertions */
         access_problem_add(w, REASON_MESSAGE_PASSING, call, function->name);
     } else if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
     } else if (function->body && (openmp = text_openmp_in(w->memory, w->all->unit, function))) {
-        access_problem_add(w, REASON_EXISTING_OPENMP, call, openmp); /* threads' team is another */
+        access_problem_add(w, REASON_EXISTING_OPENMP, call, openmp); /* the threads' team is a
+                                                                      * different one */
     } else if (function->body && !function->linkage.is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)

@@ -28,7 +28,7 @@ static bool is_plain_definition(const ir_unit *unit, const ir_function *function
     return true;
 }
 
-/* #pragma weak and the like may make of any definition one of several. */
+/* #pragma weak and the like may make any definition one of several. */
 static bool has_linkage_pragma(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -52,7 +52,7 @@ bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *functio
            !text_openmp_in(a, unit, function);
 }
 
-/* Is this one step from a pointer that was given to the function? */
+/* Is this one step from a pointer argument of the function? */
 static bool is_of_argument(const access *item) {
     const ir_node *lvalue = item->lvalue;
     while (lvalue && lvalue->kind != IR_VARIABLE) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a file tells other files of its functions: the summaries that can be said in a word. */
+/** Facts that a file exports about its functions: summaries that one word expresses. */
 #ifndef ANALYSIS_EXPORTED_H
 #define ANALYSIS_EXPORTED_H
 
@@ -9,8 +9,8 @@
 const char *exported_word(exported_kind kind);
 
 /**
- * Is this a definition of which the file may speak to others: an external function, as plain as
- * they take it for, whose own text says all that a compiler makes of it?
+ * May the file export facts about this definition: an external function, as plain as other files
+ * assume, whose text determines the compiled code?
  */
 bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *function);
 
@@ -24,7 +24,7 @@ typedef struct exported_functions {
     const exported_function *items; /* every function with external linkage that the file defines */
 } exported_functions;
 
-/** Everything returned lives in the arena. */
+/** All results are allocated in the arena. */
 exported_functions exported_of_unit(arena *a, const ir_unit *unit, const analysis_options *options);
 
 #endif

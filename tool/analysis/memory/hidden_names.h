@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which names of a file may mean something else inside of a function. */
+/** Names of a file that may have another meaning inside of a function. */
 #ifndef ANALYSIS_HIDDEN_NAMES_H
 #define ANALYSIS_HIDDEN_NAMES_H
 
@@ -9,8 +9,7 @@ typedef struct hidden_names hidden_names;
 
 hidden_names *hidden_names_new(arena *a, const ir_unit *unit);
 
-/** Could something of a function, a variable, enumerator or type, stand in front of the global one?
- */
+/** Could a variable, enumerator or type of a function hide the global one? */
 bool hidden_names_has(const hidden_names *names, const ir_variable *global);
 
 #endif

@@ -6,7 +6,7 @@
 
 enum { STEP_LIMIT = 8, LOOK_THROUGH_LIMIT = 8 };
 
-/* What is the same all the way down one question. */
+/* Constant data of one query. */
 typedef struct question {
     variable_facts *facts;
     const ir_node *scope;
@@ -26,8 +26,8 @@ static void add_step(location *l, const ir_field *field, const ir_record *record
     l->steps[l->step_count++] = (location_step){field, record, subscript};
 }
 
-/* Moved away from a single object, as v[0].x by &v[0].x + k: C gives it no meaning, but programs
- * and compilers take it to lead through all of the object that this one is a part of. */
+/* Moved away from a single object, as v[0].x by &v[0].x + k: undefined in C, but programs and
+ * compilers let it range over the whole enclosing object. */
 static void leave_single_object(location *l) {
     l->step_count = 0;
     l->is_inexact = true;
@@ -60,7 +60,8 @@ static location member_location(const question *q, const ir_node *node, unsigned
     return l;
 }
 
-/* (*__ctype_b_loc())[c], and *__ctype_b_loc() itself: of the C library, in no object of ours. */
+/* (*__ctype_b_loc())[c], and *__ctype_b_loc() itself: the C library's, in no object of the
+ * program. */
 static location locale_location(const ir_node *table) {
     return (location){.is_of_locale = true, .is_inexact = true, .base = table};
 }
@@ -86,7 +87,7 @@ static location lvalue_location(const question *q, const ir_node *node, unsigned
             l = lvalue_location(q, node->children[0], depth);
             add_step(&l, NULL, NULL, node->children[1]);
         } else {
-            /* p[k]: what p points to, moved */
+            /* p[k]: the target of p, moved */
             l = pointed_location(q, node->children[0], depth);
             if (l.step_count && !l.steps[l.step_count - 1].field && !l.is_inexact)
                 l.steps[l.step_count - 1].subscript =
@@ -127,12 +128,12 @@ static bool same_pointee(const ir_type *a, const ir_type *b) {
     return a && b && a->target && b->target && ir_type_equal(a->target, b->target);
 }
 
-/* A definition that is repeated by reading it: without calls and assignments. */
+/* A definition whose evaluation can be repeated: without calls and assignments. */
 static bool is_followed(const ir_node *value) {
     return value->kind != IR_INITIALIZERS && expression_is_plain(value);
 }
 
-/* f(...), or (double *)f(...): a pointer of its own, whatever it is taken to point to. */
+/* f(...), or (double *)f(...): a separate pointer, with an unknown target. */
 static bool is_result(const ir_node *value) {
     while (value->kind == IR_CAST && value->children[0]->type &&
            value->children[0]->type->kind == IR_POINTER)
@@ -169,7 +170,8 @@ static location variable_location(const question *q, const ir_node *node, unsign
     const ir_node *value = variable_single_definition(q->facts, node->variable);
     if (!value)
         return pointer_base(node);
-    /* variable_escapes counts on every pointer defined once being looked through, or unknown */
+    /* variable_escapes relies on every pointer with one definition being looked through, or
+     * unknown */
     if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
         return is_result(value) ? pointer_base(node) : unknown_location();
     location l = pointed_location(q, value, depth + 1);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which memory an lvalue is: a named object or what a pointer points to, and the fields and
- * subscripts from there. Local pointers that are assigned once are looked through.
+ * The memory of an lvalue: a named object or a pointer's target, followed by fields and subscripts.
+ * Local pointers that are assigned once are looked through.
  */
 #ifndef ANALYSIS_LOCATION_H
 #define ANALYSIS_LOCATION_H
@@ -16,26 +16,26 @@ typedef struct location_step {
 
 typedef struct location {
     const ir_variable *object; /* the named object, or NULL */
-    const ir_node *pointer; /* else the pointer it hangs on, looked through as far as possible; NULL
-                               too: unknown */
+    const ir_node *pointer; /* else its base pointer, looked through as far as possible; NULL too:
+                             * unknown */
     const ir_node *base;    /* lvalue in the source: the array or pointer under the first subscript,
-                               field or dereference after the last pointer read; NULL: unknown */
-    const ir_type *type;    /* what is accessed */
+                             * field or dereference after the last pointer read; NULL: unknown */
+    const ir_type *type;    /* type of the access */
     unsigned step_count;
     location_step steps[8];
-    bool is_inexact;   /* steps end where the rest is not known: more steps, casts */
+    bool is_inexact;   /* steps end before the unknown part: more steps, casts */
     bool is_punned;    /* a cast to another pointer type lies between */
-    bool is_of_locale; /* a table of the C library that classifies characters: the program reads it
-                        */
-    bool is_string;    /* a string literal: nothing can overlap it that is written */
+    bool is_of_locale; /* a table of the C library that classifies characters, which the program
+                        * reads */
+    bool is_string;    /* a string literal: no written memory can overlap it */
     bool has_union, has_bit_field;
 } location;
 
-/** `scope`: a local pointer defined outside this loop (NULL: nothing is outside) is looked through
- *  to know the memory, but `base` stays the pointer itself. */
+/** `scope`: a local pointer defined outside of this loop (NULL: of no loop) is looked through to
+ *  determine the memory, but `base` stays the pointer itself. */
 location location_of(variable_facts *facts, const ir_node *lvalue, const ir_node *scope);
 
-/** Where a pointer's value points to. */
+/** The target of a pointer's value. */
 location location_pointed(variable_facts *facts, const ir_node *pointer, const ir_node *scope);
 
 #endif

@@ -24,7 +24,7 @@ static bool is_count_up(const ir_node *node, const ir_variable *cursor) {
            node->children[0]->kind == IR_VARIABLE && node->children[0]->variable == cursor;
 }
 
-/* The loop's one effect is to move the cursor by one. */
+/* The loop's only effect is to increment the cursor. */
 static bool only_counts_up(const ir_node *loop, const ir_variable *cursor) {
     if (loop->kind == IR_WHILE)
         return is_count_up(loop->children[1], cursor);
@@ -59,8 +59,8 @@ static bool returns(const ir_node *statement, const ir_variable *cursor) {
     return value && value->kind == IR_VARIABLE && value->variable == cursor;
 }
 
-/* Counted up far enough it comes to the end of all memory, or has no meaning; a narrower one would
- * begin again at 0. */
+/* Incremented far enough it reaches the end of all memory, or is undefined; a narrower one would
+ * wrap around to 0. */
 static bool cannot_wrap(const ir_type *cursor) {
     return cursor->kind == IR_INTEGER &&
            (cursor->size == 8 || (cursor->is_signed && cursor->size >= 4));

@@ -77,7 +77,7 @@ static bool mentions_own(const range_of_block *r, const ir_node *node) {
     return false;
 }
 
-/* What the statement loads into the variable, and does nothing else; or NULL. */
+/* The value that the statement loads into the variable, without other effects; or NULL. */
 static const ir_node *loaded(const ir_node *statement, const ir_variable *variable) {
     const ir_node *only = statement->child_count == 1 ? statement->children[0] : NULL;
     if (!only)
@@ -96,7 +96,7 @@ static bool is_plain_scalar(const ir_variable *variable) {
            !variable->type->is_volatile && !variable->type->is_atomic;
 }
 
-/* The variables of the value stored, one of which may hold what was loaded. */
+/* The variables of the stored value, one of which may hold the loaded one. */
 static bool find_by(range_of_block *r, const ir_node *value, const ir_node *target,
                     update_group *group) {
     if (value->kind == IR_VARIABLE && is_plain_scalar(value->variable)) {

@@ -5,12 +5,12 @@
 
 #include "analysis/memory/variable_facts.h"
 
-/** `double v = h[k]; if (v > m) v = m; h[k] = v;`: statements of one block, one behind the other,
- * that write nothing but the variable, which occurs nowhere else, and the element. */
+/** `double v = h[k]; if (v > m) v = m; h[k] = v;`: consecutive statements of one block that write
+ *  only the variable, which is not used elsewhere, and the element. */
 typedef struct update_group {
     const ir_node *first;   /* the declaration, or assignment as a statement, that loads */
     const ir_node *last;    /* the statement that stores */
-    const ir_node *element; /* as the first names it */
+    const ir_node *element; /* as the first one spells it */
 } update_group;
 
 /** Is the assignment the last of such statements? */

@@ -20,7 +20,7 @@ static ir_variable *changed_variable(const ir_node *node) {
     return lvalue ? expression_object(lvalue) : NULL;
 }
 
-/* An array, or a part of one, handed to a function: that may fill it. */
+/* An array, or a part of one, passed to a function, which may fill it. */
 static bool is_handed_over(const ir_node *node) {
     const ir_node *parent = node->parent;
     while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node) ||
@@ -94,7 +94,7 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
-/* Of a call of a function by its name, through this argument. */
+/* For a call of a function by its name, through this argument. */
 static parameter_effect effect_of_argument(const variable_facts *facts, const ir_node *call,
                                            const ir_node *argument) {
     for (unsigned i = 1; i < call->child_count; i++)
@@ -103,7 +103,7 @@ static parameter_effect effect_of_argument(const variable_facts *facts, const ir
     return (parameter_effect){.keeps_address = true};
 }
 
-/* &v, handed to a function that reads through it, and no more. */
+/* &v, passed to a function that only reads through it. */
 static bool is_only_read(const variable_facts *facts, const ir_node *address) {
     const ir_node *call = address->parent;
     if (address->kind != IR_UNARY || address->op != IR_OP_ADDRESS || !call ||
@@ -144,7 +144,7 @@ const ir_node *variable_single_definition(variable_facts *facts, const ir_variab
     return fact->definition;
 }
 
-/* ---- where a pointer's value goes ----------------------------------------------------------- */
+/* ---- uses of a pointer's value -------------------------------------------------------------- */
 
 static bool pointer_value_escapes(variable_facts *all, const ir_node *node, unsigned depth);
 
@@ -157,7 +157,7 @@ static bool is_memory_function(const char *name) {
 static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_node *argument) {
     const ir_node *callee = call->children[0];
     if (callee == argument)
-        return false; /* called, not kept */
+        return false; /* called, not stored */
     if (callee->kind != IR_FUNCTION)
         return true;
     if (!callee->function->body)
@@ -179,7 +179,7 @@ static bool holder_escapes(variable_facts *all, const ir_variable *holder, unsig
     return false;
 }
 
-/* An lvalue inside the object: read or written it keeps no address, unless it decays. */
+/* An lvalue inside of the object: reading or writing it stores no address, unless it decays. */
 static bool lvalue_escapes(variable_facts *all, const ir_node *node, unsigned depth) {
     const ir_node *parent = node->parent;
     bool is_array = node->type && node->type->kind == IR_ARRAY;
@@ -284,7 +284,8 @@ static bool is_restricted(variable_facts *facts, const ir_variable *variable) {
     if (!variable_is_automatic(variable) || !variable->type->is_restrict ||
         variable->address_taken || fact->write_count > allowed)
         return false;
-    /* A block's restrict pointer holds from its declaration on: assigned later, it says less. */
+    /* A block's restrict pointer is exclusive from its declaration on; assigned later, less is
+     * known. */
     if (allowed && (!fact->declarator || fact->definition_place != fact->declarator))
         return false;
     for (unsigned i = 0; i < fact->occurrences.count; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Reads against the arrays: each read of the loop is apart from every reduction array by proof, or
+ * Reads against the arrays: each read of the loop is proved disjoint from every reduction array, or
  * guarded at run time by its extent, or the loop is refused.
  */
 #include "analysis/overlap/sources.h"
@@ -19,11 +19,11 @@
 /* ---- extents ----------------------------------------------------------------------------------
  */
 
-/* Are all its subscripts affine in the counter, and all else in it invariant? */
+/* Are all its subscripts affine in the counter, and everything else in it invariant? */
 static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     switch (row->kind) {
     case IR_VARIABLE:
-        if (row->variable == j->counted.counter) /* its address moves with it by itself */
+        if (row->variable == j->counted.counter) /* the pointer itself is the counter */
             return row->type->kind == IR_POINTER;
         return ir_type_is_scalar(row->type) ? variation_is_invariant(j->an->facts, j->loop, row)
                                             : variation_is_fixed(j->an->facts, j->loop, row);
@@ -48,7 +48,7 @@ static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     }
 }
 
-/* A pointer read from memory at an address that moves: row then jumps. */
+/* A pointer read from memory at a changing address: the row then jumps. */
 static bool has_moving_load(const loop_analysis *j, const ir_node *row) {
     for (unsigned i = 0; i < row->child_count; i++) {
         const ir_node *child = row->children[i];
@@ -70,7 +70,7 @@ static bool is_invariant_row(const loop_analysis *j, const ir_node *row) {
            !expression_mentions(row, j->counted.counter);
 }
 
-/* The base of a source: a pointer whose value, or an object whose address, stays. */
+/* The base of a source: an invariant pointer, or an object, whose address is invariant. */
 static bool is_fixed_base(const loop_analysis *j, const ir_node *base) {
     if (expression_mentions(base, j->counted.counter))
         return false;
@@ -85,8 +85,7 @@ static bool can_be_spelled(const loop_analysis *j, const ir_node *row) {
     return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
 }
 
-/* A pointer that each iteration moves by a step: what it is when the loop begins; NULL: it is none
- * of these. */
+/* The initial value of a pointer that each iteration steps; NULL: it is none. */
 static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base) {
     if (base->kind != IR_VARIABLE || base->type->kind != IR_POINTER)
         return NULL;
@@ -100,20 +99,20 @@ static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base
     return NULL;
 }
 
-/* What the address of a read moves with, as it is before the loop; NULL: that is not told. */
+/* The base of a read's address before the loop; NULL: unknown. */
 static const ir_node *base_before(const loop_analysis *j, const ir_node *base) {
     const ir_node *first = is_fixed_base(j, base) ? base : first_of_steps(j, base);
     return first && can_be_spelled(j, first) ? first : NULL;
 }
 
-/* Is the address of `row` computed before the loop without doing what the program would not have
- * done: by variables alone, or in each iteration anyway? */
+/* Can the address of `row` be computed before the loop without operations that the program would
+ * not execute: from variables alone, or as in each iteration? */
 static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
-/* A bit-field has no address: the object that it is a member of does, which holds more bytes than
- * are read. */
+/* A bit-field has no address, but the enclosing object has; that contains more bytes than are
+ * read. */
 static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
     if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
         return row;
@@ -144,9 +143,9 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
     return false;
 }
 
-/* The ends of a row that moves one way. In iterations that do not read it the subscript may be
- * anything: `x[t - 1]` where t is 0. Where that is likely and no condition on the counter says
- * which iterations these are, the inspector finds what is read (`can_be_told`). */
+/* The ends of a row that is monotonic in the counter. In iterations that do not read it the
+ * subscript may have any value: `x[t - 1]` where t is 0. If that is likely and no condition on the
+ * counter identifies these iterations, the inspector finds the reads (`can_be_told`). */
 static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_told,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
@@ -165,7 +164,7 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
            !may_fall_below(&address, counter);
 }
 
-/* Where the row lies is known before the inspection. */
+/* The range of the row is known before the inspection. */
 static bool plan_known(const loop_analysis *j, const loop_access *read, bool can_be_told,
                        source_plan *plan) {
     row_address address;
@@ -177,7 +176,7 @@ static bool plan_known(const loop_analysis *j, const loop_access *read, bool can
     return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_told, plan);
 }
 
-/* The inspector tells where the row lies. */
+/* The inspector records the row's address. */
 static source_plan plan_touched(const loop_analysis *j, const loop_access *read, loop_source item,
                                 bool of_contents) {
     const ir_node *node = read->access.node;
@@ -186,15 +185,15 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     item.place = place;
     item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
     if (read->access.is_behind && !item.loop_count && !slice_is_safe_here(j, item.row, true))
-        return (source_plan){false, item}; /* the row may not be there where the call reads none */
+        return (source_plan){false, item}; /* the row may not exist if the call reads none */
     const bool is_safe = item.base
                              ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
                              : !of_contents && update_table_of(j, read->where.base);
     return (source_plan){is_safe && slice_can_tell(j, &item, node, place), item};
 }
 
-/* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read the first
- * ones only. The object may end there. */
+/* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read only the
+ * first ones. The object may end there. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;
@@ -224,7 +223,7 @@ source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool
     return touched;
 }
 
-/* `k = find(...);` in a block: the variable, and the statement after, where it has its value. */
+/* `k = find(...);` in a block: the variable, and the next statement, at which it has its value. */
 static const ir_node *result_variable(const ir_node *call, const ir_node **after) {
     const ir_node *assignment = call->parent;
     const ir_node *statement = assignment ? assignment->parent : NULL;
@@ -243,8 +242,8 @@ static const ir_node *result_variable(const ir_node *call, const ir_node **after
     return NULL;
 }
 
-/* The last element that a search reads: told by the variable that keeps the result, so that the
- * inspector need not search twice, or else by the call. */
+/* The last element that a search reads: recorded with the variable that keeps the result, so that
+ * the inspector need not repeat the search, or else with the call. */
 static bool plan_found(const loop_analysis *j, const loop_access *read, source_plan *plan) {
     const ir_node *after = NULL;
     const ir_node *variable = result_variable(read->access.node, &after);
@@ -295,8 +294,7 @@ bool source_plans_of_search(const loop_analysis *j, const loop_access *read, sou
 /* ---- reads against arrays ---------------------------------------------------------------------
  */
 
-/* A variable of the iteration, or one that no pointer leads to: nothing in the loop changes it
- * behind the text. */
+/* A private variable of the iteration, or one without pointers to it: it changes only by name. */
 static bool is_unreachable(const loop_analysis *j, const location *where) {
     const ir_variable *object = where->object;
     if (!object || !variable_is_automatic(object) || object->function != j->function)
@@ -327,8 +325,8 @@ static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
     return false;
 }
 
-/* Does the update read the element, as what it is, before it writes it? Then the element is of that
- * type already, and nothing that is read before as another. */
+/* Does the update read the element, with its own type, before it writes it? Then the element has
+ * that type already, and no earlier read used another. */
 static bool reads_first(const loop_analysis *j, const access *update) {
     const update_form *form = &update->form;
     if (update->kind == ACCESS_UPDATE && form->has_operator)
@@ -376,7 +374,7 @@ static bool refuse_overlap(loop_analysis *j, const loop_access *read, const loop
     return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
 }
 
-/* The extent can be told, or the loop is refused. */
+/* The extent can be determined, or the loop is refused. */
 static bool check_guard(loop_analysis *j, loop_access *read) {
     if (source_plan_of(j, read, false).is_possible) {
         read->needs_guard = true;
@@ -394,8 +392,8 @@ static bool hangs_on(const location *a, const location *b) {
     return a->pointer && b->pointer && expression_same(a->pointer, b->pointer);
 }
 
-/* rows[i][c] read and rows[k][c] updated: the rows are those of one table, and lie in each other's
- * way at least where i == k. */
+/* rows[i][c] read and rows[k][c] updated: the rows belong to one table, and overlap at least if i
+ * == k. */
 static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
                              const loop_array *array) {
     const ir_node *x = read->where.pointer, *y = array->where.pointer;
@@ -406,7 +404,7 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
     return table && expression_same(table, array->array.base);
 }
 
-/* With the scalars in memory that the loop accumulates into. */
+/* Overlap with the scalars in memory that the loop accumulates into. */
 static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *other) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -424,8 +422,8 @@ static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
                            analysis_name(j, scalar->access.lvalue));
 }
 
-/* Where each such scalar lies is compared with all arrays, all others, and all that may be read of
- * it: what is written besides must be apart by proof. */
+/* The addresses of such scalars are compared with all arrays, all others, and all reads that may
+ * alias them; other writes must be proved disjoint. */
 static bool check_scalars_in_memory(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *scalar = &j->accesses[i];

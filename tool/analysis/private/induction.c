@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * v = v0 + c (t - t0): where every iteration adds the same c to v, exactly once and whatever
- * it does otherwise, each iteration can begin with a copy that has the value of the sequential loop
- * there, and execute its text as it stands. The sum is made modulo 2^64 and converted to v's type:
- * the sequential loop has the same value, where it does not overflow.
+ * v = v0 + c (t - t0): if every iteration adds the same c to v, exactly once in any case, each
+ * iteration can begin with a copy that has the sequential loop's value there, and execute its text
+ * unchanged. The sum is computed modulo 2^64 and converted to v's type: the sequential loop has the
+ * same value unless it overflows.
  */
 #include "analysis/private/induction.h"
 
@@ -20,7 +20,7 @@ static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
            executed_certainly_in(j->loop->children[2], write);
 }
 
-/* Steps of a pointer are as long as what it points to. */
+/* The step of a pointer is the size of its target. */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
            type->target->kind != IR_VOID && type->target->size > 0;
@@ -35,7 +35,7 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
             !(declarator && ir_contains(j->loop, declarator)));
 }
 
-/* The sum of all steps in the loop, at most one of which is no constant; false: there is another
+/* The sum of all steps in the loop, at most one of them not constant; false: there is another
  * write. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
@@ -76,14 +76,14 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
     if ((!ir_type_is_plain_integer(variable->type) && !is_pointer(variable->type)) ||
         !is_of_function(j, variable) || !sum_steps(j, variable, &item))
         return false;
-    /* Where the header sets nothing the loop itself, reached once more, goes on with the value. */
+    /* If the header does not set it, a later execution of the loop continues with the value. */
     item.is_step_wanted =
         !start || (!start->is_declared && variable_is_live_after(j->an->facts, j->loop, variable));
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }
 
-/* Does nothing depend on what is left of the variable when an iteration ends? */
+/* Is the variable's value at the end of an iteration unused? */
 static bool is_left_behind(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     private_variable item = {0};
@@ -117,8 +117,8 @@ static bool take_steps(loop_analysis *j, const ir_node *part) {
     return true;
 }
 
-/* May the start be made in front of the loop as well, where the original makes it once more? What
- * becomes of the variable is decided where the loop writes it. */
+/* May the initialisation also be made before the loop, when the original repeats it? The verdict on
+ * the variable is made at its write in the loop. */
 static bool is_start_of_own(const loop_analysis *j, const loop_start *start) {
     const ir_variable *v = start->variable;
     return variable_is_automatic(v) && v->function == j->function && !v->address_taken &&

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Secondary induction variables: integers and pointers that each iteration moves by the same
+/** Secondary induction variables: integers and pointers that each iteration steps by the same
  *  constant. */
 #ifndef ANALYSIS_INDUCTION_H
 #define ANALYSIS_INDUCTION_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Is the variable moved by one constant in each iteration: by `v++`, `v += c` and the like alone,
+/** Does each iteration step the variable by one constant: only by `v++`, `v += c` and the like,
  *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
- *  the value that it has when an iteration begins; false: not, and nothing is changed. */
+ *  its value at the beginning of an iteration; false: not, and nothing is changed. */
 bool induction_take(loop_analysis *own, const ir_variable *variable);
 
-/** Is the step, `v++` within `statement`, executed once in each iteration, and v, a variable that
- * only the text reaches, not asked for from the statement on in the rest of it? Then the iteration
- * may as well leave the statement out. */
+/** Is the step, `v++` within `statement`, executed once in each iteration, and v, which changes
+ *  only by name, unused from the statement on in the rest of it? Then the iteration may omit the
+ *  statement. */
 bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step);
 
 typedef struct step_result {
@@ -21,7 +21,8 @@ typedef struct step_result {
     private_list privates;
 } step_result;
 
-/** The privates, with what the header steps beside the counter: for (...; i++, q += 3). */
+/** The privates, with variables other than the counter that the header steps: for (...; i++, q +=
+ *  3). */
 step_result check_header_steps(const loop_analysis *j);
 
 #endif

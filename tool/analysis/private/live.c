@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Backward liveness of one variable, asked forward: what may be the first thing done with it on the
- * ways from the end of the loop? Structured control only; a label anywhere in the function makes
- * every other occurrence count. So does a directive of OpenMP: its clauses read variables and give
- * constructs copies of their own, of which the tree tells nothing.
+ * Backward liveness of one variable, computed forward: the possible first uses of it on the paths
+ * from the end of the loop. Structured control only; a label anywhere in the function makes every
+ * other occurrence count. So does an OpenMP directive: its clauses read variables and privatise
+ * them, which the tree does not show.
  */
 #include "analysis/private/live.h"
 
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 
-/* The ways that control may go through a piece of the program, up to the first use of the variable.
- * One that writes all of it first, or ends the function, is none of them. */
+/* Paths of control through a piece of the program up to the first use of the variable. A path that
+ * first writes all of it, or ends the function, does not count. */
 typedef enum way {
     WAY_READS = 1,    /* reads it first */
-    WAY_PASSES = 2,   /* comes to what follows, with no use */
-    WAY_BREAKS = 4,   /* the same: comes to a break that leads out of the piece */
-    WAY_CONTINUES = 8 /* the same: to a continue */
+    WAY_PASSES = 2,   /* reaches the following code without a use */
+    WAY_BREAKS = 4,   /* the same: reaches a break out of the piece */
+    WAY_CONTINUES = 8 /* the same: reaches a continue */
 } way;
 typedef unsigned ways; /* of enum way */
 
 typedef struct search {
     const ir_variable *variable;
-    const ir_node *loop; /* the analysed one: its body reads nothing of before it */
+    const ir_node *loop; /* the analysed one: its body reads no earlier value */
 } search;
 
 static ways ways_of(const search *s, const ir_node *node);
@@ -31,7 +31,7 @@ static ways then(ways first, ways second) {
     return first & WAY_PASSES ? (first & ~(ways)WAY_PASSES) | second : first;
 }
 
-/* Where such jumps lead to. */
+/* The continuation of such jumps. */
 static ways landed(ways all, ways jumps) {
     return all & jumps ? (all & ~jumps) | WAY_PASSES : all;
 }
@@ -45,13 +45,13 @@ static ways jumps_in(const ir_node *node) {
     return jumps;
 }
 
-/* Of what is executed in an order that is not known, if at all. */
+/* For code that is executed in an unknown order, if at all. */
 static ways any_ways(const search *s, const ir_node *node) {
     return WAY_PASSES | jumps_in(node) |
            (expression_mentions(node, s->variable) ? (ways)WAY_READS : 0);
 }
 
-/* Does a case of the switch around stand in it? */
+/* Does it contain a case of an enclosing switch? */
 static bool holds_case(const ir_node *node) {
     if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
         return true;
@@ -61,7 +61,7 @@ static bool holds_case(const ir_node *node) {
     return false;
 }
 
-/* One after another; a switch may lead to its cases from outside. */
+/* One after another; a switch may enter at its cases. */
 static ways ways_in_order(const search *s, const ir_node *node) {
     ways all = WAY_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
@@ -102,7 +102,7 @@ static ways ways_of_step(const search *s, const ir_node *loop) {
     return ways_of(s, loop->children[loop->kind == IR_WHILE ? 0 : 1]);
 }
 
-/* From somewhere in the body until the loop ends; `all`: the ways from there to the body's end. */
+/* From a point in the body until the loop ends; `all`: the paths from there to the body's end. */
 static ways ways_out(const search *s, const ir_node *loop, ways all) {
     const ways step = ways_of_step(s, loop);
     all = then(landed(all, WAY_CONTINUES), step);
@@ -172,7 +172,7 @@ static ways ways_of(const search *s, const ir_node *node) {
     }
 }
 
-/* ---- behind the loop ----------------------------------------------------------------------- */
+/* ---- after the loop -------------------------------------------------------------------------- */
 
 static bool has_label(const ir_node *node) {
     if (node->kind == IR_LABEL || node->kind == IR_GOTO)
@@ -192,7 +192,7 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
     return false;
 }
 
-/* The ways from the end of `node` to the end of what it stands in. */
+/* The paths from the end of `node` to the end of its enclosing statement. */
 static ways ways_behind(const search *s, const ir_node *node, ways all) {
     const ir_node *parent = node->parent;
     if (ir_is_loop(parent) && node == ir_loop_body(parent))

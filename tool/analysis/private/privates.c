@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Variables of the loop that are no arrays of its: private ones with their last values, and those
- * that are only read. */
+/* Variables of the loop other than its arrays: private ones with their last values, and those only
+ * read. */
 #include "analysis/private/privates.h"
 
 #include "analysis/base/expression.h"
 #include "analysis/private/live.h"
 
-/* k = e; as a statement, of which a copy can be followed by a note of when that was. */
+/* k = e; as a statement, so that a copy of it can be followed by recording the iteration. */
 static bool is_statement(const ir_node *write, const ir_variable *variable) {
     const ir_node *target = expression_written(write);
     const ir_node *statement = write->parent;
@@ -57,8 +57,8 @@ static bool is_known(const loop_analysis *j, const ir_variable *variable) {
     return variable == j->counted.counter;
 }
 
-/* Is a const variable named that may hold the address of a static object? gcc puts what it was
- * initialised with in its place, `&deleted`, which would then be the address of a copy. */
+/* Does it name a const variable that may hold the address of a static object? gcc replaces it by
+ * its initialiser, `&deleted`, which would then be the address of a copy. */
 static bool names_constant_address(const ir_node *node) {
     const ir_type *type = node->kind == IR_VARIABLE ? node->variable->type : NULL;
     if (type && type->is_const && node->variable->storage != IR_PARAMETER &&
@@ -70,8 +70,8 @@ static bool names_constant_address(const ir_node *node) {
     return false;
 }
 
-/* Of a record or scalar that the loop only reads each thread may have a copy, unless the loop asks
- * for its address: `if (entry[t] == &deleted)`. */
+/* Each thread may have a copy of a record or scalar that the loop only reads, unless the loop uses
+ * its address: `if (entry[t] == &deleted)`. */
 static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     if (variable_written_in(j->an->facts, j->loop, variable) ||
         (!variable_is_automatic(variable) && names_constant_address(j->loop)))
@@ -81,7 +81,7 @@ static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     return !variable->address_taken && variable->storage != IR_THREAD_LOCAL;
 }
 
-/* The address of this thread's own object, which other threads would not name by it. */
+/* The address of this thread's thread-local object, which in other threads names another. */
 static bool takes_thread_local_address(const loop_analysis *j, const ir_variable *variable) {
     return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&
            variable_written_in(j->an->facts, j->loop, variable);

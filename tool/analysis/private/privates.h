@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The variables that each iteration has for itself. */
+/** The private variables of iterations. */
 #ifndef ANALYSIS_PRIVATES_H
 #define ANALYSIS_PRIVATES_H
 
@@ -7,12 +7,12 @@
 
 typedef struct private_check {
     reason why;
-    private_list privates;  /* with what is to become of their last values */
+    private_list privates;  /* with the treatment of their last values */
     variable_list captured; /* declared outside, only read in the loop, in order of use */
     bool counter_is_live_after;
 } private_check;
 
-/** What the privates leave behind, and what else the loop's text names. */
+/** Live-out private variables, and other variables of the loop's text. */
 private_check check_privates(const loop_analysis *j);
 
 #endif

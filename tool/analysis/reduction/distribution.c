@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * t[i + c] = v, or t[i + c] op= v, in the body's outermost block, or under a condition there that
- * asks for nothing else that changes, may be made after all iterations where
- * - each iteration gets there: no `continue` (a `break` refuses the loop anyway);
- * - its subscript has another value in each iteration, and with t and v nothing in it but the
- *   counter changes in the loop: so the stores are the same, in the same order, later;
- * - whatever else of the loop may read the element is, to the letter, t[i + c] before the store, in
- *   the same iteration: it finds what it would have found;
+ * uses no other changing values, may be made after all iterations if
+ * - each iteration reaches it: no `continue` (a `break` refuses the loop anyway);
+ * - its subscript has a different value in each iteration, and the counter is the only changing
+ *   operand of subscript, t and v: so the later stores are the same, in the same order;
+ * - all other possible reads of the element are spelled t[i + c] too and precede the store in the
+ *   same iteration: they find the same value;
  * - one of these reads is made in each iteration. Then the extent that is compared with each array
- *   at run time, as that of all that is read, has all elements that are stored: no update goes to
- *   one of them. And each has t's type when the store is made: what reads it as another type, in
- *   whatever iteration, has no meaning (C17 6.5p7), since no store of the loop lies between.
+ * at run time, as for all reads, contains all stored elements: no update goes to one of them. Each
+ *   element also has t's type when the store is made: reading it as another type, in any iteration,
+ *   is undefined (C17 6.5p7), since no store of the loop lies between.
  */
 #include "analysis/reduction/distribution.h"
 
 #include "analysis/base/expression.h"
 
-/* ---- what such a store looks like ----------------------------------------------------------- */
+/* ---- the form of such a store
+ * -------------------------------------------------------------------- */
 
 static bool is_fixed(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_NUMBER || analysis_leaves(j, node);
 }
 
-/* The counter, cast or not, and what is added to it. A wider type keeps different values apart, and
- * sums that wrap around do so too. */
+/* The counter, perhaps cast, plus constants. A wider type keeps different values distinct, and so
+ * do sums that wrap around. */
 static bool differs_always(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_CAST)
         return ir_type_is_plain_integer(node->type) &&
@@ -64,8 +65,9 @@ static bool may_be_distributed(const loop_analysis *j, const ir_node *statement)
            is_value(j, store->children[1]);
 }
 
-/* Has it the same value after all iterations as in the store's own: what is not fixed in it is the
- * counter, or the element itself? What rounds may round otherwise in another copy. */
+/* Does it have the same value after all iterations as at the store: apart from invariants it uses
+ * only the counter, or the element itself? Floating-point operations may round differently in
+ * another copy. */
 static bool is_repeatable(const loop_analysis *j, const ir_node *node, const ir_node *target) {
     if (expression_same(node, target) || expression_is_variable(node, j->counted.counter) ||
         is_fixed(j, node))
@@ -125,7 +127,8 @@ const distribution *distribution_find(const loop_analysis *j) {
     return result;
 }
 
-/* ---- may it be made later? ------------------------------------------------------------------ */
+/* ---- may it be deferred?
+ * ------------------------------------------------------------------------- */
 
 static bool is_read_before(const loop_access *read, const distributed_store *store) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&

@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loop distribution: stores that need not be made in the loop.
+ * Loop distribution (fission): stores that can be made after the loop.
  *
  *     y[r[i]] -= t[i];  t[i] = 0;
  *
- * An iteration may be executed by several threads, each for the elements of y that it owns: none of
- * them could tell when the others have read t[i]. But no other iteration asks for t[i], so all such
- * stores may be made after the last one.
+ * Several threads may execute an iteration, each for the elements of y that it owns: none of them
+ * knows when the others have read t[i]. But no other iteration uses t[i], so all such stores may be
+ * made after the last one.
  */
 #ifndef ANALYSIS_DISTRIBUTION_H
 #define ANALYSIS_DISTRIBUTION_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** The stores of a loop that look like these; NULL: there are none. */
+/** The stores of a loop that have this form; NULL: none. */
 const distribution *distribution_find(const loop_analysis *j);
 
-/** Given the accesses of a loop out of which j->distribution was taken (base/distributed.h): may
- * its stores be made after all iterations, once it is shown of each array what is shown of all that
- *  the loop reads? */
+/** Given the accesses of a loop from which j->distribution was removed (base/distributed.h): may
+ *  its stores be made after all iterations, if the usual conditions on reads and arrays are
+ *  shown? */
 reason check_distribution(const loop_analysis *j);
 
 #endif

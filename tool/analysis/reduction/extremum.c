@@ -10,7 +10,7 @@ static bool is_same_integer(const ir_type *a, const ir_type *b) {
            a->is_signed == b->is_signed;
 }
 
-/* The value that the condition compares the target with: NULL, if it does not. */
+/* The value that the condition compares the target with; NULL if it does not. */
 static const ir_node *compared_with(const ir_node *condition, const ir_node *target,
                                     bool *target_is_less) {
     if (condition->kind != IR_BINARY || condition->op < IR_OP_LESS ||

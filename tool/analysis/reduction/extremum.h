@@ -7,14 +7,14 @@
 #include "analysis/base/facts.h"
 
 typedef struct extremum {
-    const ir_node *target; /* NULL: the node is of none of these forms */
-    bool has_operator;     /* what is compared is what is stored: it is `op` */
+    const ir_node *target; /* NULL: the node has none of these forms */
+    bool has_operator;     /* the compared value is the stored one: the operator is `op` */
     reduction_operator op; /* REDUCTION_MINIMUM or REDUCTION_MAXIMUM */
-    bool commutes;         /* on integers of one type: the order of the updates does not matter. Of
-                              floating values it does, where one is NaN or zeros differ in sign */
+    bool commutes;         /* on integers of one type: the order of the updates does not matter. For
+                            * floating values it does, because of NaNs and the sign of zeros */
 } extremum;
 
-/** Looks at an IR_IF or IR_ASSIGN; any other node has no target. */
+/** Recognises an IR_IF or IR_ASSIGN; any other node has no target. */
 extremum extremum_of(const ir_node *node);
 
 #endif

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A read may take the stored value where
- * - it stands below the store in the block of the store, so that the store was executed before it
- *   in this iteration, and is the same expression, of which nothing changes in between;
- * - nothing else that is written between the store and the read can be that element: by proof, for
- *   the guards of the run time compare what is read with each array, this one included;
- * - it is in the text, where another name can be put in its place.
- * What other expressions read of the array is analysed as ever: the same memory refuses the loop,
- * and what may be the same is guarded.
+ * A read may use the stored value if
+ * - it follows the store in its block, so that the store was executed before it in this iteration,
+ *   and is the same expression, whose operands do not change in between;
+ * - no other write between the store and the read can be that element: proved, because the run-time
+ *   guards compare reads with each array, including this one;
+ * - it is in the text, so that another name can replace it.
+ * Reads of the array by other expressions are analysed as usual: if they are the same memory, the
+ * loop is refused, and if they may be, they are guarded.
  */
 #include "analysis/reduction/forward.h"
 
@@ -19,7 +19,7 @@ static bool has_type(const ir_type *type) {
             type->kind == IR_BOOLEAN);
 }
 
-/* Constants, and variables that nothing but the text can change. */
+/* Constants, and variables that change only by name. */
 static bool is_simple_subscript(const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return variable_is_automatic(node->variable) && !node->variable->address_taken &&
@@ -33,8 +33,8 @@ static bool is_simple_subscript(const ir_node *node) {
     return expression_is_plain(node);
 }
 
-/* o[t], s->o[t].x, o[t][c]: only its subscripts change from one place to another. That the pointers
- * on the way stay is analysed of each array's base. */
+/* o[t], s->o[t].x, o[t][c]: only its subscripts differ from one place to another. Each array's
+ * analysis checks that the pointers in its base are invariant. */
 static bool is_simple_element(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -48,7 +48,7 @@ static bool is_simple_element(const ir_node *node) {
     }
 }
 
-/* Does anything at or below the node assign a variable of the subscripts? */
+/* Does the node, or a part of it, assign a variable of the subscripts? */
 static bool moves(const loop_analysis *j, const ir_node *element, const ir_node *node) {
     if (element->kind == IR_VARIABLE && ir_type_is_scalar(element->type) &&
         variable_written_in(j->an->facts, node, element->variable))
@@ -59,7 +59,7 @@ static bool moves(const loop_analysis *j, const ir_node *element, const ir_node 
     return false;
 }
 
-/* A way into the statement other than from its beginning: a label of a switch around it. */
+/* A label of a switch around the statement: it can be entered other than at its beginning. */
 static bool has_entry(const ir_node *node) {
     if (node->kind == IR_CASE || node->kind == IR_DEFAULT || node->kind == IR_LABEL)
         return true;
@@ -77,8 +77,8 @@ static const ir_node *value_of(const loop_access *store) {
                : NULL;
 }
 
-/* The statement, in a block whose statements from there on are all passed in order, and leave the
- * element's address as it is; or NULL. */
+/* The statement, if all statements after it in its block are executed in order and preserve the
+ * element's address; or NULL. */
 static const ir_node *statement_of(const loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = value_of(store) ? target->parent->parent : NULL;
@@ -100,7 +100,7 @@ static const ir_node *statement_of(const loop_analysis *j, const loop_access *st
     return statement;
 }
 
-/* The statement of the block that `node` stands in; NULL: it stands elsewhere. */
+/* The statement of the block that contains `node`; NULL: it is elsewhere. */
 static const ir_node *statement_around(const ir_node *node, const ir_node *block) {
     while (node && node->parent != block)
         node = node->parent;
@@ -112,7 +112,7 @@ static bool is_below(const ir_node *statement, const ir_node *node) {
     return place && place->id > statement->id;
 }
 
-/* A read that may take the value stored. */
+/* A read that may use the stored value. */
 static bool is_taker(const loop_access *read, const ir_node *statement, const ir_node *target) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
            read->access.lvalue == read->access.node && read->access.is_exact &&
@@ -126,12 +126,12 @@ static bool reads_before_it_writes(const ir_node *statement, const loop_access *
            !write->access.callee && update->children[0] == write->access.node;
 }
 
-/* May the write come between the store and a read that takes its value? */
+/* May the write come between the store and a read that uses its value? */
 static bool comes_between(const loop_analysis *j, const loop_access *write,
                           const ir_node *statement, const ir_node *target) {
     const ir_node *place = statement_around(write->access.node, statement->parent);
     if (!place || place->id < statement->id)
-        return false; /* before the store, or in an iteration that does not come here */
+        return false; /* before the store, or in an iteration that does not reach it */
     for (unsigned i = 0; i < j->access_count; i++) {
         const ir_node *taker = j->accesses[i].access.node;
         if (!is_taker(&j->accesses[i], statement, target))
@@ -143,7 +143,7 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
     return false;
 }
 
-/* Is each access that may be of the element a taker, the store itself, or too late for both? */
+/* Is each access that may be of the element such a read, the store itself, or after both? */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
@@ -157,8 +157,8 @@ static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_
     return true;
 }
 
-/* Does the expression stand for nothing but the value wherever it is written: not for an address,
- * and only where it is known to be read? */
+/* Is the expression used only for its value wherever it occurs: not for an address, and only in
+ * known reads? */
 static bool is_read_everywhere(const loop_analysis *j, const ir_node *statement,
                                const ir_node *target, const ir_node *node) {
     if (node != target && expression_same(node, target)) {

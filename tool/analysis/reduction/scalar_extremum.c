@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The values compared are kept, one an iteration, and compared in order after the loop, as the
- * sequential loop does: with its comparison, so that what is not a number, zeros of either sign and
- * equal values are treated alike.
+ * The compared values are kept, one per iteration, and compared in order after the loop, with the
+ * sequential loop's comparison, so that NaNs, signed zeros and equal values have the same effect.
  */
 #include "analysis/reduction/scalar_extremum.h"
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/executed.h"
 
-/* Does the condition compare the value with s? Says so as `value op s`. */
+/* Does the condition compare the value with s? Sets the operator of `value op s`. */
 static bool compares(const ir_node *condition, const ir_node *value, const ir_variable *s,
                      ir_operator *op) {
     if (condition->kind != IR_BINARY || condition->op < IR_OP_LESS ||

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * What is added to such a scalar in the loop is added after it: nothing else may read or write it
- * meanwhile. Of other objects, and of pointers, that must be proved. Its type is a proof as well:
- * an iteration that updates the object finds it of the object's type (C17 6.5p7), and stores of
- * another type that overlap are excluded like all others.
+ * Additions to such a scalar in the loop are made after it: nothing else may read or write it
+ * meanwhile. For other objects, and for pointers, that must be proved. Its type is an argument as
+ * well: an iteration that updates the object finds it with the object's type (C17 6.5p7), and
+ * overlapping stores of another type are excluded like all others.
  */
 #include "analysis/reduction/scalar_target.h"
 
@@ -41,7 +41,7 @@ bool scalar_target_stays(const loop_analysis *j, const ir_node *target) {
            !where.is_punned && !where.has_union && !where.has_bit_field;
 }
 
-/* e[0] and e[1], m.x[2].y and m.x[0].y: by other constants in one place. */
+/* e[0] and e[1], m.x[2].y and m.x[0].y: with different constants in one place. */
 static bool are_other_elements(const ir_node *a, const ir_node *b) {
     if (!a || !b || a->kind != b->kind)
         return false;

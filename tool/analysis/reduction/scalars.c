@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The value of a scalar that the loop accumulates into does not matter while the loop runs, where
- * nothing else reads it: only the operands do. Each iteration keeps its own; after the loop they
- * are applied one after the other, which gives what the sequential loop gives, bit for bit.
- * Of a minimum or maximum they are the values compared (scalar_extremum.c).
- * Integers may be put together within an iteration as well: modulo 2^64 their sums do not depend on
- * the order. Of floating numbers in a loop inside each iteration keeps a series.
+ * If nothing else reads a scalar that the loop accumulates into, its value does not matter while
+ * the loop runs: only the operands do. Each iteration keeps its own; after the loop they are
+ * applied in order, which gives the bits of the sequential loop. For a minimum or maximum they are
+ * the compared values (scalar_extremum.c). Integers may be combined within an iteration as well:
+ * modulo 2^64 their sums do not depend on the order. For floating numbers in an inner loop each
+ * iteration keeps a series.
  */
 #include "analysis/reduction/scalars.h"
 
@@ -47,8 +47,8 @@ static bool is_narrow_floating(const ir_type *type) {
     return type->kind == IR_FLOATING && (type->size == 4 || type->size == 8);
 }
 
-/* The type in which the operation is made: what the operand is converted to by it. Of integers all
- * that counts is the operand modulo 2^64. */
+/* The type of the operation, to which the operand is converted. For integers only the operand
+ * modulo 2^64 matters. */
 static bool find_operand_type(scalar_update *found) {
     const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
@@ -70,7 +70,7 @@ static bool find_operand_type(scalar_update *found) {
     return true;
 }
 
-/* do { ... } while (0), as macros have it. */
+/* do { ... } while (0), as in macros. */
 static bool is_executed_once(const ir_node *loop) {
     int64_t again;
     return loop->kind == IR_DO && expression_constant(loop->children[1], &again) && !again;
@@ -84,8 +84,8 @@ static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statem
     return true;
 }
 
-/* To something else than what a call is given of the function's own: s += energy(x, stress). That
- * this is the iteration's is shown as of all that is written. */
+/* A write other than to private memory passed to a call: s += energy(x, stress). That this memory
+ * is the iteration's is shown as for all writes. */
 static bool has_other_write(const loop_analysis *j, const ir_node *statement,
                             const loop_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -103,7 +103,7 @@ static bool is_declared_within(const loop_analysis *j, const ir_variable *variab
     return variable->storage == IR_THREAD_LOCAL || analysis_declares(j, variable);
 }
 
-/* Every access to the variable in the statement is the update's own. */
+/* Every access to the variable in the statement belongs to the update. */
 static void mark_own(loop_analysis *j, const ir_node *statement, const ir_variable *variable) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *a = &j->accesses[i];
@@ -131,7 +131,7 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     return true;
 }
 
-/* A variable, or what stays as one would. */
+/* A variable, or an object that is equally invariant. */
 static bool is_scalar(const loop_analysis *j, const loop_access *write, bool *is_guarded) {
     const ir_node *target = write->access.lvalue;
     if (target->kind == IR_VARIABLE) {
@@ -151,8 +151,7 @@ static bool is_of_one(const scalar_update *a, const scalar_update *b) {
     return expression_same(a->target, b->target);
 }
 
-/* Where operands of one update of a scalar are a series, those of its other updates stand among
- * them. */
+/* If operands of one update of a scalar form a series, those of its other updates belong to it. */
 static void join_series(loop_analysis *j, scalar_update *found) {
     for (unsigned i = 0; i < j->scalars.count; i++)
         found->is_series |= j->scalars.items[i].is_series && is_of_one(&j->scalars.items[i], found);
@@ -205,18 +204,18 @@ static const char *name_of(const loop_analysis *j, const scalar_update *update) 
     return expression_text(j->an->memory, update->target);
 }
 
-/* Additions and subtractions commute with each other; else an operator does with itself alone. */
+/* Additions and subtractions commute with each other; any other operator only with itself. */
 static bool commute(ir_operator a, ir_operator b) {
     const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
     return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
 }
 
-/* One operation is made of all operands of a series. */
+/* One operation combines all operands of a series. */
 static bool is_of_series(const scalar_update *other, const scalar_update *repeated) {
     return !other->is_extremum && other->op == repeated->op && other->operand == repeated->operand;
 }
 
-/* What an iteration puts together must commute with all else that is done to the scalar. */
+/* Operands combined in an iteration must commute with all other updates of the scalar. */
 static reason check_repeated(const loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
@@ -228,7 +227,7 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
     return (reason){0};
 }
 
-/* Of a member, an element, what a pointer leads to: by nothing else than updates of it either. */
+/* For a member, an element, the target of a pointer: it must be accessed only by its updates. */
 static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -239,8 +238,8 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* The variable is touched by nothing else than updates of it, the place by one. What may touch it,
- * as far as is known, is compared at run time (sources.c). */
+/* The variable is accessed only by its updates, the recorded iteration by one. Possible aliases are
+ * compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

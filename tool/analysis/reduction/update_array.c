@@ -23,8 +23,8 @@ static bool stays(const loop_analysis *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
-/* A table of the function's own into which the loop stores pointers: each iteration may have its
- * own, computed from what is not compared when a plan is used again. */
+/* A local table into which the loop stores pointers: they may differ in each iteration, and depend
+ * on data that are not compared when a plan is reused. */
 static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
     for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
@@ -54,9 +54,8 @@ const ir_node *update_table_of(const loop_analysis *j, const ir_node *base) {
     return NULL;
 }
 
-/* The elements are found anew in each iteration, through pointers out of a table that stays.
- * What is written there is asked for by its address; nothing of it is evaluated before the
- * loop. */
+/* Each iteration finds the elements through pointers from an invariant table. Writes are checked by
+ * address; no element's address is evaluated before the loop. */
 static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *target,
                         const char *name) {
     const ir_node *table = update_table_of(j, base);
@@ -68,8 +67,8 @@ static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *ta
     return true;
 }
 
-/* h[0]++ beside h[k]++: one element of an array that is updated by subscripts as well. A store of
- * the same element in each iteration is worth a loop of its own. */
+/* h[0]++ in addition to h[k]++: one element of an array that is also updated by subscripts.
+ * Repeated stores of the same element justify a separate loop. */
 static bool is_updated_besides(const loop_analysis *j, const loop_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (update->access.kind == ACCESS_UPDATE &&
@@ -103,7 +102,7 @@ bool update_check_base(loop_analysis *j, const loop_access *update, const char *
     return true;
 }
 
-/* Of s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
+/* For s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
 const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
     const ir_node *last = base;
     while (last != target && last->parent && last->parent->kind == IR_MEMBER)
@@ -124,7 +123,7 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
         if (known->array.is_scattered != (table != NULL) ||
             !expression_same(known->array.base, base))
             continue;
-        /* Behind one base lies one array; different fields of its elements do not meet. */
+        /* One base denotes one array; different fields of its elements are disjoint. */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
         bool other_type = !ir_type_equal(known->array.element, update->access.type);
         bool differs = known->array.op != kind.op || other_type;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which array an update goes to: that its base stays, and what its other updates are. */
+/** Finds the array of an update: checks that its base is invariant, and compares it with its other
+ *  updates. */
 #ifndef ANALYSIS_UPDATE_ARRAY_H
 #define ANALYSIS_UPDATE_ARRAY_H
 
@@ -14,20 +15,20 @@ typedef struct update_kind {
 /** Is the element reached through a local pointer that is set once, in the loop? */
 bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update);
 
-/** Of s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
+/** For s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
 const ir_node *update_base_of(const ir_node *target, const ir_node *base);
 
-/** Where a pointer or array in memory is that iterations find anew: of rows[k] and of object[k].row
- *  what stays in all of them, `rows` and `object`. NULL where `base` itself stays, or where the way
- *  to it does not begin at something that stays. */
+/** The table from which iterations load a pointer or array: of rows[k] and of object[k].row the
+ *  invariant part, `rows` and `object`. NULL if `base` itself is invariant, or if the path to it
+ *  does not begin with an invariant. */
 const ir_node *update_table_of(const loop_analysis *j, const ir_node *base);
 
-/** Does the base stay the same array in all iterations, and can it be read before the loop? Refuses
- *  where not. */
+/** Is the base the same array in all iterations, and can it be read before the loop? Refuses
+ *  otherwise. */
 bool update_check_base(loop_analysis *j, const loop_access *update, const char *name);
 
-/** The number in j->arrays of the array behind the update's base, which is added where it is new;
- *  refuses updates that do not go together. */
+/** The number in j->arrays of the array behind the update's base, which is added if it is new;
+ *  refuses incompatible updates. */
 bool update_array_find(loop_analysis *j, const loop_access *update, update_kind kind,
                        unsigned *number);
 

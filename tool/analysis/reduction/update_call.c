@@ -4,8 +4,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-/* ---- inside what the parameter points to ------------------------------------------------------
- */
+/* ---- inside of the parameter's target -------------------------------------------------------- */
 
 static bool is_parameter(const ir_node *node, const ir_variable *parameter) {
     return node->kind == IR_VARIABLE && node->variable == parameter;
@@ -16,7 +15,7 @@ static bool is_subscript_below(const ir_node *subscript, int64_t count) {
     return count > 0 && counted_range(subscript, &low, &high) && low >= 0 && high < count;
 }
 
-/* *(T (*)[n])p with a p to T: n elements from where p points (effects.c). */
+/* *(T (*)[n])p with a p to T: n elements from p's target on (effects.c). */
 static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *cast = lvalue->children[0];
     return cast->kind == IR_CAST && is_parameter(cast->children[0], parameter) &&
@@ -24,7 +23,7 @@ static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
            ir_type_equal(lvalue->type->target, parameter->type->target);
 }
 
-/* Do all the bytes of the lvalue lie in the first `size` ones that the parameter points to? */
+/* Do all the bytes of the lvalue lie in the first `size` ones of the parameter's target? */
 static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int64_t size) {
     const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
     if (!child || !lvalue->type || lvalue->type->size <= 0 || lvalue->type->size > size)
@@ -53,7 +52,7 @@ static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int
 /* ---- the element or row -----------------------------------------------------------------------
  */
 
-/* What the argument points to, as an lvalue; NULL: it is not seen. */
+/* The target of the argument, as an lvalue; NULL: unknown. */
 static const ir_node *pointed_element(const loop_analysis *j, const ir_node *argument) {
     if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
         return argument->children[0];
@@ -85,7 +84,7 @@ static bool points_to(const ir_type *pointer, const ir_type *target) {
  * ------------------------------------------------------------------------------------
  */
 
-/* The parameter through which all is written; NULL: there is none, or more than one. */
+/* The parameter through which everything is written; NULL: there is none, or more than one. */
 static const ir_variable *written_parameter(const access_list *known) {
     const ir_variable *found = NULL;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -109,7 +108,7 @@ static bool writes_within(const access_list *known, const ir_variable *parameter
     return true;
 }
 
-/* p->v, p->m.v, p->m->v: what lies behind a parameter that points to a record, by its members. */
+/* p->v, p->m.v, p->m->v: a member behind a parameter that points to a record. */
 static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
     if (node->kind != IR_MEMBER || !node->type)
         return false;
@@ -118,8 +117,7 @@ static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
            is_member_of(record, parameter);
 }
 
-/* Parameters as numbers, and integers among the members of the record that `parameter` points to.
- */
+/* Parameters as numbers, and integer members of the record that `parameter` points to. */
 static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) {
     if (node->kind == IR_VARIABLE)
         return node->variable->storage == IR_PARAMETER && ir_type_is_scalar(node->type) &&
@@ -135,8 +133,8 @@ static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) 
     return true;
 }
 
-/* p[k], p[k][c], p->v[k]: an element of what the parameter points to, by subscripts that the caller
- * can compute as well. */
+/* p[k], p[k][c], p->v[k]: an element of the parameter's target, with subscripts that the caller can
+ * compute as well. */
 static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *node = lvalue;
     while (node->kind == IR_INDEX && is_of_parameters(node->children[1], parameter)) {
@@ -174,8 +172,8 @@ static const ir_node *argument_for(const ir_node *call, const ir_variable *param
     return NULL;
 }
 
-/* What a call writes, in its function's terms: one element, or all within the first bytes that a
- * parameter points to. */
+/* The memory that a call writes, in its function's terms: one element, or the first bytes of a
+ * parameter's target. */
 typedef struct written_part {
     const ir_variable *parameter;
     const ir_node *element; /* NULL: by size */
@@ -187,7 +185,7 @@ static bool is_in_part(const ir_node *lvalue, const written_part *part) {
                          : lies_within(lvalue, part->parameter, part->size);
 }
 
-/* Is a sum of such values the same in any order, but for the rounding of floating ones? */
+/* Is a sum of such values the same in any order, except for floating-point rounding? */
 static bool keeps_type(const update_form *form) {
     const ir_type *type = form->target->type;
     return type && type->kind != IR_BOOLEAN &&
@@ -233,7 +231,7 @@ static const ir_node *target_by_address(const loop_analysis *j, const ir_node *c
     return target;
 }
 
-/* Is the array found through a member, which the call does not name? */
+/* Is the array reached through a member, which the call does not name? */
 static bool is_by_member(const written_part *part) {
     const ir_node *base = part->element;
     while (base && base->kind == IR_INDEX)
@@ -241,14 +239,14 @@ static bool is_by_member(const written_part *part) {
     return base && base->kind == IR_MEMBER;
 }
 
-/* By an array and subscripts apart. */
+/* By an array and separate subscripts. */
 static const ir_node *target_by_subscript(const loop_analysis *j, const ir_node *call,
                                           const access_list *known, written_part *part) {
     const ir_node *array = argument_for(call, part->parameter);
     part->element = written_element(known, part->parameter);
     if (!part->element)
         return NULL;
-    /* Of &s.x only the one object is certain to be there. */
+    /* With &s.x only the one object is certain to exist. */
     if (!is_by_member(part) && array->kind == IR_UNARY && array->op == IR_OP_ADDRESS)
         return NULL;
     const ir_node *target = ir_substitute(j->an->memory, part->element, call->children[0]->function,

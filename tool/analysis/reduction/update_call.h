@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Updates made by a function that is given the address of an element or of a row:
+ * Updates made by a function that gets the address of an element or of a row:
  *
  *     add(&R[k], e);        add_vector(b[i], f);        raise(&cell[k].high, v);
  *
- * The function has a body here, writes nothing but what it is given, and no further than the row.
+ * The function has a body here, and writes only to its argument, within the row.
  */
 #ifndef ANALYSIS_UPDATE_CALL_H
 #define ANALYSIS_UPDATE_CALL_H
@@ -15,12 +15,12 @@ typedef struct update_call {
     const ir_node *statement; /* NULL: the call is no update of this form */
     const ir_node *target;    /* the element or row */
     bool has_operator;        /* one operator, and the element is not read otherwise */
-    bool is_by_member; /* its array is a member of what the call is given: the call would not find a
-                          private copy of it */
+    bool is_by_member; /* its array is a member of the argument: the call would not find a private
+                        * copy of it */
     reduction_operator op;
 } update_call;
 
-/** `call`: an IR_CALL of the loop's text that writes something. */
+/** `call`: an IR_CALL of the loop's text that writes memory. */
 update_call update_call_of(const loop_analysis *j, const ir_node *call);
 
 /** The reads, by the call, of the memory that it updates get CLASS_SELF. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the owner of an element executes as a whole, and every other thread skips: an assignment,
- * or a conditional statement that reads the element in its condition and assigns nothing else:
+ * The statement that the owner of an element executes as a whole, and every other thread skips: an
+ * assignment, or a conditional statement that reads the element in its condition and assigns
+ * nothing else:
  *
  *     R[k] = e - R[k];        if (R[k] < v) R[k] = v;        if (R[k]) R[k] = 0; else R[k] += v;
  */
@@ -15,11 +16,11 @@
 const ir_node *update_statement(const loop_analysis *j, const ir_node *target);
 
 /** Is this a read, in the text itself, of the element that the statement around it writes? Only the
- *  owner makes it, between its own updates: it sees what it would see in the sequential loop. */
+ *  owner makes it, between its own updates: it reads the sequential loop's value. */
 bool update_statement_reads_itself(const loop_access *read, const ir_node *statement,
                                    const ir_node *target);
 
-/** The same, whichever update statement of the loop is around the read. */
+/** The same for any update statement of the loop around the read. */
 bool is_read_of_own_element(const loop_analysis *j, const loop_access *read);
 
 #endif

@@ -63,8 +63,8 @@ static bool is_updated_too(const loop_analysis *j, const loop_access *store) {
     return false;
 }
 
-/* Is the memory stored to read inside the subscripts of an update, or where a local integer gets
- * its value? */
+/* Is the stored memory read inside of an update's subscripts, or in the definition of a local
+ * integer? */
 static bool decides_subscripts(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -77,7 +77,7 @@ static bool decides_subscripts(const loop_analysis *j, const loop_access *store)
     return false;
 }
 
-/* A read of the memory stored to, other than by the statement that stores; NULL: there is none. */
+/* A read of the stored memory, other than by the storing statement; NULL: none. */
 static const loop_access *other_read(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -125,14 +125,14 @@ static bool is_inside_node(const ir_node *outer, const ir_node *inner) {
     return inner && ir_contains(outer, inner);
 }
 
-/* h[*p++] += e, and p is not asked for again: each iteration begins with a p of its own. */
+/* h[*p++] += e, without a later use of p: each iteration begins with a private p. */
 static bool is_last_step(const loop_analysis *j, const ir_node *statement,
                          const loop_access *write) {
     const ir_node *step = write->access.callee ? NULL : write->access.node->parent;
     return step && statement->kind == IR_EXPRESSION && induction_is_last_step(j, statement, step);
 }
 
-/* Is something else written by the same statement? The guarded form would skip that as well. */
+/* Does the same statement have other effects? The owner-checked form would skip them as well. */
 static bool has_other_effect(const loop_analysis *j, const ir_node *statement,
                              const loop_access *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -167,7 +167,7 @@ static bool check_element(loop_analysis *j, const loop_access *update, const cha
     return true;
 }
 
-/* Can the statement be wrapped in a question for ownership, which skips nothing else? */
+/* Can the statement be enclosed in an ownership check that skips nothing else? */
 static bool check_place(loop_analysis *j, const loop_access *update, const ir_node *statement,
                         const char *name) {
     const ir_node *outer = statement->parent;
@@ -237,7 +237,7 @@ static bool check_update(loop_analysis *j, loop_access *update) {
     if (!check_element(j, update, name) || !update_check_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
-    kind.needs_order |= update_is_by_local_pointer(j, update); /* it may not lead into a copy */
+    kind.needs_order |= update_is_by_local_pointer(j, update); /* it may not point into a copy */
     if (!update_array_find(j, update, kind, &number))
         return false;
     for (unsigned i = 0; i < j->access_count; i++)
@@ -247,14 +247,14 @@ static bool check_update(loop_analysis *j, loop_access *update) {
     return true;
 }
 
-/* The bytes of a row are not cut apart between owners where the array consists of such rows. */
+/* The bytes of a row are not divided between owners if the array consists of such rows. */
 static bool is_whole_row(const loop_access *update) {
     const ir_node *target = update->access.lvalue;
     return ir_type_is_scalar(target->type) ||
            (target->kind == IR_INDEX && expression_same(update->where.base, target->children[0]));
 }
 
-/* A function is given the address of what it updates. */
+/* A function gets the address of the element that it updates. */
 static bool check_call(loop_analysis *j, loop_access *write) {
     unsigned number;
     const update_call found = update_call_of(j, write->access.node);
@@ -347,7 +347,7 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     return refuse_store(j, store);
 }
 
-/* A counter of its own, which other statements read: else its steps are a sum beside the array. */
+/* A secondary counter, which other statements read: otherwise its steps are a scalar sum. */
 static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -363,7 +363,7 @@ static bool is_own_scalar(const loop_analysis *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
 }
 
-/* An element of an array, be it the object itself or a member of a record. */
+/* An element of an array, either the object itself or a member of a record. */
 static bool is_in_array(const loop_access *write) {
     const ir_variable *object = write->where.object;
     const ir_node *base = write->where.base;
@@ -409,7 +409,7 @@ static bool check_write(loop_analysis *j, loop_access *write) {
     return is_update ? check_update(j, write) : check_store(j, write);
 }
 
-/* A read of what is updated says more than a store beside it. */
+/* A read of an updated element is a better reason than a store in the same loop. */
 static bool check_plain_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -426,7 +426,7 @@ static bool check_plain_reads(loop_analysis *j) {
 }
 
 static bool check_writes(loop_analysis *j) {
-    /* Updates first: what is wrong with them says more than a store beside them. */
+    /* Updates first: an obstacle in them is a better reason than one in a store. */
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
             loop_access *a = &j->accesses[i];

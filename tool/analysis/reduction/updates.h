@@ -12,7 +12,7 @@ typedef struct update_result {
     update_list updates;
     scalar_list scalars;
     forward_list forwards;
-    private_list privates; /* all of them, what the header steps included */
+    private_list privates; /* all of them, including those that the header steps */
 } update_result;
 
 /** Finds updates and their arrays, decides which writes are private, refuses all others. */

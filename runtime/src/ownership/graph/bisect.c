@@ -9,9 +9,9 @@
 struct division {
     const struct graph *graph;
     unsigned char *part;
-    uint32_t *node;  /* [count] all nodes, those of a part together */
+    uint32_t *node;  /* [count] all nodes, grouped by part */
     uint32_t *order; /* [count] of a search */
-    uint32_t *seen;  /* [count] the search that met the node last */
+    uint32_t *seen;  /* [count] the number of the last search that reached the node */
     uint32_t search;
     uint32_t parts;
     uint32_t stealable;
@@ -23,10 +23,10 @@ static uint32_t strength_of(const struct graph *graph, uint32_t edge) {
     return graph->strength ? graph->strength[edge] : 1;
 }
 
-/* How strongly a node is joined to each part of [low, high). */
+/* The gain of a node in each part of [low, high): the strength of its edges into it. */
 struct ties {
     uint64_t to[REDCC_PARTS_MOST];
-    uint32_t count; /* of parts with any */
+    uint32_t count; /* number of parts with any */
     uint32_t part[REDCC_PARTS_MOST];
 };
 
@@ -43,7 +43,7 @@ static void count_ties(const struct graph *graph, uint32_t node, const unsigned 
     }
 }
 
-/* The part that the node should be in. */
+/* The part with the highest gain for the node. */
 static uint32_t best_part(const struct ties *ties, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
@@ -87,9 +87,9 @@ void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t coun
     }
 }
 
-/* Searches breadth first from node[0], then from the first node not met, until all of
- * node[0 .. count) are in the order; through nodes of part `within` only. Returns the last of the
- * nodes met from node[0]: it lies farthest from there. */
+/* Searches breadth first from node[0], then from the first node not reached, until all of node[0 ..
+ * count) are in the order; visits only nodes of part `within`. Returns the last node reached from
+ * node[0], which is the farthest. */
 static uint32_t search_from(struct division *division, uint32_t first, const uint32_t *node,
                             uint32_t count, uint32_t within) {
     const struct graph *graph = division->graph;
@@ -119,7 +119,7 @@ static uint32_t search_from(struct division *division, uint32_t first, const uin
     return farthest;
 }
 
-/* A node at the boundary: farthest from the one that is farthest from any. */
+/* A node at the boundary: the farthest from the node farthest from an arbitrary one. */
 static void order_from_boundary(struct division *division, const uint32_t *node, uint32_t count,
                                 uint32_t within) {
     uint32_t outer = node[0];
@@ -128,13 +128,13 @@ static void order_from_boundary(struct division *division, const uint32_t *node,
     search_from(division, outer, node, count, within);
 }
 
-/* Room above an equal share, so that refinement can move something. */
+/* Slack above an equal share, so that refinement can move nodes. */
 static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
     const uint64_t percent = share / 100;
     return share + (percent > heaviest ? percent : heaviest);
 }
 
-/* Of `sum` for parts [low, high), what parts [low, middle) get. */
+/* The part of `sum` for parts [low, middle), out of [low, high). */
 static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t low,
                          uint32_t middle, uint32_t high) {
     const uint32_t parts = division->parts, stealable = division->stealable;
@@ -174,7 +174,7 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
         if (part != low && part != middle)
             division->load[part] = division->most[part] = 0;
     redcc_refine(graph, node, count, division->part, low, high, division->load, division->most, 8);
-    uint32_t kept = 0; /* those of the lower part first again */
+    uint32_t kept = 0; /* move the lower part's nodes to the front again */
     for (uint32_t i = 0; i < count; i++)
         if (division->part[node[i]] == low)
             division->order[kept++] = node[i];

@@ -7,11 +7,11 @@
 #include <assert.h>
 #include <string.h>
 
-enum { ROUNDS = 6 }; /* a mesh takes two, a path four */
+enum { ROUNDS = 6 }; /* a mesh needs two, a path four */
 
 #define NOTHING UINT32_MAX /* chosen */
 
-/* The order of nodes: a bijection of 31 bits, so that it can be undone. */
+/* The rank of a node: a bijection of 31 bits, so that it can be inverted. */
 static uint32_t rank_of(uint32_t node) {
     const uint32_t mixed = node * 0x9e3779b1u & 0x7fffffffu;
     return mixed ^ mixed >> 16;
@@ -19,7 +19,7 @@ static uint32_t rank_of(uint32_t node) {
 
 static uint32_t node_of(uint32_t rank) {
     const uint32_t mixed = rank ^ rank >> 16;
-    return mixed * 0x0e8b2f51u & 0x7fffffffu; /* 0x9e3779b1 times this is 1 */
+    return mixed * 0x0e8b2f51u & 0x7fffffffu; /* the inverse of 0x9e3779b1 */
 }
 
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
@@ -59,20 +59,20 @@ void redcc_clusters_end(struct clusters *clusters) {
     *clusters = (struct clusters){0};
 }
 
-/* Work is added up to what the number holds. */
+/* Saturating addition. */
 static inline uint32_t add(uint32_t weight, uint32_t more) {
     const uint32_t sum = weight + more;
     return sum < weight ? UINT32_MAX : sum;
 }
 
-/* All ones where the node is full: it takes no part, so that a row which all iterations update is
- * in a cluster soon, and joins nobody any more. */
+/* All ones if the node is full: it no longer takes part. So a row that all iterations update is
+ * soon in a cluster, and then joins no further nodes. */
 static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
     return size && size[node] >= most ? NOTHING : 0;
 }
 
-/* Each node of an iteration hears of the one that comes first. No branches: they would go either
- * way. */
+/* Each node of an iteration considers the node of lowest rank. Without branches, which would be
+ * unpredictable. */
 static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, const uint32_t *node,
                         size_t count) {
     uint32_t first = NOTHING;
@@ -109,7 +109,7 @@ void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t en
     }
 }
 
-/* On the way to the next round's clusters. */
+/* State while the next round's clusters are formed. */
 struct joining {
     struct clusters *clusters;
     const uint32_t *size; /* of the nodes; NULL: 1 each */
@@ -121,7 +121,7 @@ static uint32_t size_of(const struct joining *it, uint32_t node) {
     return it->size ? it->size[node] : 1;
 }
 
-/* The cluster of the node that it has chosen takes the node in, if there is room. */
+/* Adds the node to the cluster of its chosen node, if the size limit permits. */
 static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     const uint32_t size = size_of(it, node);
     if (cluster == NOTHING || it->joined[cluster] + size > it->clusters->most) {
@@ -132,12 +132,12 @@ static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     it->clusters->into[node] = cluster;
 }
 
-/* First those that the node leads to. */
+/* First the nodes on the path from this one. */
 static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
     enum { PATH = 64 };
     uint32_t path[PATH], length = 0, cluster = NOTHING;
     const uint32_t *into = it->clusters->into;
-    while (length < PATH) { /* what leads farther begins anew from there */
+    while (length < PATH) { /* a longer path starts a new cluster */
         path[length++] = node;
         const uint32_t chosen = choice[node] == NOTHING ? node : node_of(choice[node]);
         if (chosen == node)
@@ -152,7 +152,8 @@ static void settle_from(struct joining *it, const uint32_t *choice, uint32_t nod
         settle(it, path[--length], cluster);
 }
 
-/* The work of clusters is that of their nodes; at first it is told (redcc_clusters_retell). */
+/* The weight of a cluster is the sum over its nodes; initially it comes from the access log
+ * (redcc_clusters_retell). */
 static void add_up_weights(const struct clusters *clusters) {
     uint32_t *weight = clusters->share[0].weight, *sum = clusters->spare;
     memset(sum, 0, clusters->count * sizeof *sum);
@@ -194,7 +195,7 @@ void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t en
     }
 }
 
-/* The clusters of an iteration, to `to`, which may be where they are read. Are there several? */
+/* Writes the clusters of an iteration to `to`, which may be its input. Are there several? */
 static inline bool map_iteration(const uint32_t *into, const uint32_t *node, size_t count,
                                  uint32_t *to) {
     uint32_t differ = 0;

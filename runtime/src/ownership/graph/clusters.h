@@ -1,43 +1,43 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Clusters: some dozens of units each that iterations join. Their graph is small enough to be
- * divided with care at no cost, and a division of it is one of the units: the coarsening of
- * multilevel partitioners (Karypis and Kumar), straight from what was told, without a graph of the
- * units.
+ * Clusters: groups of some dozens of units that iterations connect. Their graph is small enough to
+ * be divided carefully at no noticeable cost, and its division is also one of the units. This is
+ * the coarsening of multilevel partitioners (Karypis and Kumar), computed directly from the access
+ * log, without a graph of the units.
  *
- * In each round every node (a unit, later a cluster) chooses, of all that iterations join it to and
- * itself, the one that comes first in an order drawn by hashing; who chooses itself is the root of
- * a tree of those that lead to it, and trees are the nodes of the next round (Boruvka's hooking). A
- * round divides a mesh's nodes by about seven. All threads go through their iterations side by
- * side; the result is the same however many they are.
+ * In each round every node (a unit, later a cluster) chooses the node of lowest rank among itself
+ * and all nodes that iterations connect it to; ranks come from a hash. A node that chooses itself
+ * is the root of the tree of nodes that lead to it, and trees are the nodes of the next round
+ * (Boruvka's hooking). A round reduces a mesh's nodes by a factor of about seven. All threads
+ * process their iterations concurrently; the result is independent of the number of threads.
  *
  *     begin    one thread
  *     choose   each thread: its iterations
- *     agree    each thread: some nodes      again and again,
- *     join     one thread                   until join says that there are few enough
+ *     agree    each thread: some nodes      repeatedly,
+ *     join     one thread                   until join finds that there are few enough
  *     retell   each thread: its iterations
  *
- * Between any two of them all threads meet.
+ * All threads synchronise between any two steps.
  */
 #ifndef REDCC_CLUSTERS_H
 #define REDCC_CLUSTERS_H
 
 #include "ownership/graph/told.h"
 
-/** Of one thread. */
+/** One thread's part. */
 struct cluster_share {
     const struct unit_list *told; /* the units of each iteration */
     struct unit_list list;        /* the clusters of each iteration that has several */
     uint32_t *choice;             /* [nodes] by this thread's iterations; of thread 0: by all */
-    uint32_t *weight;             /* [count] work of each; of thread 0: of all */
+    uint32_t *weight;             /* [count] weight of each; of thread 0: of all */
 };
 
 struct clusters {
     uint32_t units;
-    uint32_t most;   /* units of a cluster */
-    uint32_t nodes;  /* that the last round has joined */
-    uint32_t count;  /* clusters there are now; before the first round: units */
-    uint32_t *of;    /* [units] the cluster of each; REDCC_NO_UNIT: nothing touches it */
+    uint32_t most;   /* maximum units of a cluster */
+    uint32_t nodes;  /* joined in the last round */
+    uint32_t count;  /* current number of clusters; before the first round: units */
+    uint32_t *of;    /* [units] the cluster of each; REDCC_NO_UNIT: it is not touched */
     uint32_t *into;  /* [nodes] the cluster of each */
     uint32_t *size;  /* [count] units of each */
     uint32_t *spare; /* [count] */
@@ -46,28 +46,28 @@ struct clusters {
     struct cluster_share *share; /* [threads] */
 };
 
-/** Begins, each of `units` units for itself; of told [threads] the leading lists are borrowed.
- *  False: no memory (end it all the same). */
+/** Begins with each of `units` units as a cluster; borrows the leading lists of told [threads].
+ *  False: no memory (call redcc_clusters_end all the same). */
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
                           const struct told *told, int threads);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void redcc_clusters_end(struct clusters *clusters);
 
-/** What the units choose by the thread's iterations. */
+/** The units' choices by the thread's iterations. */
 void redcc_clusters_choose(struct clusters *clusters, int thread);
 
-/** What nodes [first, end) choose, and weigh, by all. */
+/** Combines choices and weights of nodes [first, end) over all threads. */
 void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end);
 
 /** Joins nodes to clusters of at most `most` units. False: there are few enough, and nothing is
  *  done. */
 bool redcc_clusters_join(struct clusters *clusters);
 
-/** Notes the clusters of units [first, end). */
+/** Stores the clusters of units [first, end). */
 void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t end);
 
-/** The thread's iterations by clusters; and what those choose. */
+/** Maps the thread's iterations to clusters, and computes these clusters' choices. */
 void redcc_clusters_retell(struct clusters *clusters, int thread);
 
 #endif

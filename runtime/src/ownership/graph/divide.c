@@ -13,18 +13,18 @@ enum {
     CLUSTERS_AN_OWNER = 128,
     CLUSTER_MOST = 256, /* units */
     NO_VOTE = 0xffff,
-    SEVERAL = 0x8000, /* of a vote: by an iteration that has several owners anyway */
+    SEVERAL = 0x8000, /* flag of a vote: by an iteration that has several owners already */
     ROUNDS = 8        /* of refinement, unit by unit */
 };
 
-/* Touches of all threads beyond which keeping them is out of proportion. */
+/* The number of touches in all threads beyond which the access log is too expensive. */
 static size_t most_touches(redcc_int trip) {
     const size_t each = 64, bound = (size_t)REDCC_NO_UNIT;
     return (size_t)trip < bound / each ? (size_t)trip * each : bound;
 }
 
-/* Maps and graphs have a place for each unit between the first and the last that are touched, of
- * which in a sparse array most are never touched. */
+/* Maps and graphs have an entry for each unit between the first and the last touched one; in a
+ * sparse array most of these are untouched. */
 static bool is_too_wide(const struct divide *divide, double touches) {
     const double units_a_touch = 8, few = 1 << 20;
     const double most = units_a_touch * touches;
@@ -80,7 +80,7 @@ void redcc_divide_end(struct divide *divide) {
     *divide = (struct divide){0};
 }
 
-/* Nodes, clusters, units [first, end) of `count` are this thread's. */
+/* This thread's share of nodes, clusters or units: [first, end) of `count`. */
 struct share {
     uint32_t first;
     uint32_t end;
@@ -91,8 +91,8 @@ static struct share share_of(const struct divide *divide, uint32_t count, int th
                           (uint32_t)redcc_share(count, divide->threads, thread + 1)};
 }
 
-/* All meet; the last one does `alone`, if nobody has failed and it is not late. Returns the same to
- * all: is it going well? */
+/* A barrier; the last thread runs `alone` unless one has failed or the deadline has passed. Returns
+ * the same to all: may they continue? */
 static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *)) {
     if (!done)
         atomic_store(&divide->failed, true);
@@ -106,7 +106,7 @@ static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *
 
 /* ---- clusters of units ----------------------------------------------------------------------- */
 
-/* So small that the parts can be even, so large that there are few. */
+/* Small enough for balanced parts, and large enough to be few. */
 static bool begin_clusters(struct divide *divide) {
     const struct units *units = &divide->units;
     const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
@@ -125,7 +125,7 @@ static bool join_clusters(struct divide *divide) {
     return true;
 }
 
-/* Each thread's part; returns to all whether it went well. */
+/* Each thread's part; returns to all whether it succeeded. */
 static bool cluster(struct divide *divide, int thread) {
     struct clusters *clusters = &divide->clusters;
     const struct share units = share_of(divide, divide->units.leading, thread);
@@ -145,8 +145,8 @@ static bool cluster(struct divide *divide, int thread) {
 
 /* ---- a graph, by all threads ----------------------------------------------------------------- */
 
-/* Its nodes are there, and the iterations in rims.told. Counts the edges of this thread's nodes,
- * then enters them; each all threads' work, and all meet between and after. */
+/* Its nodes exist, and the iterations are in rims.told. Counts the edges of this thread's nodes,
+ * then stores them; both steps use all threads' iterations, with barriers between and after. */
 static void count_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
     redcc_graph_count(graph, divide->rims.told, divide->threads, nodes.first, nodes.end);
@@ -167,7 +167,7 @@ static bool begin_coarse(struct divide *divide) {
 }
 
 static bool take_coarse_edges(struct divide *divide) {
-    struct graph *coarse = &divide->coarse; /* what it weighs is told in all iterations */
+    struct graph *coarse = &divide->coarse; /* its weights come from all iterations */
     memcpy(coarse->weight, divide->clusters.share[0].weight,
            coarse->count * sizeof *coarse->weight);
     return redcc_graph_take(coarse);
@@ -189,7 +189,7 @@ static bool divide_clusters(struct divide *divide, int thread) {
     return meet(divide, true, divide_coarse);
 }
 
-/* Each unit gets its cluster's owner; who owns what nobody touches does not matter. */
+/* Each unit gets its cluster's owner; the owner of untouched units does not matter. */
 static void place_units(struct divide *divide, int thread) {
     const struct share share = share_of(divide, divide->units.leading, thread);
     const uint32_t *of = divide->clusters.of;
@@ -199,7 +199,8 @@ static void place_units(struct divide *divide, int thread) {
     }
 }
 
-/* ---- their rims ------------------------------------------------------------------------------ */
+/* ---- their boundaries
+ * -------------------------------------------------------------------------- */
 
 static void mark_rims(struct divide *divide, int thread) {
     const struct unit_list *told = &divide->told[thread].leading;
@@ -214,7 +215,7 @@ static void mark_rims(struct divide *divide, int thread) {
     }
 }
 
-/* The iterations that touch a boundary, all of a boundary's among them. */
+/* The iterations that touch a boundary, including all those of boundary units. */
 static bool list_rims(struct divide *divide, int thread) {
     const struct unit_list *told = &divide->told[thread].leading;
     struct unit_list *list = &divide->rims.list[thread];
@@ -245,7 +246,7 @@ static bool take_rim_edges(struct divide *divide) {
 
 static bool refine_rims(struct divide *divide) {
     uint64_t load[REDCC_PARTS_MOST] = {0}, most[REDCC_PARTS_MOST], sum = 0;
-    uint32_t *const listed = divide->clusters.into; /* which nobody needs any more */
+    uint32_t *const listed = divide->clusters.into; /* which is no longer needed */
     uint32_t count = 0;
     for (uint32_t unit = 0; unit < divide->units.leading; unit++)
         if (divide->rims.is_rim[unit])
@@ -284,7 +285,8 @@ static void cast_vote(atomic_ushort *vote, unsigned short mine) {
         ;
 }
 
-/* The owner of all units of an iteration; NO_VOTE: it has none; else with SEVERAL, of one. */
+/* The owner of all units of an iteration; NO_VOTE: none; else one of several, with the flag
+ * SEVERAL. */
 static inline unsigned short common_owner(const struct divide *divide, const uint32_t *unit,
                                           size_t count) {
     if (unit[0] == (REDCC_NO_UNIT | REDCC_LAST))
@@ -296,8 +298,8 @@ static inline unsigned short common_owner(const struct divide *divide, const uin
     return differ ? owner | SEVERAL : owner;
 }
 
-/* Units of further groups: the owner of an iteration that has but one by the leading group; else an
- * owner of one that has several. The lowest, whoever is first. */
+/* Votes for the owners of further groups' units: the owner of an iteration that has only one by the
+ * leading group; else one of its owners. The lowest wins, in any order of votes. */
 static void vote_further(struct divide *divide, int thread) {
     const struct unit_list *leading = &divide->told[thread].leading;
     const struct unit_list *further = &divide->told[thread].further;
@@ -314,7 +316,7 @@ static void vote_further(struct divide *divide, int thread) {
     }
 }
 
-/* Who was voted for; units without a vote are dealt out evenly. */
+/* Assigns units to the winners; units without a vote are distributed evenly. */
 static void count_votes(struct divide *divide, int thread) {
     const uint32_t leading = divide->units.leading, count = divide->units.count - leading;
     const struct share share = share_of(divide, count, thread);

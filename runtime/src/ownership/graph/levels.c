@@ -8,12 +8,12 @@
 
 enum { FEW = 64 }; /* iterations of a level that one thread executes */
 
-/* In iterations: some 2 microseconds, of a light loop's 10 nanoseconds. */
+/* In iterations: some 2 microseconds, at a light loop's 10 nanoseconds each. */
 static const double barrier_length = 200;
 
 static const uint32_t left_out = UINT32_MAX;
 
-/* On the way to the levels. */
+/* State while levels are computed. */
 struct levelling {
     uint32_t *level; /* [trip] or left_out */
     uint32_t *free;  /* [units] the first level whose iterations may touch it */
@@ -33,7 +33,7 @@ static uint32_t highest(const struct levelling *it, struct told_reading reading,
     return level;
 }
 
-/* The units are those of an iteration in `level`. Returns whether there are any. */
+/* Marks the iteration's units as occupied in `level`. Returns whether there are any. */
 static bool occupy(struct levelling *it, struct told_reading *reading, uint32_t level) {
     bool any = false;
     for (bool last = false; !last;) {
@@ -66,7 +66,7 @@ static void find_levels(struct levelling *it, const struct told *told, int threa
     }
 }
 
-/* Consecutive levels of few iterations share a stage. Returns how many stages there are. */
+/* Consecutive levels of few iterations share a stage. Returns the number of stages. */
 static uint32_t find_stages(struct levelling *it) {
     uint32_t stages = 0;
     for (uint32_t t = 0; t < it->trip; t++)
@@ -91,7 +91,8 @@ static void put_in_stages(const struct levelling *it, struct levels *levels) {
     for (uint32_t t = 0; t < it->trip; t++)
         if (it->level[t] != left_out)
             levels->iteration[stage[it->stage[it->level[t]]].begin++] = t;
-    for (uint32_t s = levels->stages; s > 0; s--) /* each begin has moved on to the next one's */
+    for (uint32_t s = levels->stages; s > 0; s--) /* each beginning has advanced to the next
+                                                   * one's */
         stage[s].begin = stage[s - 1].begin;
     stage[0].begin = 0;
     levels->count = stage[levels->stages].begin;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Iterations in levels, such that two which touch a common unit are in levels in their order:
+ * Iterations in levels; two iterations that touch a common unit are in levels of their order:
  *
- *     level(t) = 1 + max { level(s) : s < t, s and t touch a common unit },  0 where there is none
+ *     level(t) = 1 + max { level(s) : s < t, s and t touch a common unit },  0 if there is none
  *
- * Iterations of one level touch nothing in common and may be executed at once. Levels of few
- * iterations are not worth a barrier each: consecutive ones of that kind make one stage, executed
- * by one thread in the order of the loop; any other level is a stage of its own. (Saltz,
+ * Iterations of one level touch nothing in common and may run concurrently. A barrier is too
+ * expensive for a level of few iterations: consecutive ones of that kind form one stage, executed
+ * by one thread in the order of the loop; any other level is a separate stage. (Saltz,
  * Mirchandaney, Crowley, Run-time parallelization and scheduling of loops, 1991, call the levels
  * wavefronts.)
  */
@@ -26,22 +26,22 @@ struct levels {
     struct level_stage *stage; /* [stages + 1] */
     uint32_t count;
     uint32_t stages;
-    uint32_t levels; /* before few of them were put together */
+    uint32_t levels; /* before small ones were merged */
 };
 
-/** Puts all iterations that told [threads] tells in levels; those that touch nothing are left out,
- *  but for the last one, or (every) come first. At most REDCC_BLOCK iterations. False: no memory
- *  (end it all the same). */
+/** Assigns all iterations recorded in told [threads] to levels. Iterations that touch nothing are
+ *  left out, except for the last one, or (every) come first. At most REDCC_BLOCK iterations. False:
+ *  no memory (call redcc_levels_end all the same). */
 bool redcc_levels_begin(struct levels *levels, const struct told *told, int threads, bool every);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void redcc_levels_end(struct levels *levels);
 
-/** What one thread executes of stage `stage`: iteration[*first] ... iteration[*end - 1]. */
+/** The share of a thread in stage `stage`: iteration[*first] ... iteration[*end - 1]. */
 void redcc_levels_share(const struct levels *levels, uint32_t stage, int threads, int thread,
                         uint32_t *first, uint32_t *end);
 
-/** How long `threads` threads take, in iterations, a barrier being as long as some hundred. */
+/** The time of `threads` threads, in iterations; a barrier counts as some hundred of these. */
 double redcc_levels_length(const struct levels *levels, int threads);
 
 #endif

@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-/* Iterations of up to CLIQUE units join each of them with each other one; of more, each with the
- * next, so that the edges do not outgrow the touches. */
+/* An iteration of up to CLIQUE units connects each pair of them; one of more connects each with the
+ * next, so that the number of edges stays below that of touches. */
 enum { CLIQUE = 4 };
 
-/* A node of so many edges is everybody's neighbour: nothing is near by it. */
+/* A node with this many edges is a hub, adjacent to almost all nodes, and ignored. */
 enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {
@@ -44,7 +44,7 @@ void redcc_graph_count(struct graph *graph, const struct unit_list *const *list,
             const uint32_t work = redcc_work_of(size);
             for (size_t i = at; i < at + size; i++) {
                 const uint32_t node = list[l]->item[i] & ~REDCC_LAST;
-                if (!is_in(graph, node, first, end)) /* nor is REDCC_NO_UNIT */
+                if (!is_in(graph, node, first, end)) /* also false for REDCC_NO_UNIT */
                     continue;
                 degree[node] += edges;
                 graph->weight[node] += work;
@@ -58,7 +58,7 @@ bool redcc_graph_take(struct graph *graph) {
     start[0] = 0;
     for (uint32_t node = 0; node < graph->count; node++) {
         const uint32_t degree = start[node + 2];
-        start[node + 1] = (uint32_t)sum; /* where filling begins; moves on to where it ends */
+        start[node + 1] = (uint32_t)sum; /* where filling begins; advances to its end */
         sum += degree;
     }
     start[graph->count + 1] = (uint32_t)sum;
@@ -94,8 +94,8 @@ void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, 
         }
 }
 
-/* Those of node `node`, behind the `count` edges that are there; place [nodes] is where the edge to
- * each is, one before `count` being another node's. Returns how many there are then. */
+/* Merges the edges of node `node` behind the `count` existing ones; place [nodes] is the position
+ * of the edge to each node (below `count`: of another node). Returns the new number. */
 static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, uint32_t end,
                             uint32_t count, uint32_t *place) {
     const uint32_t own = count;

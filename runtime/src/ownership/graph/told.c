@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 
-/* How far back a unit is looked for, so that it is not entered twice in an iteration. */
+/* How far back an iteration's units are searched for duplicates. */
 enum { LOOK_BACK = 16 };
 
 static bool list_begin(struct unit_list *list, size_t capacity) {
@@ -94,7 +94,7 @@ static inline void close_iteration(struct told *told, struct unit_list *list) {
     list->open = list->count;
 }
 
-/* A touch of several units, or of what is none. */
+/* A touch of several units, or of memory outside of units. */
 static void take_wide(struct told *told, const struct told_array *array, uint64_t into,
                       uint32_t bytes) {
     const struct group_units *units = &array->units;

@@ -7,7 +7,7 @@
 
 #include "ownership/partition.h"
 
-/** The units of one group that are touched, or lie between such. */
+/** The touched units of one group, and all units between them. */
 struct group_units {
     uintptr_t first; /* address of the first one */
     uint32_t begin;  /* its number */
@@ -19,26 +19,26 @@ struct group_units {
 struct units {
     uint32_t leading; /* how many belong to the leading group */
     uint32_t count;   /* of all groups */
-    bool too_many;    /* more than REDCC_UNITS_MOST: then both are 0 */
+    bool too_many;    /* more than REDCC_UNITS_MOST: both counts are 0 */
     uint32_t array_count;
-    struct group_units *of; /* [array_count] of each group; of other arrays: none */
+    struct group_units *of; /* [array_count] of each group; empty for other arrays */
 };
 
 /** The largest count. */
 #define REDCC_UNITS_MOST 0x7ffffffeu
 
-/** Numbers the units of the groups, group g being touched in touched[g]. False: no memory (end it
- *  all the same). */
+/** Numbers the units of the groups; group g is touched in touched[g]. False: no memory (call
+ *  redcc_units_end all the same). */
 bool redcc_units_begin(struct units *units, const struct partition *partition,
                        const struct range *touched);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void redcc_units_end(struct units *units);
 
-/** Bytes from a group's first unit on, in units: offset / bytes, without a division where there is
- *  a wider multiplication. With m = floor((2^64 - 1) / bytes) + 1, m * bytes exceeds 2^64 by less
- *  than `bytes`, so that the high half of offset * m is the quotient while offset * bytes < 2^64.
- */
+/** Converts bytes from a group's first unit into units: offset / bytes, without a division if there
+ *  is a wider multiplication. With m = floor((2^64 - 1) / bytes) + 1, m * bytes exceeds 2^64 by
+ *  less than `bytes`, so that the high half of offset * m is the quotient while offset * bytes <
+ *  2^64. */
 static inline uint64_t redcc_units_in(const struct group_units *group, uint64_t offset) {
 #ifdef __SIZEOF_INT128__
     __extension__ typedef unsigned __int128 wide;

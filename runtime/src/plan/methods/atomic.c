@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * atomic: the yardstick. Each thread executes an equal share of the iterations in the guarded form,
- * and holds a lock on a unit (a row) from before an update up to the next one (execute/hook.c): the
- * updates are indivisible for every operator and type, few of which have an instruction for that.
+ * atomic: the baseline. Each thread executes an equal share of the iterations in the owner-checked
+ * form. It holds a lock on a unit (a row) from before an update until the next one
+ * (execute/hook.c), which makes updates atomic for every operator and type; few of these have an
+ * atomic instruction.
  */
 #include "plan/methods/shares.h"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * binning: in-order binning (propagation blocking). Each thread executes an equal share of a
- * round's iterations and appends its updates to bins of rows; then each bin's updates are applied
- * by one thread, in the order of the loop. `records` and `copies` say what auto would choose:
- * records in bins, or, of small arrays of integers, private copies.
+ * batch's iterations and appends its updates to bins of rows. Then one thread applies the updates
+ * of each bin, in the order of the loop. `records` and `copies` select a variant that auto chooses
+ * itself: records in bins, or, for small arrays of integers, private copies.
  *
  * Source: S. Beamer, K. Asanovic, D. Patterson, Reducing Pagerank communication via propagation
  * blocking, IPDPS 2017.

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * DWA-LIP: data write affinity with loop-index prefetching, as section 4.2.1 and figure 10 of the
- * paper have it. The arrays are cut into as many blocks as there are threads; an iteration's pair
- * is (Bmin, deltaB), the lowest block that it writes and how many blocks above it the highest is.
- * Iterations of pairs [Bmin, Bmin + deltaB] that do not overlap are write dissimilar:
+ * DWA-LIP: data write affinity with loop-index prefetching, section 4.2.1 and figure 10 of the
+ * paper. The arrays are cut into one block per thread. An iteration's pair is (Bmin, deltaB): the
+ * lowest block that it writes, and the distance from there to the highest. Iterations of pairs
+ * whose blocks [Bmin, Bmin + deltaB] do not overlap are write dissimilar:
  *
  *     for deltaB = 0 .. blocks - 1
  *         for stage = 0 .. deltaB
@@ -12,7 +12,7 @@
  *             barrier
  *
  * (The figure's loop over Bmin advances by deltaB; blocks Bmin .. Bmin + deltaB of two such pairs
- * would meet in one block, so it is deltaB + 1 here.) Stages without iterations are left out.
+ * would share one block, so it is deltaB + 1 here.) Stages without iterations are left out.
  */
 #include "plan/methods/dwa_lip.h"
 
@@ -26,7 +26,7 @@ static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
 /* Iterations of one thread, sorted by their pair. */
 struct pairs {
     uint32_t blocks;  /* in all */
-    uint32_t members; /* of the team: block b is in charge of member b % members */
+    uint32_t members; /* of the team: block b belongs to member b % members */
     uint32_t member;
     struct schedule *pair; /* [(block / members) * blocks + deltaB] */
 };

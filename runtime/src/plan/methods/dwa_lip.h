@@ -5,9 +5,9 @@
 #include "plan/plan.h"
 
 /**
- * Fills the schedule of `thread` for DWA-LIP within its team: of the iterations that the team's
- * threads inspected, those whose lowest block this thread is in charge of, in the stages of figure
- * 10 of the paper. False: no memory.
+ * Fills the schedule of `thread` for DWA-LIP within its team: from the iterations that the team's
+ * threads inspected, it takes those whose lowest block belongs to this thread, in the stages of
+ * figure 10 of the paper. False: no memory.
  */
 bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
@@ -16,8 +16,8 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
 typedef bool redcc_pair_taker(void *context, uint32_t lowest, uint32_t delta, redcc_int begin,
                               redcc_int count);
 
-/** Tells `take` the iterations of a summary in order, by the pair (Bmin, deltaB) of the blocks that
- *  they write; those that write none are left out. False: `take` returned false. */
+/** Passes the iterations of a summary to `take` in order, with the pair (Bmin, deltaB) of the
+ *  blocks that they write; those that write none are left out. False: `take` returned false. */
 bool redcc_sort_pairs(const struct summary *summary, redcc_pair_taker *take, void *context);
 
 #endif

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * DWA-LIP whose result does not depend on the number of threads: the arrays are cut into N blocks,
- * whoever executes them, and each element gets its contributions in the order of the stages of
- * figure 10 of the paper (dwa_lip.c), those of one stage in the order of the loop.
+ * DWA-LIP with a result independent of the number of threads: the arrays are cut into N blocks, for
+ * any number of threads. Each element gets its contributions in the order of the stages of figure
+ * 10 of the paper (dwa_lip.c), and within a stage in the order of the loop.
  *
  * There are no barriers: all iterations of one pair (Bmin, deltaB) are a task, executed by the
- * thread in charge of block Bmin. Each thread executes its tasks in the order of the stages, and a
- * task waits for those that wrote one of its blocks last before it in that order.
+ * thread to which block Bmin belongs. Each thread executes its tasks in the order of the stages. A
+ * task waits for the tasks before it in that order that last wrote one of its blocks.
  */
 #include "plan/methods/dwa_lip.h"
 
@@ -35,11 +35,11 @@ static uint32_t flags(uint32_t blocks) {
 /* A thread's view of all pairs; a pair's number is Bmin * blocks + deltaB. */
 struct view {
     uint32_t blocks;
-    uint32_t first, end;   /* blocks that the thread is in charge of */
+    uint32_t first, end;   /* blocks that belong to the thread */
     bool *filled;          /* [blocks * blocks] some iteration is of this pair */
     struct schedule *pair; /* [(end - first) * blocks] iterations of its own pairs */
     uint32_t *latest;      /* [blocks] 1 + the last pair that writes a block; 0: none yet */
-    uint32_t *wait;        /* [blocks] of the task at hand */
+    uint32_t *wait;        /* [blocks] of the current task */
     uint32_t waits;
 };
 
@@ -57,9 +57,8 @@ static bool take_pair(void *context, uint32_t lowest, uint32_t delta, redcc_int 
     return redcc_schedule_add(pair, 0, begin, count, false);
 }
 
-/* The pair is the next in the order of the stages: lists the tasks of other threads that wrote its
- * blocks last. The same task stands behind neighbouring blocks, or is listed twice, which does no
- * harm. */
+/* The pair is the next in the order of the stages: lists the tasks of other threads that last wrote
+ * its blocks. Adjacent blocks may have the same task, which may be listed twice without harm. */
 static void find_waits(struct view *view, uint32_t lowest, uint32_t delta) {
     uint32_t before = 0;
     view->waits = 0;

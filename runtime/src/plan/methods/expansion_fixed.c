@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Array expansion with N copies whatever the number of threads: the iterations are cut into N equal
- * shares, each has a copy of the whole array, and the copies are brought in in their order. The
- * same bits at every thread count; no more than N threads are busy.
+ * Array expansion with N copies for any number of threads: the iterations are divided into N equal
+ * shares, each with a copy of the whole array, and the copies are merged in order. The same bits at
+ * every thread count; at most N threads are busy.
  */
 #include "plan/methods/shares.h"
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE with owners cut from the access graph: what an owner has need not lie together, so
- * that as few iterations have several owners where the subscripts are shuffled as where they are
- * sorted.
+ * LOCALWRITE with owners cut from the access graph: an owner's elements need not be adjacent, so
+ * that shuffled subscripts have no more iterations of several owners than sorted ones.
  */
 #include "plan/methods/localwrite.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * LOCALWRITE: each thread owns a part of the arrays and executes, in ascending order, every
- * iteration that writes to its part; those that write to others' parts too (each of those owners
- * executes them as well) in the guarded form, in which only what the thread owns is written.
+ * iteration that writes to its part. Iterations that also write to other parts are executed by each
+ * of these owners, in the owner-checked form, which writes only the thread's own elements.
  *
  * Each element gets its contributions in the order of the loop: the bits of the sequential loop.
  */
@@ -12,7 +12,7 @@
 
 enum { SKIP, PLAIN, GUARDED };
 
-/* What `owner` does with the iterations of each set: [sets->count]. NULL: no memory. */
+/* The form in which `owner` executes the iterations of each set: [sets->count]. NULL: no memory. */
 static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
     unsigned char *part = redcc_memory_take_zeroed(sets->count, 1);
     if (!part)
@@ -24,7 +24,7 @@ static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
     return part;
 }
 
-/* Adds up the iterations that the owner does in each way. */
+/* Counts the iterations that the owner executes in each form. */
 static void count_parts(const struct summary *summary, const unsigned char *part,
                         redcc_int *amount) {
     for (size_t b = 0; b < summary->block_count; b++) {
@@ -34,8 +34,8 @@ static void count_parts(const struct summary *summary, const unsigned char *part
     }
 }
 
-/* Where most of what the owner executes is guarded, the rest may as well be: it is the same to do,
- * and runs do not end where one kind follows the other. */
+/* If most of an owner's iterations are owner-checked, all are: this costs no more, and avoids
+ * ending runs where the form changes. */
 static void guard_most(const struct summary *summary, unsigned char *part) {
     redcc_int amount[GUARDED + 1] = {0};
     count_parts(summary, part, amount);
@@ -49,7 +49,8 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
     unsigned char *part = parts_in(&summary->sets, owner);
     bool enough = part != NULL;
     if (enough && takes_idle)
-        part[0] = PLAIN; /* what touches nothing is executed by who inspected it */
+        part[0] = PLAIN; /* iterations that touch nothing are executed by the thread that inspected
+                          * them */
     if (enough)
         guard_most(summary, part);
     for (size_t b = 0; enough && b < summary->block_count; b++) {

@@ -4,12 +4,12 @@
 
 #include "plan/plan.h"
 
-/** Fills the schedule of `thread` with the iterations that touch what it owns, in ascending order;
- *  those that touch others' too are guarded. False: no memory. */
+/** Fills the schedule of `thread` with the iterations that touch elements it owns, in ascending
+ *  order; those that touch others' too are owner-checked. False: no memory. */
 bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** The same of one owner: fills schedule[owner]. Where iterations that touch nothing matter, it
- * gets those that thread `idle_of` was told; -1: nobody's. */
+/** The same for one owner: fills schedule[owner]. If iterations that touch nothing matter, it gets
+ *  those recorded by thread `idle_of`; -1: none. */
 bool redcc_localwrite_select(struct plan *plan, const struct evidence *evidence, uint32_t owner,
                              int idle_of);
 

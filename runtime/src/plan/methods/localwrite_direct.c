@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE without access summaries or schedules: each thread goes through all iterations, finds
- * by their index part which of them touch what it owns, and executes these (execute/select.h). The
- * inspection cuts the arrays by its sample, and finds extents for the overlap guard.
+ * LOCALWRITE without access summaries or schedules: each thread evaluates the index part of all
+ * iterations, finds those that touch elements it owns, and executes these (execute/select.h). The
+ * inspection cuts the arrays according to its sample, and finds extents for the overlap guard.
  *
- * Who executes what is what LOCALWRITE says, in the same order: the bits of the sequential loop.
+ * The assignment of iterations and their order are those of LOCALWRITE: the bits of the sequential
+ * loop.
  */
 #include "plan/plan.h"
 
-/* As many as if none were replicated; how many there are is known after the execution. */
+/* Assumes that none is replicated; the actual number is known after the execution. */
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     plan->schedule[thread].iterations = redcc_share(evidence->trip, evidence->threads, thread + 1) -
                                         redcc_share(evidence->trip, evidence->threads, thread);

@@ -5,8 +5,8 @@
  * steals these blocks one by one, the larger ones first. So no thread waits long for one that had
  * more expensive iterations, or that lost its core for a while.
  *
- * Every block is executed whole and in ascending order, by whichever thread: each element gets its
- * contributions in the order of the loop. The overhead: iterations that write to several blocks.
+ * A thread executes a whole block in ascending order: each element gets its contributions in the
+ * order of the loop. The overhead: iterations that write to several blocks.
  */
 #include "plan/methods/localwrite.h"
 

@@ -7,8 +7,8 @@
 /** Fills the schedule of `thread` with an equal share of the iterations. False: no memory. */
 bool redcc_shares_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** struct method.owners where who touches what makes no difference: one, of all. The inspection
- * then has nothing to tell apart, and takes a fraction of the time on shuffled data. */
+/** struct method.owners for methods that ignore ownership: a single owner. The inspection then has
+ *  nothing to distinguish, and takes a fraction of the time on shuffled data. */
 uint32_t redcc_one_owner(int threads, int parameter);
 
 #endif

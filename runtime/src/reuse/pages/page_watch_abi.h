@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What Linux's <linux/userfaultfd.h> and <linux/fs.h> say since 6.7 of write-protection that the
- * kernel itself lifts and remembers: numbers and layouts of its binary interface, under names of
- * our own, since older headers lack them. (ioctl_userfaultfd(2), PAGEMAP_SCAN(2const).)
+ * Definitions from Linux's <linux/userfaultfd.h> and <linux/fs.h> since 6.7, for asynchronous
+ * write-protection, which the kernel itself resolves and records: numbers and layouts of its binary
+ * interface, under separate names, since older headers lack them. (ioctl_userfaultfd(2),
+ * PAGEMAP_SCAN(2const).)
  */
 #ifndef REDCC_PAGE_WATCH_ABI_H
 #define REDCC_PAGE_WATCH_ABI_H
@@ -13,14 +14,14 @@
 /** A flag of userfaultfd(2): faults in user mode only; needs no privilege. */
 #define WATCH_USER_MODE_ONLY 1
 
-/** UFFDIO_API: which of the features are wanted. */
+/** UFFDIO_API: requested features. */
 struct watch_api {
     uint64_t api;
     uint64_t features;
     uint64_t ioctls;
 };
 #define WATCH_API_VERSION UINT64_C(0xAA)
-#define WATCH_FEATURE_UNPOPULATED (UINT64_C(1) << 13) /* pages that are not there, too */
+#define WATCH_FEATURE_UNPOPULATED (UINT64_C(1) << 13) /* unpopulated pages, too */
 #define WATCH_FEATURE_ASYNC (UINT64_C(1) << 15)       /* a fault is resolved by the kernel */
 #define WATCH_IOCTL_API _IOWR(0xAA, 0x3F, struct watch_api)
 
@@ -52,7 +53,7 @@ struct watch_scan {
     uint64_t flags;
     uint64_t start;
     uint64_t end;
-    uint64_t walk_end; /* told: how far it came */
+    uint64_t walk_end; /* output: the end of the scan */
     uint64_t regions;  /* address of struct watch_region [region_count] */
     uint64_t region_count;
     uint64_t most_pages;
@@ -66,7 +67,7 @@ struct watch_region {
     uint64_t end;
     uint64_t categories;
 };
-#define WATCH_SCAN_ASYNC_ONLY (UINT64_C(1) << 1) /* fails where anything is not registered so */
+#define WATCH_SCAN_ASYNC_ONLY (UINT64_C(1) << 1) /* fails if a part is not registered so */
 #define WATCH_IS_WRITTEN (UINT64_C(1) << 1)
 #define WATCH_IS_PRESENT (UINT64_C(1) << 3)
 #define WATCH_IOCTL_SCAN _IOWR('f', 16, struct watch_scan)

@@ -8,15 +8,15 @@ enum { WATCHED = 64 };
 
 struct watched {
     struct range pages;
-    uint64_t version; /* 0: touched since, or the place is free */
+    uint64_t version; /* 0: touched since, or a free slot */
     uint64_t last_use;
 };
 
-/* A lock that is only tried: in a child of a process with several threads it may be held for
- * ever. */
+/* A lock that is only tried: in a child of a process with several threads it may be held
+ * forever. */
 static struct spin lock;
 static struct watched watched[WATCHED];
-static uint64_t versions; /* given so far */
+static uint64_t versions; /* the last version given */
 static uint64_t uses;
 
 static struct watched *find(struct range pages) {
@@ -27,7 +27,7 @@ static struct watched *find(struct range pages) {
     return NULL;
 }
 
-/* Its version, if it is untouched still; 0, and from now on too, if not. */
+/* Its version if it is untouched; otherwise 0, also from now on. */
 static uint64_t version_of(struct watched *it) {
     if (!redcc_pages_untouched(it->pages))
         it->version = 0;
@@ -36,9 +36,9 @@ static uint64_t version_of(struct watched *it) {
     return it->version;
 }
 
-/* Protecting pages takes away the marks of those that were written, and entering a mapping makes
- * places known again at which another one may lie than before: what has been touched is to be found
- * out before. Of ranges that overlap the one to come nothing is known after. */
+/* Protecting pages removes the marks of those that were written, and registering a mapping makes
+ * addresses valid again that may have been remapped: touched ranges must be detected before that.
+ * Ranges that overlap the new one lose their versions. */
 static void settle_others(struct range pages) {
     for (int i = 0; i < WATCHED; i++) {
         if (redcc_ranges_overlap(watched[i].pages, pages))

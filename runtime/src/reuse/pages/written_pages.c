@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A page is protected through a userfault descriptor in the asynchronous mode: the first write to
- * it faults, the kernel clears the page's mark and lets the write go on. PAGEMAP_SCAN looks for
- * pages without the mark.
+ * A page is protected through a userfault descriptor in asynchronous mode: the first write to it
+ * faults, and the kernel clears the page's mark and resumes the write. PAGEMAP_SCAN finds pages
+ * without the mark.
  */
 #define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MREMAP_FIXED, struct statx */
 #include "reuse/pages/written_pages.h"
@@ -31,19 +31,18 @@ struct range redcc_whole_pages(struct range range) {
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* A file that we have opened, and by what it is known again: the program may close any descriptor,
- * and open another file under its number. */
+/* A file opened here, and its identity: the program may close any descriptor, and open another file
+ * with its number. */
 struct opened {
     int descriptor;
     uint64_t device;
     uint64_t number;
 };
 
-static struct opened faults;  /* through which pages are protected */
-static struct opened pagemap; /* through which they are looked at */
+static struct opened faults;  /* for protecting pages */
+static struct opened pagemap; /* for scanning them */
 
-/* A byte that is 1 in the process that began, and that the system makes 0 in a child of it. NULL:
- * not begun. */
+/* A byte that is 1 in this process, and that the system clears in a child. NULL: not started. */
 static volatile char *own_mark;
 
 static bool look_at(struct opened *opened) {
@@ -64,8 +63,8 @@ static int request_of(const struct opened *opened, unsigned long request, const 
     return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
-/* The numbers from which on ours are, so that the program goes on getting the low ones: the last
- * two that there is room for already. */
+/* The lowest number for our descriptors, so that the program keeps getting the low ones: the last
+ * two in the present table. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
@@ -76,7 +75,7 @@ static int first_number(void) {
                : from;
 }
 
-/* Takes over `descriptor` under a number not below `from`. */
+/* Moves `descriptor` to a number of at least `from`. */
 static bool take(struct opened *opened, int descriptor, int from) {
     if (descriptor < 0)
         return false;
@@ -101,7 +100,7 @@ static bool open_both(void) {
            take(&pagemap, redcc_system_open("/proc/self/pagemap"), from);
 }
 
-/* EBUSY where the program watches the place by a descriptor of its own. */
+/* EBUSY if the program tracks the range by its own descriptor. */
 static bool enter(struct range mapping) {
     struct watch_register request = {
         {mapping.first, mapping.end - mapping.first}, WATCH_REGISTER_WRITES, 0};
@@ -113,8 +112,8 @@ static bool protect(struct range pages) {
     return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* A page counts as touched if it has no mark, or is not there: of a whole page table that
- * was dropped, as by MADV_DONTNEED, kernels before July 2026 do not say that it was written. */
+/* A page counts as touched if it has no mark or is not present: for a whole page table that was
+ * dropped, as by MADV_DONTNEED, kernels before July 2026 do not report the write. */
 static bool untouched(struct range pages) {
     struct watch_region found;
     struct watch_scan scan = {.size = sizeof scan,
@@ -137,7 +136,7 @@ static struct range trial_page(const char *trial, int page) {
     return (struct range){first, first + redcc_page_size()};
 }
 
-/* Writes to pages of our own in each way that the system could miss. */
+/* Writes to test pages in each way that the system could miss. */
 static bool touch(char *trial) {
     const size_t page = redcc_page_size();
     const int in = redcc_system_open("/proc/self/stat");
@@ -152,8 +151,8 @@ static bool touch(char *trial) {
                         goal) == (long)goal;
 }
 
-/* Does all of it work here as it should? A page moved to another place must not bring its mark
- * along (kernels before 6.12.11 let it). */
+/* Does all of it work here as documented? A page moved to another address must not keep its mark
+ * (in kernels before 6.12.11 it does). */
 static bool passes_trial(char *trial) {
     for (int page = 0; page < TRIAL_PAGES; page++)
         ((volatile char *)trial)[(size_t)page * redcc_page_size()] = 1;
@@ -179,14 +178,14 @@ static bool try_out(void) {
     return passed;
 }
 
-/* The page is used again by a child, which finds it empty. */
+/* A child uses the page again, and finds it cleared. */
 static bool make_mark(void) {
     if (!own_mark)
         own_mark = redcc_wiped_page();
     return own_mark != NULL;
 }
 
-/* Valgrind knows none of these calls, and says so each time. */
+/* Valgrind supports none of these calls, and reports each. */
 static bool is_under_valgrind(void) {
     const char *preloaded = getenv("LD_PRELOAD");
     return preloaded && strstr(preloaded, "vgpreload_");
@@ -224,7 +223,7 @@ bool redcc_pages_protect(struct range pages) {
     struct mappings mappings;
     if (redcc_is_confined() || !redcc_may_watch(&mappings, pages, faults.descriptor))
         return false;
-    for (int m = 0; m < mappings.count; m++) /* whole ones, or the system would split them */
+    for (int m = 0; m < mappings.count; m++) /* whole mappings, or the system would split them */
         if (!enter(mappings.whole[m]))
             return false;
     return protect(pages);

@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which pages were written since? Asked of the system, where it can tell (Linux from 6.7 on;
- * docs/decisions/0007). Not thread-safe: watch.c holds its lock around every call.
+ * Queries which pages were written since they were protected, if the system supports it (Linux from
+ * 6.7 on; docs/decisions/0007). Not thread-safe: watch.c holds its lock around every call.
  */
 #ifndef REDCC_WRITTEN_PAGES_H
 #define REDCC_WRITTEN_PAGES_H
 
 #include "base/range.h"
 
-/** Can pages be watched by what was begun in this very process? After a fork the child cannot: what
- *  the parent had open speaks of the parent's memory. */
+/** Was tracking started in this process? After a fork the child cannot use the parent's
+ *  descriptors, which refer to the parent's memory. */
 bool redcc_pages_begun(void);
 
-/** Opens what it takes, and tries it. False: the system cannot tell, or must not be asked; it is
- *  not asked again. */
+/** Opens the descriptors and tests them. False: the system does not support it, or must not be
+ *  asked; no further attempt is made. */
 bool redcc_pages_begin(void);
 
-/** From now on a write to these whole pages will be known. False: it cannot be. */
+/** Protects these whole pages, so that writes to them are recorded. False on failure. */
 bool redcc_pages_protect(struct range pages);
 
-/** Are all pages there and none written since they were protected? False also where that cannot be
- *  told, as of a place where something else was mapped meanwhile. */
+/** Are all pages present and unwritten since they were protected? False also if unknown, as for an
+ *  address that was remapped meanwhile. */
 bool redcc_pages_untouched(struct range pages);
 
 #endif

@@ -4,8 +4,8 @@
 
 enum {
     MOST_STEPS = 2000000,   /* of one query: some tens of milliseconds */
-    MOST_BYTES = 1 << 16,   /* of an object that is looked at */
-    PARAMETER_WINDOW = 4096 /* bytes behind a pointer parameter that are looked at */
+    MOST_BYTES = 1 << 16,   /* of an object that is analysed */
+    PARAMETER_WINDOW = 4096 /* bytes analysed behind a pointer parameter */
 };
 
 must_write *must_write_new(arena *a, const ir_unit *unit, const analysis_options *options) {
@@ -63,7 +63,7 @@ static const char *find_unfit(const ir_variable *variable) {
 typedef struct search {
     must_write *prover;
     const ir_node *body;
-    const ir_node *loop; /* that the body belongs to, if what follows it is never followed by it */
+    const ir_node *loop; /* the loop of the body, if the code after it never leads back to it */
     const ir_variable *variable;
     const ir_node *found;
 } search;
@@ -74,7 +74,7 @@ static unsigned last_id(const ir_node *node) {
     return node->id;
 }
 
-/* The access path that the variable's node stands at the bottom of: v, v[i], v.m[i]. */
+/* The access path with the variable's node at the bottom: v, v[i], v.m[i]. */
 static const ir_node *access_path(const ir_node *node) {
     for (;;) {
         const ir_node *above = node->parent;
@@ -89,7 +89,7 @@ static const ir_node *access_path(const ir_node *node) {
     }
 }
 
-/* Is what the variable's node stands for used as an address that may be kept? */
+/* Is the variable's access path used as an address that may be stored? */
 static bool address_is_kept(search *find, const ir_node *node) {
     const ir_node *path = access_path(node);
     const ir_node *above = path->parent;
@@ -130,7 +130,7 @@ static bool note_loop_back(ir_node *node, void *context) {
     return true;
 }
 
-/* The loop of this body if nothing that stands after it can be followed by it again. */
+/* The loop of this body if the code after it never leads back to it. */
 static const ir_node *loop_entered_once(const ir_node *body) {
     const ir_node *loop = body->parent;
     bool has_labels = false;
@@ -183,8 +183,8 @@ static mention look_for(const ir_node *body, const ir_variable *variable) {
     return m;
 }
 
-/* After an iteration a pointer into the private copy may be left in a variable: it must be one
- * that nothing outside the body looks at. */
+/* After an iteration a pointer into the private copy may remain in a variable: it must not be used
+ * outside of the body. */
 static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     for (unsigned i = 0; i < s->bindings.count; i++)
         if (s->bindings.items[i].value.kind == VALUE_POINTER) {
@@ -224,8 +224,8 @@ static void bind_constants(const run *r, const ir_node *body, state *head) {
     ir_walk(r->function->body, bind_constant, &known);
 }
 
-/* Interprets iterations, each with nothing written, until what they leave in variables for the
- * next one no longer changes. Gives the state at an iteration's end. */
+/* Interprets iterations, each with nothing written, until the variables they leave to the next one
+ * no longer change. Returns the state at an iteration's end. */
 static state interpret_iterations(run *r, const ir_node *body) {
     arena *a = r->prover->scratch;
     state head = state_new(a, r->size);
@@ -306,7 +306,8 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     return result;
 }
 
-/* Wherever in whatever object the pointer points: accesses do not matter, only where it goes. */
+/* For a pointer anywhere into any object: accesses do not matter, only where its value is
+ * stored. */
 static bool keeps_address(must_write *prover, const ir_function *function, unsigned index) {
     value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count);
     arguments[index] = (value){VALUE_POINTER, false, 0};

@@ -4,9 +4,9 @@
  *
  * The proof: every byte of it that an iteration may read was written before, on every path, in the
  * same iteration. The method: abstract interpretation of the body with the set of bytes definitely
- * written so far; loops with constant bounds are executed, other loops count for nothing after
- * them; pointers into the variable are followed through straight-line code and into the callees
- * whose bodies are known. What cannot be followed makes the answer "unknown", never a wrong one.
+ * written so far. Loops with constant bounds are executed; writes in other loops do not count after
+ * them. Pointers into the variable are followed through straight-line code and into callees with
+ * known bodies. A construct that cannot be followed makes the answer "unknown", never a wrong one.
  */
 #ifndef ANALYSIS_MUST_WRITE_H
 #define ANALYSIS_MUST_WRITE_H
@@ -14,46 +14,45 @@
 #include "analysis/base/facts.h"
 #include "ir/ir.h"
 
-/** The prover of one unit: keeps what it has learnt of callees. Not for several threads at once. */
+/** The prover of one unit, which caches results about callees. Not thread-safe. */
 typedef struct must_write must_write;
 
-/** Lives in the arena. `options` (may be NULL) names the functions that the user calls pure. */
+/** Allocated in the arena. `options` (may be NULL) names the functions that the user calls pure. */
 must_write *must_write_new(arena *a, const ir_unit *unit, const analysis_options *options);
 
 typedef enum private_verdict {
     PRIVATE_PROVED,            /* each iteration may have its own, uninitialised copy */
-    PRIVATE_READ_BEFORE_WRITE, /* an iteration may read what it did not write */
-    PRIVATE_UNKNOWN /* escapes, not a local variable, too large, too expensive to tell ... */
+    PRIVATE_READ_BEFORE_WRITE, /* an iteration may read a byte that it did not write */
+    PRIVATE_UNKNOWN            /* escapes, not a local variable, too large, too expensive ... */
 } private_verdict;
 
 typedef struct private_result {
     private_verdict verdict;
-    const ir_node *node; /* what is in the way, inside the body where it can be; NULL: nothing or
-                            the variable itself */
+    const ir_node *node; /* the cause, inside of the body if possible; NULL: none, or the variable
+                          * itself */
     const char *why;     /* a clause without full stop: "its address is stored"; NULL if proved */
     bool is_written;     /* an iteration may write some byte of it */
-    /** Every byte (padding apart) is definitely assigned when an iteration ends: the copy of the
-     *  last iteration is what the sequential loop leaves. */
+    /** Every byte (except padding) is definitely assigned when an iteration ends: the copy of the
+     *  last iteration has the value that the sequential loop leaves. */
     bool assigned_at_end;
-    /** Weaker: the bytes that iterations write are written by each of them. The others keep the
-     *  value from before the loop, so a last value must be merged into a copy of that. */
+    /** Weaker: each iteration writes the same bytes. The others keep their values from before the
+     *  loop, so a last value must be merged into a copy of those. */
     bool assigned_same_bytes;
 } private_result;
 
 /**
  * Analyses `variable` for iterations that execute `body` (a loop's body; `continue` ends the
- * iteration). The loop's own header is not looked at: that it neither reads nor writes the
- * variable is the caller's to know. A variable declared inside the body is private by its scope:
- * PROVED, not assigned at the end.
+ * iteration). The caller must know that the loop's header neither reads nor writes the variable. A
+ * variable declared inside of the body is private by its scope: PROVED, not assigned at the end.
  */
 private_result must_write_check(must_write *prover, const ir_node *body,
                                 const ir_variable *variable);
 
-/** What a call does with the memory its pointer parameter points to, whatever the object is. */
+/** The effect of a call on the target of a pointer parameter, for any object. */
 typedef struct parameter_effect {
-    bool keeps_address; /* may store the address, hand it back, or pass it to what is not known */
-    bool is_known;      /* the address is not kept, and all accesses lie in [0, end) from it; if
-                           false, nothing below may be used */
+    bool keeps_address; /* may store the address, return it, or pass it to unknown code */
+    bool is_known;      /* the address is not stored, and all accesses lie in [0, end) from it;
+                         * otherwise the fields below are invalid */
     int64_t end;        /* bytes from the pointer on that a call may read or write */
     bool may_read;      /* reads bytes that the call itself has not written before */
     bool may_write;

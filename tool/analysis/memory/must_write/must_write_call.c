@@ -12,7 +12,7 @@ typedef struct known_access {
     bool is_write;
     unsigned argument;
     int64_t size;           /* bytes */
-    unsigned size_argument; /* or, where size is 0, the argument that says it */
+    unsigned size_argument; /* or, if size is 0, the argument with the size */
 } known_access;
 
 typedef struct known_function {
@@ -22,8 +22,8 @@ typedef struct known_function {
     bool is_gnu; /* the name is the program's, unless the system declares it */
 } known_function;
 
-/* C17 7.12 and 7.24, and some of GNU's and POSIX'. None keeps an address; memcpy, memmove, memset
- * and mempcpy give a pointer into their first argument back. */
+/* C17 7.12 and 7.24, and some of GNU's and POSIX'. None stores an address; memcpy, memmove, memset
+ * and mempcpy return a pointer into their first argument. */
 static const known_function known_functions[] = {
     {"memset", 1, {{true, 0, 0, 2}}, false},
     {"memcpy", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}, false},
@@ -53,7 +53,7 @@ static bool is_called(const char *name, const char *plain) {
     return strcmp(name, plain) == 0;
 }
 
-/* Names that C reserves, or, of GNU's, that the compiler reserves or a header of the system has. */
+/* Names that C reserves, or, for GNU's, that the compiler reserves or a system header declares. */
 static bool is_of_library(const ir_function *function, const known_function *known) {
     return !known->is_gnu || function->is_from_system || strncmp(function->name, "__", 2) == 0;
 }
@@ -144,7 +144,7 @@ static call_summary *find_summary(must_write *prover, const ir_function *functio
     return NULL;
 }
 
-/* Why the body cannot be interpreted with these arguments; NULL: it can. */
+/* The reason why the body cannot be interpreted with these arguments; NULL: it can. */
 static const char *find_obstacle(const ir_function *function, unsigned count,
                                  const value *arguments, unsigned depth) {
     if (function->body == NULL || function->linkage.is_weak)
@@ -234,7 +234,7 @@ static const ir_function *called_function(const ir_node *node) {
     return callee->kind == IR_FUNCTION ? callee->function : NULL;
 }
 
-/* What integer parameters receive, where no conversion changes it. */
+/* The value of an integer parameter, if no conversion changes it. */
 static value as_parameter(const ir_function *function, unsigned index, value v) {
     if (v.kind != VALUE_INTEGER)
         return v;
@@ -261,7 +261,7 @@ static value call_summarised(run *r, state *s, const ir_node *node, const ir_fun
     return summary->result;
 }
 
-/* Each argument's value; all are evaluated with what was written before any of them. */
+/* Evaluates the arguments, each with the state before all of them. */
 static bool evaluate_arguments(run *r, state *s, const ir_node *node, value *arguments) {
     const unsigned count = node->child_count - 1;
     bool is_passed = false;
@@ -287,7 +287,8 @@ value run_call(run *r, state *s, const ir_node *node) {
     if (count > MOST_ARGUMENTS)
         return run_give_up(r, node, "a call has too many arguments");
     if (!evaluate_arguments(r, s, node, arguments) || r->unknown != NULL)
-        return value_other; /* what is not passed cannot be reached: its address is nowhere */
+        return value_other; /* an object that is not passed cannot be reached: its address is not
+                             * stored */
     if (function == NULL)
         return run_give_up(r, node, "it is passed to a function that is not known");
     const known_function *known = find_known(function);

@@ -156,7 +156,7 @@ static value evaluate_unary(run *r, state *s, const ir_node *node) {
         return evaluate_increment(r, s, node);
     case IR_OP_ADDRESS:
         p = run_locate(r, s, operand);
-        if (p.variable != NULL) /* then what it holds is not followed by its name alone */
+        if (p.variable != NULL) /* then its value does not change only by its name */
             return run_give_up(r, node, "the address of a variable is taken");
         if (p.kind == PLACE_OBJECT) {
             v.kind = VALUE_POINTER;
@@ -207,8 +207,8 @@ static value evaluate_binary(run *r, state *s, const ir_node *node) {
         run_discard(r, s, node->children[0]);
         return run_evaluate(r, s, node->children[1]);
     }
-    /* Left-nested chains are long: only the right operand is searched for effects. Without any in
-     * it, it goes first and sees nothing of the left one's writes. */
+    /* Left-nested chains are long: only the right operand is searched for effects. If it has none,
+     * it is evaluated first and does not see the left one's writes. */
     if (!run_has_effects(r, node->children[1])) {
         const value right = run_evaluate(r, s, node->children[1]);
         return value_combine(node, run_evaluate(r, s, node->children[0]), right);
@@ -318,7 +318,7 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
         return;
     run_check_hidden(r, s, declarator, variable->type);
     if (variable->storage != IR_LOCAL)
-        return; /* what initialises a static variable is constant */
+        return; /* the initialiser of a static variable is constant */
     if (initial != NULL && initial->kind == IR_OPAQUE && variable->type->kind == IR_ARRAY &&
         variable->type->size < 0) { /* the lengths of a variable length array */
         for (unsigned i = 0; i < initial->child_count; i++)
@@ -349,7 +349,8 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
         run_store(r, s, &target, &p, v);
 }
 
-/* ---- text that the tree does not show -------------------------------------------------------- */
+/* ---- text that is not in the tree
+ * ----------------------------------------------------------------- */
 
 static bool is_word_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops whose rounds are known though their bounds are not: for (i = x - 1; i <= x + 1; i++). */
+/* Loops whose trip counts are known though their bounds are not: for (i = x - 1; i <= x + 1;
+ * i++). */
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/memory/must_write/must_write_run.h"
@@ -15,7 +16,7 @@ static bool is_wide_integer(const ir_type *type) {
            !type->is_volatile && !type->is_atomic;
 }
 
-/* Of signed integers that are not narrowed on the way: no sum wraps. */
+/* For signed integers that are not narrowed in between: no sum wraps around. */
 static bool offset_of(const ir_node *node, offset_value *to) {
     int64_t number;
     if (!is_wide_integer(node->type))
@@ -35,8 +36,8 @@ static bool offset_of(const ir_node *node, offset_value *to) {
            !__builtin_add_overflow(to->number, number, &to->number);
 }
 
-/* Has the variable one value as long as the loop runs? By its name it is not written there, as
- * counted_recognise has seen; other names it has none. */
+/* Is the variable invariant in the loop? counted_recognise has checked that it is not written by
+ * name; it has no other names. */
 static bool stays(run *r, const ir_node *loop, const ir_variable *variable) {
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable->function == r->function && variable != r->object &&

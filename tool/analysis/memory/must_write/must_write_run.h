@@ -9,7 +9,7 @@
 #include "analysis/memory/must_write/must_write.h"
 #include "analysis/memory/must_write/must_write_state.h"
 
-/** What a call of a function does to the object, its parameters having these values. */
+/** The effect of a call on the object, with these values of its parameters. */
 typedef struct call_summary {
     struct call_summary *next;
     const ir_function *function;
@@ -17,8 +17,8 @@ typedef struct call_summary {
     bool is_open;
     unsigned argument_count;
     const value *arguments;
-    bool is_running;     /* being made: another use of it is recursion */
-    const char *unknown; /* why nothing is known; NULL: the rest holds */
+    bool is_running;     /* in progress: another use of it is recursion */
+    const char *unknown; /* why nothing is known; NULL: the other fields are valid */
     byte_set read;       /* bytes that may be read before the call itself has written them */
     byte_set touched;    /* bytes that may be written */
     byte_set written;    /* bytes definitely written when it returns */
@@ -32,8 +32,8 @@ struct must_write {
     const ir_unit *unit;
     const analysis_options *options;
     call_summary *summaries[SUMMARY_LISTS]; /* by function id */
-    arena *scratch;                         /* of the query at hand */
-    unsigned steps;                         /* left to it */
+    arena *scratch;                         /* of the current query */
+    unsigned steps;                         /* remaining for the query */
 };
 
 /** One body being interpreted: the analysed one, or a callee's. */
@@ -42,11 +42,11 @@ typedef struct run {
     const ir_function *function;
     const ir_variable *object; /* NULL in callees: they reach it by pointers only */
     int64_t size;              /* of the object, in bytes */
-    bool is_open;              /* the object's true end is not known, `size` is only a window */
+    bool is_open;              /* the object's true end is unknown, `size` is only a window */
     unsigned depth;            /* of calls */
     byte_set read, touched;    /* as in call_summary */
-    const ir_node *read_node;  /* the first that read too early */
-    const char *unknown;       /* set: the interpretation is over, nothing is known */
+    const ir_node *read_node;  /* the first premature read */
+    const char *unknown;       /* set: the interpretation has ended, nothing is known */
     const ir_node *unknown_node;
     state *on_break, *on_continue; /* joined with the states that jump; on_continue may be NULL */
     state on_return;
@@ -58,38 +58,38 @@ extern const value value_other;
 
 /* ---- values (must_write_value.c) ------------------------------------------------------------- */
 
-/** The number as a value of the type, or value_other where a conversion would change it. */
+/** The number as a value of the type, or value_other if a conversion would change it. */
 value value_integer(int64_t number, const ir_type *type);
-/** False where the result is not known. */
+/** False if the result is unknown. */
 bool value_compute(ir_operator op, int64_t a, int64_t b, int64_t *result);
-/** Bytes of what the pointer type points to; void counts 1, as with GNU C; -1: not known. */
+/** Bytes of the pointer type's target; void counts as 1, as in GNU C; -1: unknown. */
 int64_t value_pointee_size(const ir_type *type);
 /** pointer +- number * element */
 value value_move(value pointer, value number, int64_t element, bool is_back);
-/** left op right; `node` tells operator and types. */
+/** left op right; `node` has operator and types. */
 value value_combine(const ir_node *node, value left, value right);
 
 /* ---- the interpreter ------------------------------------------------------------------------- */
 
-/** Gives up: remembers the first reason. Returns value_other. */
+/** Gives up, keeping the first reason. Returns value_other. */
 value run_give_up(run *r, const ir_node *node, const char *why);
-/** Counts work; false once the interpretation is over. */
+/** Counts work; false once the interpretation has ended. */
 bool run_step(run *r, const ir_node *node, unsigned steps);
 
-/** Notes that the bytes may be read now. */
+/** Records that the bytes may be read now. */
 void run_read(run *r, const state *s, const ir_node *node, int64_t begin, int64_t end);
 void run_read_set(run *r, const state *s, const ir_node *node, byte_set bytes);
-/** Notes a write of exactly these bytes, or of some of them. */
+/** Records a write of exactly these bytes, or of some of them. */
 void run_write(run *r, state *s, const ir_node *node, int64_t begin, int64_t end, bool is_exact);
 
 /** The value as an object of the type holds it after assignment or cast. */
 value run_convert(run *r, const ir_node *node, value v, const ir_type *type);
 
-/** Does evaluating it change anything, as far as its form tells? */
+/** May evaluating it have side effects, judged by its form? */
 bool run_has_effects(run *r, const ir_node *node);
 
-/** What is read in one operand must not count on what another one writes: f[0] + set(f). Each is
- * evaluated with what was written before any of them. */
+/** A read in one operand must not rely on a write in another: f[0] + set(f). Each is evaluated with
+ *  the state before all of them. */
 typedef struct unsequenced {
     bool is_needed;
     byte_set before, all;
@@ -109,12 +109,12 @@ typedef struct place {
     place_kind kind;
     bool is_exact; /* PLACE_OBJECT: at `offset`; else somewhere in [begin, end) */
     int64_t offset;
-    int64_t begin, end;          /* what an unknown subscript may reach */
-    const ir_variable *variable; /* where it is a scalar variable whose value is followed */
+    int64_t begin, end;          /* the range that an unknown subscript may reach */
+    const ir_variable *variable; /* if it is a scalar variable whose value is followed */
 } place;
 
 place run_variable_place(const run *r, const ir_variable *variable);
-/** The place of an lvalue; of other expressions the value is computed and is elsewhere. */
+/** The place of an lvalue; other expressions are evaluated, and their place is elsewhere. */
 place run_locate(run *r, state *s, const ir_node *node);
 /** Reads the lvalue `node` that lies there; arrays decay. */
 value run_load(run *r, state *s, const ir_node *node, const place *p);
@@ -125,31 +125,31 @@ value run_store(run *r, state *s, const ir_node *target, const place *p, value v
 
 /** The value of an expression, its effects applied to the state. */
 value run_evaluate(run *r, state *s, const ir_node *expression);
-/** As an operand whose value nobody wants: x; (void)x; */
+/** As an operand whose value is not used: x; (void)x; */
 void run_discard(run *r, state *s, const ir_node *expression);
-/** As run_evaluate where a pointer into the object must not be the value: it would be lost. */
+/** As run_evaluate, but a pointer into the object must not be the value, because it would be
+ *  lost. */
 void run_evaluate_closed(run *r, state *s, const ir_node *expression);
-/** Gives up where C text that the tree does not show (the size of an array type) may read the
- *  object. */
+/** Gives up if C text that is not in the tree (the size of an array type) may read the object. */
 void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type *type);
 void run_initialise(run *r, state *s, const ir_node *declarator);
 value run_call(run *r, state *s, const ir_node *call);
 
 void run_execute(run *r, state *s, const ir_node *statement);
 
-/** Never NULL; its `unknown` tells whether it says anything. */
+/** Never NULL; it is valid unless its `unknown` is set. */
 const call_summary *summarise_call(must_write *prover, const ir_function *function, int64_t size,
                                    bool is_open, unsigned argument_count, const value *arguments,
                                    unsigned depth);
-/** Does the function keep or pass on the address of an object of this size that its argument
- *  points into? For calls outside the analysed loop. */
+/** Does the function store or pass on the address of an object of this size that its argument
+ *  points into? For calls outside of the analysed loop. */
 bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argument, int64_t size);
-/** May the variable's address be kept by what stands outside of `body` and is executed before or
- *  between its executions? */
+/** May code outside of `body`, executed before or between its executions, store the variable's
+ *  address? */
 bool address_kept_outside(must_write *prover, const ir_node *body, const ir_variable *variable);
 
-/** Of a `for` whose first value and bound are one variable plus constants: how often its body is
- *  executed, unless it is left before. -1: not known. */
+/** The trip count of a `for` whose first value and bound are one variable plus constants, unless it
+ *  is left before. -1: unknown. */
 int64_t run_known_rounds(run *r, const ir_node *loop);
 
 #endif

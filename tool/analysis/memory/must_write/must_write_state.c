@@ -88,7 +88,7 @@ int64_t byte_set_end(byte_set s) {
     return 0;
 }
 
-/* Unions and bit-fields share bytes: all of such a record counts. */
+/* Unions and bit-fields share bytes: the whole record counts. */
 static bool record_has_plain_fields(const ir_record *record) {
     if (record == NULL || record->is_union || !record->is_complete)
         return false;

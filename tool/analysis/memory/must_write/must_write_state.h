@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the must-write proof knows at a point of the program: which bytes of the one object under
- * proof are definitely written, and what local scalars hold as far as it matters.
+ * The state of the must-write proof at a point of the program: the bytes of the analysed object
+ * that are definitely written, and the relevant values of local scalars.
  */
 #ifndef ANALYSIS_MUST_WRITE_STATE_H
 #define ANALYSIS_MUST_WRITE_STATE_H
@@ -9,7 +9,7 @@
 #include "ir/ir.h"
 #include "support/vector.h"
 
-/** A set of bytes of an object of fixed size; the sets that are combined have the same size. */
+/** A set of bytes of an object of fixed size; combined sets have the same size. */
 typedef struct byte_set {
     uint64_t *words;
     unsigned word_count;
@@ -29,8 +29,8 @@ bool byte_set_is_empty(byte_set s);
 bool byte_set_includes(byte_set s, byte_set other);
 /** One past the last byte in the set; 0: empty. */
 int64_t byte_set_end(byte_set s);
-/** Adds the bytes in which a value of `type` at `offset` is kept: those of a record's padding are
- *  not. All of them lie within the set's size, or nothing may be asked. */
+/** Adds the bytes that store a value of `type` at `offset`, without padding. All of them must lie
+ *  within the set's size. */
 void byte_set_add_value(byte_set s, const ir_type *type, int64_t offset);
 
 typedef enum value_kind {
@@ -55,20 +55,20 @@ typedef struct binding {
 } binding;
 
 typedef struct state {
-    bool is_reachable; /* if not, nothing else is meant */
+    bool is_reachable; /* if not, the other fields are invalid */
     byte_set written;
     VECTOR(binding) bindings; /* variables that are not in it hold VALUE_OTHER */
 } state;
 
 state state_new(arena *a, int64_t size); /* reachable, nothing known */
 state state_copy(arena *a, const state *s);
-/** What holds whichever of the two was reached. */
+/** The facts that hold in both states. */
 void state_join(arena *a, state *s, const state *other);
-/** Do variables hold the same? */
+/** Do variables hold the same values? */
 bool state_same_bindings(const state *a, const state *b);
 value state_get(const state *s, const ir_variable *variable);
 void state_set(arena *a, state *s, const ir_variable *variable, value v);
-/** How much work a copy or join of it is, in steps. */
+/** The cost of a copy or join of it, in steps. */
 unsigned state_weight(const state *s);
 
 #endif

@@ -2,7 +2,7 @@
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum {
-    /* A loop with a known trip count is executed as long as this. */
+    /* A loop with a known trip count is executed up to this many times. */
     MOST_ROUNDS = 1 << 14
 };
 
@@ -17,7 +17,7 @@ static void join(run *r, const ir_node *node, state *s, const state *other) {
         state_join(r->prover->scratch, s, other);
 }
 
-/* The state goes elsewhere: what follows in the text is not reached from here. */
+/* Control goes elsewhere: the following text is not reached from here. */
 static void jump(run *r, const ir_node *node, state *s, state *to) {
     if (to == NULL) {
         run_give_up(r, node, "a jump leaves what is looked at");
@@ -52,7 +52,7 @@ typedef struct loop_parts {
     const ir_node *condition; /* NULL: always true */
     const ir_node *increment; /* NULL: none */
     const ir_node *body;
-    const ir_node *counted; /* the loop, where it is a `for`; NULL: it is not */
+    const ir_node *counted; /* the loop, if it is a `for`; else NULL */
 } loop_parts;
 
 /* Body and increment; the state after them. Breaks are joined into *breaks. */
@@ -74,8 +74,8 @@ static value evaluate_condition(run *r, state *s, const loop_parts *loop) {
     return loop->condition == NULL ? always : run_evaluate(r, s, loop->condition);
 }
 
-/* From the state before the condition on, any number of rounds: what the rounds write counts for
- * nothing in later ones, what variables hold is joined until it no longer changes. */
+/* Executes any number of rounds, from the state before the condition. Writes in a round do not
+ * count in later ones; the values of variables are joined until they no longer change. */
 static void execute_any_rounds(run *r, state *s, const loop_parts *loop, state *breaks) {
     state *head = scratch_copy(r, s);
     while (r->unknown == NULL) {
@@ -102,7 +102,7 @@ static state *bindings_copy(run *r, const state *s) {
     return scratch_copy(r, &bindings);
 }
 
-/* Is it known how often the body is executed, though the condition is not? Then it has been. */
+/* Is the trip count known, though the condition is not? Then the rounds are executed. */
 static bool execute_known_rounds(run *r, state *s, const loop_parts *loop, state *breaks) {
     const int64_t rounds =
         loop->counted && run_step(r, loop->body, 64) ? run_known_rounds(r, loop->counted) : -1;
@@ -116,10 +116,10 @@ static bool execute_known_rounds(run *r, state *s, const loop_parts *loop, state
     return true;
 }
 
-/* The loop from the test of its condition on, round by round as long as the condition is known. */
+/* Executes the loop from its condition on, round by round while the condition is known. */
 static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks) {
     const bool has_effects = loop->condition != NULL && run_has_effects(r, loop->condition);
-    byte_set repeated = {NULL, 0}; /* what was written when the variables last stayed the same */
+    byte_set repeated = {NULL, 0}; /* the bytes written when the variables last stayed the same */
     for (unsigned round = 0; s->is_reachable && r->unknown == NULL; round++) {
         state *before = has_effects ? scratch_copy(r, s) : bindings_copy(r, s);
         if (!run_step(r, loop->body, state_weight(before)))
@@ -132,7 +132,7 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
             return;
         if (condition.kind != VALUE_INTEGER || round == MOST_ROUNDS) {
             if (has_effects)
-                *s = *before; /* as if the condition had not been looked at yet */
+                *s = *before; /* the state before the condition */
             execute_any_rounds(r, s, loop, breaks);
             return;
         }
@@ -140,7 +140,7 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
         if (!s->is_reachable || !state_same_bindings(s, before))
             continue;
         if (repeated.words != NULL && byte_set_includes(repeated, s->written)) {
-            s->is_reachable = false; /* it goes on like this; only a break ends it */
+            s->is_reachable = false; /* this repeats; only a break ends it */
             return;
         }
         if (run_step(r, loop->body, state_weight(s)))
@@ -222,7 +222,7 @@ static void execute_switch(run *r, state *s, const ir_node *node) {
     state breaks = {.is_reachable = false};
     const state *entry = scratch_copy(r, s);
     r->on_break = &breaks;
-    s->is_reachable = false; /* what stands before the first label is jumped over */
+    s->is_reachable = false; /* text before the first label is skipped */
     if (body->kind == IR_BLOCK)
         for (unsigned i = 0; i < body->child_count; i++)
             execute_labelled(r, s, body->children[i], entry);

@@ -28,7 +28,7 @@ value run_convert(run *r, const ir_node *node, value v, const ir_type *type) {
     return v;
 }
 
-/* A negative operand beside an unsigned one is converted: left alone. */
+/* A negative operand of an unsigned one is converted: not followed. */
 static bool converts_sign(const ir_node *node, value left, value right) {
     const ir_type *a = node->children[0]->type, *b = node->children[1]->type;
     return (left.number < 0 && !b->is_signed) || (right.number < 0 && !a->is_signed);
