@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The C sources around a source, with the functions that they define and call, judged by their text
+ * The C sources around a source, with the functions that they define and call, found by their text
  * alone. Macros and unusual text may mislead it: a result says only which file to read, and is
  * never used as a fact.
  */

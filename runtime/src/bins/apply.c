@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Bringing records, or private copies, into the arrays. */
+/** Applies records, or merges private copies, into the arrays. */
 #include "bins/binning.h"
 
 #include "base/share.h"
@@ -8,7 +8,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* Records of doubles, for rows of floats: in which type the update was computed. */
+/* Records of doubles, for rows of floats: the type in which the update was computed. */
 static void apply_wide(const redcc_applied *applied, redcc_operator operation, size_t count) {
     float *const rows = applied->rows[0];
     const double *const records = applied->records;
@@ -20,7 +20,7 @@ static void apply_wide(const redcc_applied *applied, redcc_operator operation, s
         }
 }
 
-/* Has the library a function for the stream's records? */
+/* Does the library have a function for the stream's records? */
 static bool is_plain(const redcc_array *array, const redcc_stream *stream, bool *wide) {
     const struct element_rule *rule =
         redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type);
@@ -84,10 +84,10 @@ static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
     }
 }
 
-/* Dynamic scheduling: a thread that is done takes the next bin, of whichever stream. */
+/* Dynamic scheduling: a thread that is done takes the next bin, of any stream. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands) {
     (void)binner;
-    uint32_t s = 0, before = 0; /* bins of the streams before */
+    uint32_t s = 0, before = 0; /* bins of the preceding streams */
     for (;;) {
         const uint32_t next =
             atomic_fetch_add_explicit(&binning->next_bin, 1, memory_order_relaxed);
@@ -131,8 +131,8 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
     }
 }
 
-/* The rows of one thread's copy of an array of the stream, from the first to the last that is not
- * neutral any more. */
+/* The rows of one thread's copy of an array of the stream, from the first to the last that is no
+ * longer neutral. */
 static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
                                      const char *copy) {
     const redcc_stream *stream = &binning->loop->streams[s];

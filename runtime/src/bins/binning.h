@@ -3,27 +3,28 @@
  * In-order binning (propagation blocking): an executor without an inspection, for loops whose
  * subscripts change. The iterations are executed in rounds.
  *
- *     measure  where nothing is known: some iterations, to see which rows and how many records
+ *     measure  without prior information: executes some iterations, to count rows and records
  *     push     each thread executes its share of the round's iterations, piece by piece, then
- *              pieces of others, and appends a record of each update to the bin of its row; nothing
- *              of the arrays is written
- *     guard    does what was read in the round overlap what it is to write? (one thread)
- *     apply    each bin is taken by one thread, which applies its records: the first piece's, the
- *              second's, ..., each as they were appended
+ *              pieces of others, and appends a record of each update to the bin of its row; the
+ *              arrays are not written
+ *     guard    do the round's reads overlap the ranges it will write? (one thread)
+ *     apply    one thread takes each bin and applies its records: the first piece's, the second's,
+ *              ..., each in the order they were appended
  *
- * So each element gets its updates in the order of the loop, at every number of threads. A round of
- * which records are missing (rows outside of the bins, no more memory) is thrown away and executed
- * again, with other bins or fewer iterations. Where that is of no use, or the guard says no, the
- * rest of the loop runs sequentially: nothing of the round was written.
+ * So each element gets its updates in the order of the loop, at every number of threads. If records
+ * of a round are missing (rows outside of the bins, no more memory), it is aborted and executed
+ * again, with other bins or fewer iterations. If that does not help, or the guard fails, the rest
+ * of the loop runs sequentially: the round has written nothing.
  *
- * In small arrays of integers, whose updates may be made in any order, each thread has a private
- * copy of the rows instead, and makes its updates at once; the copies are brought in at the end.
+ * For small arrays of integers, whose updates may be made in any order, each thread instead has a
+ * private copy of the rows, and updates it at once; the copies are merged at the end.
  *
- * A trial begins with a short round, after which as many iterations are executed sequentially: the
- * two are compared. It ends after the first round by which too much is lost.
+ * A trial begins with a short round. After it the same number of iterations is executed
+ * sequentially, and the two times are compared. The trial ends after the first round with too large
+ * a loss.
  *
- * Rooms: window (rows and bins), pieces (who executes what), buffer (records), layout (sizes,
- * memory), guard, apply, rounds.
+ * Parts: window (rows and bins), pieces (distribution of iterations), buffer (records), layout
+ * (sizes, memory), guard, apply, rounds.
  */
 #ifndef REDCC_BINNING_H
 #define REDCC_BINNING_H
@@ -44,63 +45,60 @@ enum bins_phase {
     BINS_OVER     /* `begin` iterations are done */
 };
 
-/** One thread's part. What only it writes; others look after the barrier. */
+/** One thread's part. Only it writes this; the other threads read it after the barrier. */
 struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
     bool begun;              /* its part of the phase */
     struct bins_share share; /* of the round */
-    int pieces;              /* it took in this round */
-    redcc_int next;          /* of its piece [next, last) is not handed out yet */
+    int pieces;              /* number taken in this round */
+    redcc_int next;          /* of its piece, [next, last) is not handed out yet */
     redcc_int last;
-    redcc_int unseen;      /* iterations since it has looked whether records are missing */
-    int sample;            /* stretches of iterations handed out to be measured */
-    redcc_int measured;    /* iterations in them */
-    redcc_extent *sources; /* [source_count] told by redcc_read, in this round */
+    redcc_int unseen;                /* iterations since it last checked for missing records */
+    int sample;                      /* stretches of iterations handed out for measuring */
+    redcc_int measured;              /* iterations in them */
+    redcc_extent *sources;           /* [source_count] recorded by redcc_read, in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] */
 };
 
-/** A stream, as far as it is known; kept between executions. */
+/** Known properties of a stream; kept between executions. */
 struct binned_stream {
-    struct row_range rows; /* that were told */
-    double
-        rate; /* records an iteration, of the thread that has most, and some more; 0: not known */
+    struct row_range rows; /* that were recorded */
+    double rate; /* records per iteration, of the thread with most, plus a margin; 0: unknown */
     struct window window;
-    struct row_range changed; /* of private copies: the rows that they bring something to */
-    double cut_for;           /* records that the window was cut for; 0: it is to be cut */
+    struct row_range changed; /* of private copies: the rows that they change */
+    double cut_for;           /* records for which the window was cut; 0: to be cut */
 };
 
 /** The iterations of a round. */
 struct round {
     redcc_int begin;
     redcc_int end;
-    redcc_int most;                  /* iterations, of the rounds that follow */
-    bool shortened;                  /* memory had not sufficed */
-    int failures;                    /* in turn */
-    unsigned long long error_before; /* as *error, where it is thrown away */
+    redcc_int most;                  /* maximum iterations of later rounds */
+    bool shortened;                  /* memory was insufficient */
+    int failures;                    /* consecutive */
+    unsigned long long error_before; /* *error at the round's beginning, restored if it is
+                                      * aborted */
 };
 
-/** Whom to tell which bytes of an array will be written next, before they are; tell NULL: nobody.
- */
+/** Receives the bytes of an array that will be written next, before they are; tell NULL: unused. */
 struct written_witness {
     void (*tell)(void *whom, uint32_t array, struct range written);
     void *whom;
 };
 
-/** What iterations leave beside the arrays, in the execution: undone with a round that is thrown
- * away.
- */
+/** Effects of iterations other than on the arrays: undone with an aborted round. */
 struct effects {
     atomic_int *last_claimed;
     atomic_ullong *error;
 };
 
 struct bins_trial {
-    double may_lose;   /* seconds; 0: this is no trial */
-    double began;      /* when */
-    redcc_int stretch; /* iterations that were executed sequentially meanwhile, */
-    double sequential; /* and the seconds that they took */
+    double may_lose;   /* seconds; 0: no trial */
+    double began;      /* its time */
+    redcc_int stretch; /* iterations executed sequentially meanwhile, */
+    double sequential; /* and their seconds */
 };
 
 struct binning {
@@ -113,8 +111,8 @@ struct binning {
     enum bins_phase phase;
     struct bins_trial trial;
     struct round round;
-    bool copies;        /* private ones, in this execution */
-    int cut_threads;    /* that the windows were cut for */
+    bool copies;        /* private copies, in this execution */
+    int cut_threads;    /* for which the windows were cut */
     bool denies_copies; /* the guard found them to be too coarse */
     atomic_uint next_bin;
     atomic_int failed; /* in this round, by some thread */
@@ -131,7 +129,7 @@ static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
     return loop->flags & REDCC_BINNED ? (const redcc_binned *)(const void *)loop : NULL;
 }
 
-/** Where a row of a stream's array is. */
+/** The address of a row of a stream's array. */
 static inline uintptr_t redcc_row_address(const struct binning *binning, const redcc_stream *stream,
                                           uint32_t array, redcc_int row) {
     return (uintptr_t)binning->call->request.bases[stream->arrays[array]] +
@@ -140,43 +138,46 @@ static inline uintptr_t redcc_row_address(const struct binning *binning, const r
 
 /* ---- layout.c -------------------------------------------------------------------------------- */
 
-/** Cuts windows and takes memory for rounds of what is left of the loop, by what is known of the
- *  streams; by the thread that entered the loop. NONE, or why it cannot be. */
+/** Cuts windows and allocates memory for rounds of the remaining iterations, according to the known
+ *  properties of the streams; called by the thread that entered the loop. NONE, or the reason of
+ *  failure. */
 enum reason redcc_bins_lay_out(struct binning *binning);
 
 /* ---- guard.c --------------------------------------------------------------------------------- */
 
-/** Bins first to end - 1 hold all that the round will write of stream `s`; end == 0: nothing. */
+/** Bins first to end - 1 contain everything that the round will write of stream `s`; end == 0:
+ *  nothing. */
 struct used_bins {
     uint32_t first;
     uint32_t end;
 };
 struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s);
 
-/** May the records of the round be applied, or the copies be brought in? NONE, or why not. */
+/** May the records of the round be applied, or the copies be merged? NONE, or the reason against
+ *  it. */
 enum reason redcc_bins_guard(struct binning *binning);
 
-/** Tells the witness what the round will write. The guard has allowed it. */
+/** Reports to the witness the ranges that the round will write, after the guard has passed. */
 void redcc_bins_tell_written(const struct binning *binning);
 
 /* ---- apply.c --------------------------------------------------------------------------------- */
 
-/** Can the records of all streams be applied, by functions of the loop's or of the library's? */
+/** Can the records of all streams be applied, by functions of the loop or of the library? */
 bool redcc_bins_can_apply(const redcc_binned *loop);
 
 /** The thread's part of applying all records. operands: the program's. */
 void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands);
 
-/** Sets the thread's private copies to what changes nothing. */
+/** Sets the thread's private copies to neutral elements. */
 void redcc_private_fill(const struct binning *binning, const struct binner *binner);
 
-/** The thread's part of bringing all threads' copies in. */
+/** The thread's part of merging all threads' copies. */
 void redcc_private_merge(const struct binning *binning, const struct binner *binner);
 
-/** The rows to which some thread's private copy will bring something. */
+/** The rows that some thread's private copy will change. */
 struct row_range redcc_private_rows(const struct binning *binning, uint32_t s);
 
-/** Can the stream's updates be made on private copies, at the places of this call? */
+/** Can the stream's updates be made on private copies, at the addresses of this call? */
 bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream);
 
 /* ---- rounds.c -------------------------------------------------------------------------------- */
@@ -187,25 +188,24 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** A thread joins an execution of `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution of binning->call. may_lose: where it is a trial, the seconds by which it may
- * take longer than the sequential loop before the rest runs sequentially; 0: it is none. One
- * thread.
- */
+/** Begins an execution of binning->call. may_lose: in a trial, the seconds by which it may exceed
+ *  the sequential loop's time before the rest runs sequentially; 0: no trial. One thread. */
 void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness);
 
-/** Seconds an iteration that the sequential stretch of a trial took; 0: there was none. */
+/** Seconds per iteration of the sequential stretch of a trial; 0: there was none. */
 double redcc_bins_usual(const struct binning *binning);
 
-/** The next iterations of the thread, into *worker and bins [stream_count]. False: it is over; or,
- *  where binner->phase is BINS_STRETCH, the round's are to be executed sequentially first. */
+/** The next iterations of the thread, into *worker and bins [stream_count]. False: the loop is
+ *  over; or, if binner->phase is BINS_STRETCH, the round's iterations must be executed sequentially
+ *  first. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands);
 
-/** A thread's part of a loop; NULL: no memory. And its end. */
+/** A thread's part of a loop; NULL: no memory. The second frees it. */
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread);
 void redcc_binner_free(struct binner *binner, const redcc_binned *loop);
 
-/** Gives back the memory that records and copies are kept in. */
+/** Frees the memory of records and copies. */
 void redcc_bins_drop(struct binning *binning);
 
 #endif

@@ -12,7 +12,8 @@ static size_t whole_lines(size_t bytes) {
     return (bytes + LINE - 1) / LINE * LINE;
 }
 
-/* ---- where what lies in the memory ----------------------------------------------------------- */
+/* ---- layout of the memory
+ * ------------------------------------------------------------------------ */
 
 /* Offsets of the parts, and the bytes of all. */
 struct parts {
@@ -43,13 +44,14 @@ size_t redcc_buffer_bytes(const redcc_stream *stream, struct window window, uint
     return parts_of(stream, window, blocks).bytes;
 }
 
-/* ---- its life -------------------------------------------------------------------------------- */
+/* ---- lifetime
+ * ------------------------------------------------------------------------------------ */
 
 static void *part(const struct redcc_bin_buffer *buffer, size_t offset) {
     return buffer->memory + offset;
 }
 
-/* Memory of so many bytes, the old one where it is large enough. */
+/* Ensures memory of `bytes` bytes; keeps the old one if it is large enough. */
 static bool provide(struct redcc_bin_buffer *buffer, size_t bytes) {
     if (buffer->memory && redcc_memory_size(buffer->memory) >= bytes + LINE)
         return true;
@@ -131,7 +133,7 @@ void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
     buffer->told_outside++;
 }
 
-/* Without a block that is free the last one is written once more: the round is lost. */
+/* Without a free block, overwrites the last one: the round is lost. */
 redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record) {
     (void)bin;
     const uint32_t block = (record - 1) / BLOCK;
@@ -144,7 +146,7 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
     return buffer->used++ * BLOCK;
 }
 
-/* Copies are brought in by any order. */
+/* Copies are merged in any order. */
 void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece) {
     if (buffer->blocks == 0)
         return;
@@ -158,8 +160,8 @@ bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records
     return buffer->blocks - buffer->used >= 2 * records / block + 2;
 }
 
-/* The lines at `line` of which the records before number `end` of the bin's last block are not
- * written yet. */
+/* Writes the lines at `line` with the records before number `end` of the bin's last block that are
+ * not written yet. */
 static void write_rest(char *to, const char *line, uint32_t end, uint32_t per_line, size_t bytes) {
     const uint32_t begun = end % per_line;
     memcpy(to + (size_t)(end - begun) * bytes, line, begun * bytes);
@@ -182,7 +184,8 @@ void redcc_buffer_finish(struct redcc_bin_buffer *buffer) {
 #endif
 }
 
-/* ---- what was pushed ------------------------------------------------------------------------- */
+/* ---- pushed records
+ * ----------------------------------------------------------------------------- */
 
 redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer) {
     redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The late guard. All records of a round are there and nothing is written: what it reads and what
- * it will write is known exactly. Writes of earlier rounds came before these reads in the
- * sequential loop too.
+ * The late guard. All records of a round exist and nothing is written: its reads and future writes
+ * are known exactly. Writes of earlier rounds precede these reads in the sequential loop as well.
  */
 #include "bins/binning.h"
 
@@ -30,7 +29,7 @@ struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s) {
     return used;
 }
 
-/* The lowest and the highest place in a bin, by all threads' records. */
+/* The lowest and the highest place in a bin, over all threads' records. */
 static struct row_range places_in(const struct binning *binning, uint32_t s, uint32_t bin) {
     struct row_range found = redcc_no_rows;
     for (int t = 0; t < binning->call->threads; t++) {
@@ -63,7 +62,7 @@ static struct row_range written_rows(const struct binning *binning, uint32_t s, 
                                   places_in(binning, s, used.end - 1).highest};
 }
 
-/* What the round will write of an array of the loop. */
+/* The range of an array of the loop that the round will write. */
 static struct range written_of(const struct binning *binning, uint32_t array, bool exact) {
     struct range range = redcc_nowhere;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
@@ -80,7 +79,7 @@ static struct range written_of(const struct binning *binning, uint32_t array, bo
     return range;
 }
 
-/* What the loop is known to read, or the round was told to have read: [source_count]. */
+/* The known reads of the loop, and those recorded in the round: [source_count]. */
 static void find_read(const struct binning *binning, struct range *read) {
     for (uint32_t source = 0; source < binning->loop->loop.source_count; source++) {
         read[source] = redcc_range_of(binning->call->request.known[source]);

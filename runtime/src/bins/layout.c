@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * How large rounds are: as large as memory allows, since a round brings each line of the arrays
- * that it updates from memory and back once. Records may take 0.6 of the bytes of the arrays, and
- * 64 MB, in all.
+ * The size of rounds: as large as memory permits, since a round loads each line of the updated
+ * arrays from memory and stores it once. Records may take 0.6 of the bytes of the arrays, and 64
+ * MB, in all.
  */
 #include "bins/binning.h"
 
@@ -10,7 +10,7 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* Of the rows told an outer one may be missing; after failures, more of them. */
+/* The recorded rows may lack an outer one; after failures, more of them. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;
@@ -23,7 +23,7 @@ static redcc_int left_of(const struct binning *binning) {
     return binning->call->request.trip - binning->round.begin;
 }
 
-/* A window that held all rows stays, so that what was taken for it does. */
+/* A window that held all rows is kept, and with it its memory. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
@@ -42,7 +42,7 @@ static bool cut_windows(struct binning *binning) {
     return true;
 }
 
-/* Bytes of the arrays, as far as rows were told. */
+/* Bytes of the arrays' recorded rows. */
 static size_t bytes_of_arrays(const struct binning *binning) {
     size_t bytes = 0;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
@@ -54,7 +54,7 @@ static size_t bytes_of_arrays(const struct binning *binning) {
     return bytes;
 }
 
-/* Are private copies the better way? Their merge must not be more work than the updates. */
+/* Are private copies better? Their merge must not take more work than the updates. */
 static bool wants_copies(const struct binning *binning) {
     const int kind = binning->call->parameter;
     double rows = 0, records = 0;
@@ -78,7 +78,7 @@ static bool wants_copies(const struct binning *binning) {
                                    bytes <= redcc_bins_tuning.copies_bytes);
 }
 
-/* Other windows go with it. */
+/* Requires other windows. */
 static void recut(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++)
         binning->stream[s].cut_for = 0;
@@ -105,8 +105,8 @@ static bool take_copies(struct binning *binning) {
 
 /* ---- records --------------------------------------------------------------------------------- */
 
-/* Blocks for a share of so many iterations, and for some of others: the last one of each bin is
- * half full. */
+/* Blocks for a share of `iterations`, and for stolen pieces: the last one of each bin is half
+ * full. */
 static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
     const double block = REDCC_BLOCK_RECORDS, and_others = 1.25;
     const double most = (double)UINT32_MAX / block - 1; /* records have numbers of 32 bits */
@@ -122,7 +122,7 @@ static double bytes_for(const struct binning *binning, double iterations) {
     return bytes * binning->call->threads;
 }
 
-/* Iterations of a thread's share whose records take so many bytes, at most `most`; below 1: none
+/* Iterations of a thread's share whose records take `budget` bytes, at most `most`; below 1: none
  * do. */
 static double share_for(const struct binning *binning, double budget, double most) {
     double low = 0, high = most;
@@ -176,7 +176,7 @@ static size_t bytes_held(const struct binning *binning) {
     return bytes;
 }
 
-/* One thread gains only where the arrays do not fit the caches. */
+/* With one thread it pays only if the arrays exceed the caches. */
 static bool is_for_several(const struct binning *binning) {
     return binning->call->threads > 1 || binning->call->parameter != BINS_EITHER ||
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;

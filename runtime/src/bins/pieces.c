@@ -33,7 +33,7 @@ static int pieces_left(const struct bins_share *share) {
     return piece_count(share) - atomic_load_explicit(&share->taken, memory_order_relaxed);
 }
 
-/* Whose share has most left; NULL: none has any. */
+/* The share with most pieces left; NULL: none has any. */
 static struct bins_share *fullest_share(const struct binning *binning) {
     struct bins_share *fullest = NULL;
     for (int t = 0; t < binning->call->threads; t++) {
@@ -44,8 +44,8 @@ static struct bins_share *fullest_share(const struct binning *binning) {
     return fullest;
 }
 
-/* A share's own thread has memory for all of it; another one may only take what fits for certain,
- * as far as rates are known: a round that lacks memory is lost. */
+/* A share's own thread has memory for all of it. Another one may only take pieces that certainly
+ * fit, according to known rates: a round that runs out of memory is lost. */
 static bool has_room(const struct binning *binning, const struct binner *binner,
                      const struct bins_share *share) {
     const redcc_int iterations = (share->end - share->begin) / piece_count(share) + 1;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Balance within a round: each thread's share is cut into pieces, which it takes one after the
- * other; a thread that has done its own takes over pieces of others (work stealing). Iterations may
- * so be as uneven as they like. The thread marks in its bins where the records of each piece begin,
- * and a bin's records are applied in the order of the pieces, which is that of the loop, whoever
+ * Load balancing within a round: each thread's share is cut into pieces, which it takes one after
+ * the other; a thread that is done takes pieces of others (work stealing). So iterations may be
+ * arbitrarily uneven. The thread marks in its bins where the records of each piece begin. A bin's
+ * records are applied in the order of the pieces, which is that of the loop, whichever thread
  * appended them.
  */
 #ifndef REDCC_PIECES_H
@@ -18,17 +18,17 @@
 enum {
     SHARE_PIECES = 16,
     STOLEN_PIECES = 16,                          /* at most, by one thread in one round */
-    TAKEN_PIECES = SHARE_PIECES + STOLEN_PIECES, /* at most, of its own as well */
-    PIECE_MARKS = TAKEN_PIECES + 1 /* where each begins, and where the last one ends */
+    TAKEN_PIECES = SHARE_PIECES + STOLEN_PIECES, /* at most, including its own */
+    PIECE_MARKS = TAKEN_PIECES + 1 /* the beginning of each, and the end of the last one */
 };
 
 struct binning;
 struct binner;
 
-/** Who took a piece. */
+/** The thread that took a piece. */
 struct piece {
     int thread;
-    int number; /* it was the thread's piece number so-and-so of this round */
+    int number; /* its number among the thread's pieces of this round */
 };
 
 /** A thread's share of a round: iterations [begin, end). */
@@ -39,8 +39,8 @@ struct bins_share {
     struct piece piece[SHARE_PIECES];
 };
 
-/** Pieces that follow each other in the loop and in the records of one thread: its pieces number
- *  [first, end). */
+/** Consecutive pieces of the loop that are also consecutive in the records of one thread: its
+ *  pieces number [first, end). */
 struct piece_run {
     int share, piece; /* the one behind them */
     int thread;
@@ -52,15 +52,15 @@ struct piece_run {
 void redcc_pieces_cut(struct binning *binning);
 
 /** The thread takes a piece, its own or another's: iterations [binner->next, binner->last). False:
- *  there is none for it, and its records are complete. */
+ *  no piece is left for it, and its records are complete. */
 bool redcc_pieces_take(struct binning *binning, struct binner *binner);
 
-/** The run of pieces behind *run (all zero: the first one), which becomes it. False: there is none.
- *  All were taken. */
+/** Advances *run to the next run of pieces (zero: the first one). False: none is left. Requires
+ *  that all were taken. */
 bool redcc_pieces_next_run(const struct binning *binning, struct piece_run *run);
 
-/** Records of stream `s` that the iterations of thread `thread`'s share have, whoever pushed them.
- */
+/** Records of stream `s` for the iterations of thread `thread`'s share, whichever thread pushed
+ *  them. */
 redcc_int redcc_pieces_records(const struct binning *binning, int thread, uint32_t s);
 
 #endif

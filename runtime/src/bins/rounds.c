@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The phases of a binned loop, which binning.h draws. */
+/** The phases of a binned loop, as drawn in binning.h. */
 #include "bins/binning.h"
 
 #include "base/clock.h"
@@ -10,18 +10,18 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed; before,
-                       more is seen of what it lacks */
+    CHUNK = 16384,  /* iterations after which a thread notices that the round has failed; a smaller
+                     * number would show less of the missing rows and records */
     STRETCHES = 64, /* of each thread's share are measured, */
-    STRETCH = 64,   /* so many iterations each, at most; */
-    MEASURED = 64,  /* such a part of them */
+    STRETCH = 64,   /* with at most this many iterations each; */
+    MEASURED = 64,  /* one iteration in this many */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is that part of the loop, as is the sequential stretch
-                  that it is compared with; the next is as long as all before */
+    TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
+                * stretch compared with it; the next is as long as all before */
 };
 
-/* Than was seen may come; while a rate holds as much of what is seen, it stays, and memory with it.
- */
+/* Margins above the seen numbers. While a rate is at most this much too high it is kept, and with
+ * it the memory. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
 static uint32_t stream_count(const struct binning *binning) {
@@ -58,8 +58,8 @@ static void begin_measure(const struct binning *binning, struct binner *binner) 
         redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
 }
 
-/* Stretches of the thread's share, evenly spread, the first and the last iterations among them. Of
- * a small share a MEASURED-th: its iterations may be expensive. */
+/* Stretches of the thread's share, evenly spread, including the first and the last iterations. Of a
+ * small share one in MEASURED: its iterations may be expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
     if (!binner->begun)
@@ -98,7 +98,7 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* The next chunk of the thread's piece, or of one that it takes. */
+/* The next chunk of the thread's current piece, or of a new one. */
 static bool next_chunk(struct binning *binning, struct binner *binner, redcc_worker *worker,
                        redcc_bins *bins) {
     if (!binner->begun)
@@ -120,7 +120,7 @@ static bool next_chunk(struct binning *binning, struct binner *binner, redcc_wor
 
 /* ---- between the phases: the thread that entered the loop, while the others wait ------------- */
 
-/* What the body has done as if it were for good is undone. */
+/* Undoes the body's effects outside of the arrays. */
 static void throw_away(struct binning *binning) {
     atomic_store_explicit(binning->effects.error, binning->round.error_before,
                           memory_order_relaxed);
@@ -133,8 +133,8 @@ static enum bins_phase end_with(struct binning *binning, enum reason reason) {
     return BINS_OVER;
 }
 
-/* What is left, in rounds of about equal size; in a trial a part of it. Memory is there for all of
- * it, so that the parts take only what they use. */
+/* Divides the remaining iterations into rounds of about equal size; in a trial takes a part of
+ * them. Memory is allocated for all of them, so that parts use only what they need. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int trip = binning->call->request.trip, left = trip - round->begin;
@@ -155,7 +155,7 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED; /* which takes its time */
+    const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED; /* which takes time */
     binning->trial.began = checked ? binning->call->entered : redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->stream[s].rate == 0)
@@ -183,7 +183,7 @@ static enum bins_phase after_measure(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* Records are missing: the round is executed again, for more rows or by fewer iterations. */
+/* Records are missing: the round is executed again, for more rows or with fewer iterations. */
 static enum bins_phase push_again(struct binning *binning) {
     struct round *round = &binning->round;
     bool exhausted = false;
@@ -208,7 +208,7 @@ static enum bins_phase push_again(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* What the round tells of those that follow. */
+/* Updates the known properties of the streams after a round. */
 static void learn(struct binning *binning) {
     for (uint32_t s = 0; s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
@@ -230,7 +230,7 @@ static enum bins_phase after_push(struct binning *binning) {
         if (has_failed(binning, binning->binner[t]))
             return push_again(binning);
     const enum reason reason = redcc_bins_guard(binning);
-    if (reason != REASON_NONE && binning->copies) { /* the guard sees more of records */
+    if (reason != REASON_NONE && binning->copies) { /* with records the guard is more precise */
         binning->denies_copies = true;
         throw_away(binning);
         return lay_out(binning);
@@ -247,7 +247,7 @@ static enum bins_phase after_push(struct binning *binning) {
     return BINS_APPLY;
 }
 
-/* Where most bins were not used, fewer do for the executions that follow. */
+/* If most bins were unused, later executions use fewer. */
 static void trim(struct binning *binning) {
     for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];
@@ -261,7 +261,7 @@ static void trim(struct binning *binning) {
     }
 }
 
-/* The iterations that had too many records may be over. */
+/* The iterations with too many records may be over. */
 static enum bins_phase lengthen(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int most = redcc_bins_tuning.round;
@@ -275,7 +275,7 @@ double redcc_bins_usual(const struct binning *binning) {
     return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
 }
 
-/* What was lost so far is taken from what all may lose. */
+/* Losses so far are subtracted from the total that may be lost. */
 static bool is_too_slow(const struct binning *binning) {
     const struct bins_trial *it = &binning->trial;
     const redcc_int binned = binning->round.begin - it->stretch;
@@ -283,8 +283,8 @@ static bool is_too_slow(const struct binning *binning) {
     return is_trial(binning) && seconds - redcc_bins_usual(binning) * (double)binned > it->may_lose;
 }
 
-/* As many iterations as the first round had, the next ones: how long they take says what the round
- * has gained, whatever else changes from one execution of the loop to the other. */
+/* The next iterations, the number of the first round: their time shows the round's gain,
+ * independently of changes between executions of the loop. */
 static enum bins_phase begin_stretch(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int left = binning->call->request.trip - round->begin;
@@ -294,7 +294,7 @@ static enum bins_phase begin_stretch(struct binning *binning) {
     return BINS_STRETCH;
 }
 
-/* On to the next round, if there is one. */
+/* Continues with the next round, if there is one. */
 static enum bins_phase go_on(struct binning *binning) {
     struct round *round = &binning->round;
     round->begin = round->end;
@@ -329,7 +329,7 @@ static enum bins_phase (*const then[])(struct binning *) = {[BINS_START] = after
                                                             [BINS_STRETCH] = after_stretch};
 _Static_assert(sizeof then / sizeof *then == BINS_OVER, "what follows each phase");
 
-/* All meet; memory is taken and decisions are made by the thread that entered the loop. */
+/* A barrier; the thread that entered the loop allocates memory and decides. */
 static void meet(struct binning *binning, struct binner *binner) {
     redcc_barrier_wait(binning->barrier, binner->threads);
     if (binner->thread == 0)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A bin's rows are to fit half of a core's second-level cache while its records are applied. Up to
- * some 256 bins a thread can append to all of them directly; each has a cache line that is being
- * written, and a page. Where an iteration appends to many at once it waits for these lines to be
- * read before they are written, which write combining spares.
+ * A bin's rows fit half of a core's second-level cache while its records are applied. With up to
+ * some 256 bins a thread can append to all of them directly; each has a cache line being written,
+ * and a page. An iteration that appends to many at once would wait for these lines to be read
+ * before they are written; write combining avoids that.
  */
 #include "bins/window.h"
 
@@ -33,7 +33,7 @@ static uint64_t bins_of(uint64_t rows, uint32_t bits) {
     return ((rows - 1) >> bits) + 1;
 }
 
-/* May a stream's bins be halved? Each thread has begun blocks for all of them. */
+/* May a stream's bins be halved? Each thread has partial blocks for all of them. */
 static bool affords(const redcc_stream *stream, uint64_t bins, int threads) {
     const double block = (double)REDCC_BLOCK_RECORDS * (stream->record + sizeof(redcc_u16));
     return 4.0 * (double)bins * block * threads < (double)(redcc_bins_tuning.least_budget / 4);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How the rows of a stream's arrays are divided into bins. */
+/** Divides the rows of a stream's arrays into bins. */
 #ifndef REDCC_WINDOW_H
 #define REDCC_WINDOW_H
 
@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Rows told, [lowest, highest]; none where highest < lowest. */
+/** Recorded rows, [lowest, highest]; none if highest < lowest. */
 struct row_range {
     redcc_int lowest;
     redcc_int highest;
@@ -21,7 +21,7 @@ static inline bool redcc_rows_empty(struct row_range rows) {
     return rows.highest < rows.lowest;
 }
 
-/** The smallest range that holds both. */
+/** The smallest range that contains both. */
 static inline struct row_range redcc_rows_union(struct row_range a, struct row_range b) {
     return (struct row_range){a.lowest < b.lowest ? a.lowest : b.lowest,
                               a.highest > b.highest ? a.highest : b.highest};
@@ -36,17 +36,17 @@ struct window {
     bool combined; /* records are pushed by write combining */
 };
 
-/** What may be tried otherwise, by tests. */
+/** Parameters that tests may change. */
 struct bins_tuning {
     size_t bin_bytes;        /* of the rows of a bin, at most */
     uint32_t bin_bits;       /* a bin has 2 ^ that many rows, at most */
     uint32_t direct_bins;    /* more of them are pushed by write combining, */
-    double direct_rate;      /* as where an iteration has more records than this */
+    double direct_rate;      /* and also if an iteration has more records than this */
     redcc_int round;         /* iterations of a round, at most */
-    size_t least_budget;     /* bytes of records, whatever the size of the arrays */
-    size_t copies_bytes;     /* of the arrays, at most, for private copies to be made */
-    size_t one_thread_bytes; /* of the arrays, at least, for one thread to bin them */
-    double trial;            /* where binning is named: what it may lose (redcc_bins_begin) */
+    size_t least_budget;     /* bytes of records, for arrays of any size */
+    size_t copies_bytes;     /* of the arrays, at most, for private copies */
+    size_t one_thread_bytes; /* of the arrays, at least, for binning by one thread */
+    double trial;            /* if binning is named: the seconds it may lose (redcc_bins_begin) */
 };
 
 extern struct bins_tuning redcc_bins_tuning;
@@ -54,9 +54,9 @@ extern struct bins_tuning redcc_bins_tuning;
 /** Bytes of the rows of all arrays of a stream, at one subscript. */
 size_t redcc_stream_row(const redcc_stream *stream);
 
-/** The window of `rows` and of `margin` rows on either side, in enough bins for `threads`, of which
- *  each is to have some hundreds of `iterations` times `rate` records. No window: they lie too
- *  far apart. */
+/** The window of `rows` and of `margin` rows on either side, in enough bins for `threads`, each for
+ *  some hundreds of `iterations` times `rate` records. No window: the rows span too large a
+ *  range. */
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
                            int threads, double rate, double iterations);
 

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The choice of a way to execute a loop, as an online decision with a bound (docs/choosing.md
- * derives it): a bandit whose arms are the ways of base/way.h.
+ * The choice of a strategy for executing a loop, as an online decision with a bound (derived in
+ * docs/choosing.md): a bandit whose arms are the strategies of base/way.h.
  *
- *     redcc_decide     what to do in this call: the sequential loop, an inspection, a way
- *     redcc_pick_way   within an inspection, when estimates are there: which way, if any
- *     redcc_observe    what came of it, and what it took
+ *     redcc_decide     the action in this call: the sequential loop, an inspection, a strategy
+ *     redcc_pick_way   within an inspection, with estimates: the strategy, if any
+ *     redcc_observe    the result of the action, and its time
  *
- * No clock, no threads, no allocation: seconds come in with what is observed. Everything that may
- * take longer than the sequential loop is paid from the credit: a 32nd of the time that the
- * loop has taken, what was gained, and, for a plan that is expected to repay it soon, one loan.
- * Used by one thread at a time.
+ * No clock, no threads, no allocation: times come with the observations. Any action that may take
+ * longer than the sequential loop is paid from the credit: a 32nd of the loop's time so far, past
+ * gains, and one overdraft at a time, for a plan that is expected to repay it soon. Used by one
+ * thread at a time.
  */
 #ifndef REDCC_LEARN_LEARNER_H
 #define REDCC_LEARN_LEARNER_H
@@ -22,73 +22,73 @@
 
 #include <stdbool.h>
 
-/** What is known of a way. */
+/** Estimates and measurements of a strategy. */
 struct arm {
     bool possible;
-    bool ruled_out;   /**< it was tried and failed: not possible until the loop has rested */
-    bool measured;    /**< `execution`, rather than estimated */
-    bool guessed;     /**< `execution` is the least that it may be: only a trial can tell */
-    double set_up;    /**< seconds, of an inspection and a plan, its sample included; estimated */
-    double learned;   /**< seconds that one has taken, or at least takes; 0: none was made */
-    double execution; /**< seconds an iteration, the check of a kept plan included */
+    bool ruled_out;   /**< it was tried and failed: not feasible until the loop's back-off ends */
+    bool measured;    /**< `execution` is measured, not estimated */
+    bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
+    double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
+    double learned;   /**< measured seconds, or a lower bound; 0: none was constructed */
+    double execution; /**< seconds per iteration, including the check of a kept plan */
 };
 
-/** Is a plan kept for what this call executes? A way without plans fits where the loop has a form
- *  for it, and is only tried where a sample said that it may be worth it. */
+/** Is there a kept plan for this call? A strategy without plans fits if the loop has a form for it,
+ *  and is only tried if a sample suggested that it may pay. */
 enum kept_match {
     KEPT_NONE,
-    KEPT_CHANGED, /**< one for other subscripts, as a sample of them shows */
-    KEPT_FITS     /**< as far as is known without reading all subscripts */
+    KEPT_CHANGED, /**< one for other subscripts, according to a sample */
+    KEPT_FITS     /**< according to everything but the full contents of the subscripts */
 };
 
 /** A call. */
 struct situation {
     long long trip; /**< iterations */
     int threads;    /**< that would execute them */
-    double wake;    /**< seconds that waking those takes, as measured */
-    double start;   /**< seconds that starting those that are not there takes; 0: all are, or none
-                         is to be woken (redcc_reach) */
-    double spent;   /**< seconds of the inspection that this is asked in, so far */
-    double dried;   /**< seconds of `spent` that its dry run took, */
-    double awaited; /**< and that passed until threads came which were not there */
+    double wake;    /**< measured seconds to wake them */
+    double start;   /**< seconds to start the missing ones; 0: none is missing, or none is to be
+                     * woken (redcc_reach) */
+    double spent;   /**< seconds of the current inspection so far */
+    double dried;   /**< seconds of its dry run in `spent`, */
+    double awaited; /**< and of waiting for threads that had to be started */
     enum kept_match kept[WAY_COUNT];
-    int steady;    /**< calls in a row whose sampled subscripts were those of one of the last calls;
-                        -1: not known */
-    bool verified; /**< all subscripts were compared with those of the call before: they are the
-                        same */
+    int steady;    /**< consecutive calls whose sampled subscripts were those of one of the last
+                    * calls; -1: unknown */
+    bool verified; /**< all subscripts were compared with those of the preceding call: they are
+                    * equal */
     bool dry_run;  /**< an inspection begins with a dry run, perhaps as long as the loop */
 };
 
 enum action {
     ACTION_SEQUENTIAL, /**< the original loop */
-    ACTION_INSPECT,    /**< a sample, then as redcc_pick_way says; alone: the sample only */
-    ACTION_REUSE       /**< a kept plan, of way `way`, or a way without one */
+    ACTION_INSPECT,    /**< a sample, then as redcc_pick_way decides; alone: the sample only */
+    ACTION_REUSE       /**< a kept plan, of strategy `way`, or a strategy without one */
 };
 
 struct decision {
     enum action action;
     enum way way;
     bool alone;      /**< INSPECT: by one thread, for redcc_note_arms; no thread is started */
-    bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
-    double deadline; /**< INSPECT: seconds after which a dry run must be given up; of
-                          redcc_pick_way: the set-up */
-    double may_lose; /**< REUSE, of a way that can stop where it turns out to be slower: seconds
-                          after which it does; 0: it goes on */
-    double earned;   /**< REUSE: seconds saved since the last set-up, less what that took */
+    bool timed;      /**< SEQUENTIAL: report its time to redcc_observe */
+    double deadline; /**< INSPECT: time limit of a dry run, in seconds; of redcc_pick_way: of the
+                      * plan construction */
+    double may_lose; /**< REUSE, of a strategy that can stop when it is slower: the seconds it may
+                      * lose; 0: no limit */
+    double earned;   /**< REUSE: seconds saved since the last plan construction, less its cost */
     enum rule rule;
 };
 
-/** What came of a call. An inspection or a reuse that fails is followed by a sequential execution,
- *  which is reported as a separate result. A trial and the sequential rest of its execution are
- *  reported as one result. */
+/** The result of a call. An inspection or a reuse that fails is followed by a sequential execution,
+ *  which is reported as a separate result. A trial and the sequential rest of its execution are one
+ *  result. */
 enum result {
     RESULT_SEQUENTIAL,
-    RESULT_PARALLEL,     /**< after a set-up, where set_up > 0 */
-    RESULT_UNATTRACTIVE, /**< the inspection ended with its sample: redcc_pick_way said so */
+    RESULT_PARALLEL,     /**< after a plan construction, if set_up > 0 */
+    RESULT_UNATTRACTIVE, /**< the inspection ended after its sample, by redcc_pick_way's decision */
     RESULT_STOPPED,      /**< ... or at its deadline */
-    RESULT_CHANGED,      /**< the kept plan's subscripts were others */
-    RESULT_LEFT,         /**< a trial was slower than allowed; it went on sequentially, and ended */
-    RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: any other, too */
+    RESULT_CHANGED,      /**< the kept plan's subscripts have changed */
+    RESULT_LEFT,         /**< a trial was slower than allowed; the rest ran sequentially */
+    RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: all strategies */
 };
 
 struct outcome {
@@ -97,45 +97,47 @@ struct outcome {
     long long trip;
     double seconds; /**< of the execution; of UNATTRACTIVE, STOPPED, CHANGED, REFUSED: lost */
     double set_up;  /**< seconds, of PARALLEL with a new plan */
-    double done;    /**< STOPPED: the part of the set-up that was done, 0 to 1 */
-    double usual; /**< of a trial: seconds an iteration of the sequential loop, timed within it; 0:
-                       not timed */
-    long untimed; /**< SEQUENTIAL: executions before it that nobody timed, taken to be alike */
+    double done;    /**< STOPPED: the completed fraction of the plan construction, 0 to 1 */
+    double usual; /**< of a trial: seconds per iteration of the sequential loop, timed within it; 0:
+                   * not timed */
+    long untimed; /**< SEQUENTIAL: untimed executions before it, assumed to take the same time */
 };
 
-/** Where a loop stands, at trip counts of one size. */
+/** The state of a loop, at trip counts of one size. */
 enum stand {
-    STAND_SAVING,    /**< sequential, until the credit allows a trial */
-    STAND_COMPARING, /**< two ways take turns */
-    STAND_PARALLEL,  /**< a way is faster than the sequential loop */
-    STAND_SHORT,     /**< too short for threads to be woken: exponential back-off, not timed */
+    STAND_SAVING,    /**< sequential, until the credit permits a trial */
+    STAND_COMPARING, /**< two strategies alternate */
+    STAND_PARALLEL,  /**< a strategy is faster than the sequential loop */
+    STAND_SHORT,     /**< too short to wake threads: exponential back-off, not timed */
     STAND_RESTING    /**< sequential for some calls: exponential back-off */
 };
 
-/** The last three sequential executions, seconds an iteration. */
+/** The last three sequential executions, seconds per iteration. */
 struct timings {
     double recent[3];
     long count;
 };
 
-/** Two ways take turns, the contender first. */
+/** Two strategies alternate, the contender first. */
 struct comparison {
     enum way contender, incumbent;
     struct turns turns;
 };
 
-/** Set-ups at one size. */
+/** Plan constructions at one size. */
 struct set_ups {
     double since;    /* sequential seconds since the last one */
-    double factor;   /* of its estimated cost, which `since` must reach for another; 0: as at first
-                      */
+    double factor;   /* multiple of its estimated cost that `since` must reach for another; 0: the
+                      * initial one */
     double invested; /* seconds that the last one took */
-    double earned;   /* and saved */
-    int misses;      /* in a row that were abandoned before they had earned their cost */
+    double earned;   /* and its plan has saved */
+    int misses;      /* consecutive ones whose plans were abandoned before they had earned their
+                      * cost */
     long begun;      /* the call that made the last one */
-    long uses;       /* executions by it */
-    long met;        /* calls before that one in a row that had its subscripts */
-    long lifetime;   /* calls that had those of the plan before it, which others ended; 0: none */
+    long uses;       /* executions by its plan */
+    long met;        /* consecutive calls before that one with its subscripts */
+    long lifetime;   /* calls with the subscripts of the preceding plan, before others ended it; 0:
+                      * none */
 };
 
 struct size_state {
@@ -143,13 +145,13 @@ struct size_state {
     enum rule rule;
     enum way way; /* PARALLEL; RESTING after a comparison: the contender */
     int threads;
-    int steady;       /* of the last call (situation.steady), not below 0 */
+    int steady;       /* of the last call (situation.steady), at least 0 */
     bool looked;      /* the arms are known */
-    bool gained;      /* the last execution by a way took less than the sequential loop */
+    bool gained;      /* the last execution by a strategy was faster than the sequential loop */
     double look;      /* seconds that a sample took; 0: none was taken */
-    double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
+    double looked_at; /* seconds per iteration of the sequential loop, as known then */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
-    int checks;       /* how often it was in a row, a plan being the faster way */
+    int checks;       /* consecutive checks in which a plan was faster */
     long calls;
     struct timings sequential;
     struct arm arm[WAY_COUNT];
@@ -162,78 +164,79 @@ struct size_state {
 struct ledger {
     double sequential; /* that the sequential loop has taken, or would have */
     double overhead;   /* taken beyond that; negative: gained */
-    double loan; /* that may be lost beyond the credit, until it is repaid or its plan fails */
+    double loan;       /* overdraft: may be lost beyond the credit, until it is repaid or its plan
+                        * fails */
 };
 
 enum { REDCC_SIZES = 40 };
 
-/** All that is known of a loop; zeroes at first. */
+/** The complete state of a loop; initially zero. */
 struct choice_state {
     struct ledger ledger;
     struct size_state size[REDCC_SIZES]; /* by the logarithm of the trip count */
 };
 
-/** Is this one of the calls in which a loop is left alone, but for the last of a rest? Then it is
- *  counted, and *decision tells: nothing has to be known of the call. */
+/** Is the loop left sequential in this call, within a back-off but not at its end? Then counts the
+ *  call and sets *decision, without further information about the call. */
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
                          struct decision *decision);
 
-/** What may be decided in a call. */
+/** The feasible actions in a call. */
 enum reach {
     REACH_NOTHING, /**< the sequential loop */
-    REACH_LOOK,    /**< that, or a look by one thread */
+    REACH_LOOK,    /**< that, or a sample by one thread */
     REACH_TEAM     /**< threads may be woken */
 };
 
-/** Of a loop that is saving and has no plan; of any other it is REACH_TEAM. start of *now is the
- *  least that it may be; kept is not looked at but for ways without plans. */
+/** For a loop that is saving and has no plan; otherwise it is REACH_TEAM. `start` of *now is a
+ *  lower bound; `kept` is ignored except for strategies without plans. */
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now);
 
-/** What to do in a call. */
+/** The action in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
 
-/** An inspection has sampled the loop (`spent` seconds so far): notes the arms [WAY_COUNT] and
- *  says which way is worth its set-up and within the credit, until what deadline, from now on;
- *  ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
+/** An inspection has sampled the loop (`spent` seconds so far): stores the arms [WAY_COUNT] and
+ *  returns the strategy whose plan construction pays and is within the credit, with its deadline
+ *  from now on; ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct arm *arm, double spent);
 
-/** An inspection by one thread has sampled the loop, and ends here (RESULT_UNATTRACTIVE): notes the
- *  arms [WAY_COUNT]. */
+/** An inspection by one thread has sampled the loop, and ends here (RESULT_UNATTRACTIVE): stores
+ *  the arms [WAY_COUNT]. */
 void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
                      double spent);
 
-/** Takes in an outcome; of each decision exactly one with what was decided, then, where that
- *  failed, one more of the sequential loop if it is timed. */
+/** Processes a result: for each decision exactly one with the chosen action, then, if that failed,
+ *  another one of the sequential loop if it is timed. */
 void redcc_observe(struct choice_state *state, const struct outcome *outcome);
 
-/** Seconds that may be lost now without passing the bound, a loan included; may be negative. */
+/** Seconds that may be lost now within the bound, including an overdraft; may be negative. */
 double redcc_credit(const struct choice_state *state);
 
-/** What is known at trip counts of that size. */
+/** The state at trip counts of that size. */
 const struct size_state *redcc_size_of(const struct choice_state *state, long long trip);
 
-/** Seconds an iteration of the sequential loop: the median of the last three executions, of two the
- *  lower. 0: not known. */
+/** Seconds per iteration of the sequential loop: the median of the last three executions, or the
+ *  lower of two. 0: unknown. */
 double redcc_usual(const struct size_state *size);
 
-/** Seconds an iteration by that way. Estimates follow the sequential loop, whose first execution
- *  takes longer than others. */
+/** Seconds per iteration by that strategy. Estimates are relative to the sequential loop, whose
+ *  first execution takes longer than others. */
 double redcc_expected(const struct size_state *size, enum way way);
 
-/** May that way be had, and is it worth a trial where an iteration takes `current` seconds? */
+/** Is that strategy feasible, and worth a trial when an iteration takes `current` seconds? */
 bool redcc_is_better(const struct size_state *size, enum way way, double current);
 
-/** Did the last set-up not pay? How many in a row did not, that one included. */
+/** The number of consecutive plan constructions that did not pay, including the last one. */
 int redcc_misses(const struct set_ups *set_ups);
 
-/** How many times its cost `since` must reach for another set-up. */
+/** The multiple of its cost that `since` must reach for another plan construction. */
 double redcc_factor(const struct set_ups *set_ups);
 
-/** Whose turn it is. */
+/** The strategy to execute next. */
 enum way redcc_turn(const struct comparison *comparison);
 
-/** Begins to compare two ways. */
+/** Begins to compare two strategies. */
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent);
 
 #endif

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The paired comparison under noise: two arms take turns, so that both meet the machine as it is
- * now. The shortest time of each counts: an interruption is no property of an arm.
+ * The paired comparison under noise: two arms alternate, so that both run under the same
+ * conditions. The shortest time of each counts, because an interruption is no property of an arm.
  */
 #ifndef REDCC_LEARN_TURNS_H
 #define REDCC_LEARN_TURNS_H
 
 enum { TURN_ARMS = 2 };
 
-/** All zero: nothing was timed. */
+/** Zero: nothing was timed. */
 struct turns {
     int timed;
     double least[TURN_ARMS]; /**< seconds */
@@ -16,14 +16,14 @@ struct turns {
     int count[TURN_ARMS];
 };
 
-/** Whose turn it is after so many: 0 1 0 1 */
+/** The arm to run after `timed` timings: 0 1 0 1 */
 int redcc_turn_of(int timed);
 
-/** Notes what the arm whose turn it was took. */
+/** Records the time of the current arm. */
 void redcc_turns_note(struct turns *it, double seconds);
 
-/** The faster arm, where that is evident: after n rounds the other one takes longer by the n-th
- * part of the noise, or there have been enough of them. Else -1. */
+/** The faster arm, if that is evident: after n rounds the other one takes longer by the n-th part
+ *  of the noise, or the maximum number of rounds is reached. Else -1. */
 int redcc_turns_winner(const struct turns *it);
 
 /** Mean seconds of an arm that was timed. */

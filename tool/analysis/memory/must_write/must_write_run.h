@@ -85,7 +85,7 @@ void run_write(run *r, state *s, const ir_node *node, int64_t begin, int64_t end
 /** The value as an object of the type holds it after assignment or cast. */
 value run_convert(run *r, const ir_node *node, value v, const ir_type *type);
 
-/** May evaluating it have side effects, judged by its form? */
+/** May evaluating it have side effects, according to its form? */
 bool run_has_effects(run *r, const ir_node *node);
 
 /** A read in one operand must not rely on a write in another: f[0] + set(f). Each is evaluated with
