@@ -17,10 +17,11 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
                  const analysis_result *before);
 
 /**
- * The text behind the file's own that compares what is linked with what was read, a function
- * `static int redcc__linked(void)`; NULL: no function of another file was read. *obstacle is set
- * where it cannot be written.
+ * The text behind the file's own that compares what is linked with what was read of the functions
+ * that translated loops rest on: `static const redcc_linkage *redcc__linked(void)`; NULL: they rest
+ * on none of another file. *obstacle is set where it cannot be written.
  */
-const char *imports_check(arena *a, const ir_unit *unit, const char **obstacle);
+const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *analysed,
+                          const char **obstacle);
 
 #endif
