@@ -119,7 +119,8 @@ typedef enum source_extent {
     EXTENT_INVARIANT, /* one address for all iterations: sizeof(row) bytes at &row */
     EXTENT_AFFINE,    /* moves one way with the counter: from &row in the first iteration to the end
                          of row in the last; row mentions only the counter and invariants */
-    EXTENT_TOUCHED    /* the inspector tells it, at the place of `row` in the slice */
+    EXTENT_TOUCHED,   /* the inspector tells it, at the place of `row` in the slice */
+    EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
 
 /** Iterations in which the counter does not stand so to `bound`, compared as numbers, do not read.
@@ -139,6 +140,26 @@ typedef struct source_loop {
     bool may_end_early; /* then it is the innermost one, and what it comes to is a span
                            (row_steps.h) of which the first elements are read */
 } source_loop;
+
+/** `value`, an integer, + offset; NULL: offset alone. */
+typedef struct bound_term {
+    const ir_node *value;
+    int64_t offset;
+} bound_term;
+
+enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
+
+/** Elements base[k] of which some are read: k is between the least and the greatest of the terms,
+ *  where each condition, a floating value, is not negative. All of these are parameters, and what
+ *  is read through them, in the terms of the caller: to be read where the program might not. */
+typedef struct element_bounds {
+    const ir_node *base; /* a pointer */
+    const ir_type *element;
+    unsigned term_count;
+    bound_term terms[BOUNDS_MOST_TERMS];
+    unsigned condition_count;
+    const ir_node *conditions[BOUNDS_MOST_CONDITIONS];
+} element_bounds;
 
 /** Something read that may overlap a reduction array, or decides its subscripts. */
 typedef struct loop_source {
@@ -163,6 +184,7 @@ typedef struct loop_source {
     const source_loop *loops; /* outermost first */
     unsigned limit_count;     /* EXTENT_AFFINE, is_checked */
     const counter_limit *limits;
+    const element_bounds *bounds; /* EXTENT_BOUNDED */
 } loop_source;
 
 typedef struct private_variable {

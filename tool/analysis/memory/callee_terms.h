@@ -17,7 +17,9 @@ typedef struct callee_terms {
 
 /** The access in these terms. Reads whose subscripts depend on counters of the function's loops get
  *  these loops (access.loops). Where it cannot be told which element is accessed, is_exact is not
- * set; of a search's then access.from is. */
+ * set; of a search's then access.from is, and access.bounds where the function bounds the
+ * subscript.
+ */
 access callee_terms_of(const callee_terms *terms, const access *item);
 
 #endif
