@@ -146,3 +146,24 @@ found_by="LD_PRELOAD=./preload.so" check "preloaded" no
 gcc $flags -shared -fPIC other/inner.c -o preload.so
 gcc $flags main.c user.c value.c other/inner.c -o wanted
 found_by="LD_PRELOAD=./preload.so" check "a callee preloaded" no
+
+# of what another loop of the file calls, this one asks nothing
+unset found_by
+cat >noise.c <<'C'
+double noise(double v) { return v * 0.5; }
+C
+cat >>user.c <<'C'
+double noise(double v);
+void settle(int n, double *a)
+{
+    for (int i = 0; i < n; i++)
+        a[0] = noise(a[0]);
+}
+C
+object user both.o
+grep -q 'noise' parallel/user.c || fail "no loop calls noise"
+echo 'double noise(double v) { return v * 0.25; }' >other/noise.c
+gcc $flags -c other/noise.c -o other_noise.o
+gcc $flags main.c user.c value.c inner.c other/noise.c -o wanted
+link main.c both.o value.o inner.o other_noise.o
+check "another function, of another loop" yes

@@ -116,7 +116,9 @@ static void assert_forward(const loop_facts *facts, const forwarded_store *store
 static void assert_source(const loop_facts *facts, const loop_source *item) {
     assert(item->name && item->row && ir_is_expression(item->row));
     assert(item->is_subscript || item->needs_guard);
-    assert(item->extent <= EXTENT_TOUCHED);
+    assert(item->extent <= EXTENT_BOUNDED);
+    assert((item->extent == EXTENT_BOUNDED) == (item->bounds != NULL) &&
+           !(item->bounds && item->is_subscript));
     assert(item->extent != EXTENT_TOUCHED || is_in_loop(facts, item->place));
     assert(item->extent == EXTENT_TOUCHED || item->base);
     assert(item->extent == EXTENT_TOUCHED || !item->is_ahead);

@@ -19,6 +19,10 @@ void fill_key(loop_text *loop, writer *out);
 bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
+/** bounds.c: the same of elements between bounds. */
+void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
+/** Is memory read before the loop, by system calls, that the program may not come to? */
+bool reads_by_system(const loop_text *loop);
 /** what must hold of them for the parallel form to be entered, or NULL. */
 const char *extents_are_known(const loop_text *loop);
 

@@ -200,7 +200,7 @@ static void write_loop_object(loop_text *loop, writer *out) {
 }
 
 void write_description(loop_text *loop, writer *out) {
-    if (loop->facts->variables.loads)
+    if (reads_by_system(loop))
         writer_line(out, "static redcc_word %s;", outlined_name(loop, "loaded"));
     write_arrays(loop, out);
     write_sources(loop, out);

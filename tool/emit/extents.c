@@ -16,8 +16,9 @@ bool has_affine_extents(const loop_text *loop) {
 
 static bool has_extents(const loop_text *loop, bool is_checked) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
-        if (loop->plan->sources[i].fact->extent == EXTENT_AFFINE &&
-            loop->plan->sources[i].fact->is_checked == is_checked)
+        if ((is_checked && loop->plan->sources[i].fact->extent == EXTENT_BOUNDED) ||
+            (loop->plan->sources[i].fact->extent == EXTENT_AFFINE &&
+             loop->plan->sources[i].fact->is_checked == is_checked))
             return true;
     return false;
 }
@@ -226,10 +227,13 @@ void fill_extents(loop_text *loop, writer *out) {
     fill_fixed_extents(loop, out);
     writer_fill(out, false);
     fill_affine_extents(loop, out);
-    for (unsigned i = 0; i < loop->plan->source_count; i++)
-        if (loop->plan->sources[i].fact->extent == EXTENT_AFFINE &&
-            loop->plan->sources[i].fact->is_checked)
+    for (unsigned i = 0; i < loop->plan->source_count; i++) {
+        const loop_source *fact = loop->plan->sources[i].fact;
+        if (fact->extent == EXTENT_AFFINE && fact->is_checked)
             fill_checked_extent(loop, out, i);
+        else if (fact->extent == EXTENT_BOUNDED)
+            fill_bounded_extent(loop, out, i);
+    }
 }
 
 const char *extents_are_known(const loop_text *loop) {

@@ -136,11 +136,10 @@ static void open_block(loop_text *loop, writer *out) {
 static const char *write_loads(loop_text *loop, writer *out) {
     const loop_loads *loads = loop->facts->variables.loads;
     const char *site = outlined_name(loop, "site"), *all = "";
-    if (!loads)
-        return all;
-    all = arena_format(loop->arena, " && REDCC_MAY_LOAD(%s, %s)", site,
-                       outlined_name(loop, "loaded"));
-    for (unsigned i = 0; i < loads->count; i++) {
+    if (reads_by_system(loop))
+        all = arena_format(loop->arena, " && REDCC_MAY_LOAD(%s, %s)", site,
+                           outlined_name(loop, "loaded"));
+    for (unsigned i = 0; loads && i < loads->count; i++) {
         const loop_load *load = &loads->items[i];
         writer_line(out, "%s;",
                     assignable_declaration_text(loop, load->variable->type, load->variable->name));

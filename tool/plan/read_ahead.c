@@ -331,7 +331,8 @@ void plan_reads_ahead(loop_plan *plan) {
                           facts->arrays[i].name);
     for (unsigned i = 0; i < plan->source_count; i++) {
         const loop_source *fact = plan->sources[i].fact;
-        if (fact->extent != EXTENT_TOUCHED && !address_is_safe(facts, fact->row))
+        if (fact->extent != EXTENT_TOUCHED && fact->extent != EXTENT_BOUNDED &&
+            !address_is_safe(facts, fact->row))
             plan_obstacle(plan, fact->row->range,
                           "'%s' is read in some iterations only, and may not be valid before",
                           fact->name);

@@ -10,7 +10,8 @@ static bool move_together(const loop_source *left, const loop_source *right) {
         return false;
     if (left->extent == EXTENT_TOUCHED)
         return left->base && right->base && syntax_same(left->base, right->base);
-    return syntax_same(left->row, right->row) && source_ends_equal(left, right);
+    return syntax_same(left->row, right->row) && source_ends_equal(left, right) &&
+           left->bounds == right->bounds;
 }
 
 /** Numbers the sources that the runtime must know: possible overlaps, and subscripts. */

@@ -115,11 +115,22 @@ typedef struct calls {
 static bool note_call(ir_node *node, void *context) {
     calls *c = context;
     const ir_function *function = node->kind == IR_FUNCTION ? node->function : NULL;
-    if (function && function->linkage.import && !c->is_noted[function->id]) {
-        c->is_noted[function->id] = true;
+    if (!function || c->is_noted[function->id])
+        return true;
+    c->is_noted[function->id] = true;
+    if (function->linkage.import)
         VECTOR_PUSH(c->memory, &c->direct, function);
-    }
+    else if (function->body)
+        ir_walk(function->body, note_call, c);
     return true;
+}
+
+/* What is known of a loop's variables comes from all of the loop's function and of those that it
+ * calls, and of no others. */
+static void note_calls_of_loops(calls *c, const analysis_result *analysed) {
+    for (unsigned i = 0; i < analysed->verdict_count; i++)
+        if (analysed->verdicts[i].kind == VERDICT_TRANSFORM)
+            ir_walk(analysed->verdicts[i].function->body, note_call, c);
 }
 
 /* Is it declared outside of all functions? */
@@ -140,12 +151,11 @@ static void write_digest(buffer *out, uint64_t of) {
     buffer_format(out, "{0x%xu, 0x%xu}", (unsigned)(of >> 32), (unsigned)of);
 }
 
-const char *imports_check(arena *a, const ir_unit *unit, const char **obstacle) {
+const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *analysed,
+                          const char **obstacle) {
     calls c = {.memory = a, .is_noted = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     buffer records = {0}, called = {0}, expected = {0};
-    for (unsigned i = 0; i < unit->function_count; i++)
-        if (unit->functions[i]->body && !unit->functions[i]->linkage.import)
-            ir_walk(unit->functions[i]->body, note_call, &c);
+    note_calls_of_loops(&c, analysed);
     for (unsigned i = 0; i < c.direct.count; i++) {
         const ir_function *function = c.direct.items[i];
         if (!is_at_file_scope(unit, function) ||

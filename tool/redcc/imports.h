@@ -17,10 +17,11 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
                  const analysis_result *before);
 
 /**
- * The text appended to the file that compares the linked definitions with those parsed, a function
- * `static int redcc__linked(void)`; NULL: no function of another file was read. Sets *obstacle if
- * it cannot be written.
+ * The text appended to the file that compares the linked definitions with those parsed, of the
+ * functions that translated loops depend on: `static const redcc_linkage *redcc__linked(void)`;
+ * NULL: they depend on no function of another file. Sets *obstacle if it cannot be written.
  */
-const char *imports_check(arena *a, const ir_unit *unit, const char **obstacle);
+const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *analysed,
+                          const char **obstacle);
 
 #endif

@@ -301,7 +301,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                         .order_is_explicit = o->order_is_given,
                         .lanes = o->lanes,
                         .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
-    how.linked = imports_check(a, unit, &how.obstacle);
+    how.linked = imports_check(a, unit, &analysed, &how.obstacle);
     const emit_result loops = write_checked(a, unit, flags, &how, is_kept, &analysed);
     const emit_result written = with_records(a, &loops, records);
     const analysis_result final = after_writing(a, unit, &analysed, &written, &asked, foreign);

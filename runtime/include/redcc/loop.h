@@ -106,6 +106,15 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
     if (row + bytes > extent->end)
         extent->end = row + bytes;
 }
+/** The same of the element base[k + by]; `lost` as of redcc_exact_sum. */
+REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, redcc_int k,
+                                      redcc_int by, redcc_int bytes, int *lost) {
+    const redcc_int into = redcc_exact_product(redcc_exact_sum(k, by, lost), bytes, lost);
+    const redcc_int at = redcc_exact_sum((redcc_int)(redcc_size)base, into, lost);
+    redcc_extent element;
+    redcc_exact_extent(&element, at, at, bytes, lost);
+    redcc_known_row(extent, element.first, (redcc_size)(element.end - element.first));
+}
 
 #include <redcc/prefetch.h>
 

@@ -124,7 +124,8 @@ typedef enum source_extent {
     EXTENT_INVARIANT, /* one address for all iterations: sizeof(row) bytes at &row */
     EXTENT_AFFINE,    /* monotonic in the counter: from &row in the first iteration to the end of
                        * row in the last; row mentions only the counter and invariants */
-    EXTENT_TOUCHED    /* the inspector records it, at the place of `row` in the slice */
+    EXTENT_TOUCHED,   /* the inspector records it, at the place of `row` in the slice */
+    EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
 
 /** Iterations read only if the counter satisfies this comparison with `bound`, as numbers. */
@@ -143,6 +144,26 @@ typedef struct source_loop {
     bool may_end_early; /* then it is the innermost one, and its rows form a span (row_steps.h) of
                          * which the first elements are read */
 } source_loop;
+
+/** `value`, an integer, + offset; NULL: offset alone. */
+typedef struct bound_term {
+    const ir_node *value;
+    int64_t offset;
+} bound_term;
+
+enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
+
+/** Elements base[k] of which some are read: k is between the least and the greatest of the terms,
+ *  where each condition, a floating value, is not negative. All of these are parameters, and what
+ *  is read through them, in the terms of the caller: to be read where the program might not. */
+typedef struct element_bounds {
+    const ir_node *base; /* a pointer */
+    const ir_type *element;
+    unsigned term_count;
+    bound_term terms[BOUNDS_MOST_TERMS];
+    unsigned condition_count;
+    const ir_node *conditions[BOUNDS_MOST_CONDITIONS];
+} element_bounds;
 
 /** A read that may overlap a reduction array, or that determines its subscripts. */
 typedef struct loop_source {
@@ -167,6 +188,7 @@ typedef struct loop_source {
     const source_loop *loops; /* outermost first */
     unsigned limit_count;     /* EXTENT_AFFINE, is_checked */
     const counter_limit *limits;
+    const element_bounds *bounds; /* EXTENT_BOUNDED */
 } loop_source;
 
 typedef struct private_variable {

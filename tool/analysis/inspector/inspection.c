@@ -10,6 +10,7 @@
 #include "analysis/loop/executed.h"
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
+#include "analysis/memory/value_bounds.h"
 #include "analysis/overlap/sources.h"
 
 typedef VECTOR(slice_touch) touch_list;
@@ -139,12 +140,34 @@ static bool source_stays_until(const loop_analysis *j, const loop_source *item,
     return stays_until(j, item->row, first, second);
 }
 
+/* Elements of one table under the same conditions are told together, if there is room. */
+static bool add_bounds(loop_analysis *j, loop_source *to, const element_bounds *more) {
+    element_bounds *all = ARENA_NEW(j->an->memory, element_bounds);
+    *all = *to->bounds;
+    if (!ir_type_equal(all->element, more->element) ||
+        all->condition_count != more->condition_count)
+        return false;
+    for (unsigned i = 0; i < more->condition_count; i++)
+        if (!expression_same(all->conditions[i], more->conditions[i]))
+            return false;
+    for (unsigned i = 0; i < more->term_count; i++) {
+        if (element_bounds_has(all, more->terms[i]))
+            continue;
+        if (all->term_count == BOUNDS_MOST_TERMS)
+            return false;
+        all->terms[all->term_count++] = more->terms[i];
+    }
+    to->bounds = all;
+    return true;
+}
+
 static void add_source(loop_analysis *j, const loop_source *item) {
     for (unsigned i = 0; i < j->sources.count; i++) {
         loop_source *other = &j->sources.items[i];
         if (other->extent != item->extent || !source_rows_equal(other, item) ||
             !source_stays_until(j, item, other->place, item->place) ||
-            other->is_subscript != item->is_subscript || !source_ends_equal(other, item))
+            other->is_subscript != item->is_subscript || !source_ends_equal(other, item) ||
+            (item->bounds && !add_bounds(j, other, item->bounds)))
             continue;
         other->needs_guard |= item->needs_guard;
         other->is_scalar |= item->is_scalar;

@@ -30,6 +30,7 @@ typedef struct access {
     update_form form;          /* ACCESS_UPDATE in the text itself */
     const ir_node *from; /* a search through a[from], a[from + 1], ... up to the element whose */
     const ir_node *to;   /* subscript is the call's result: the first and the last one read */
+    const element_bounds *bounds; /* not is_exact: what is accessed is among these; or NULL */
 } access;
 
 /** A construct that prevents any assumption. */

@@ -7,6 +7,7 @@
 #include "analysis/memory/alias.h"
 #include "analysis/memory/callee_loops.h"
 #include "analysis/memory/search.h"
+#include "analysis/memory/value_bounds.h"
 
 typedef struct rewriting {
     const callee_terms *terms;
@@ -15,6 +16,7 @@ typedef struct rewriting {
     const ir_node *site; /* the place of evaluation in the function's text; NULL: it may be another
                           * iteration's value */
     bool is_exact;
+    bool loads_stay;        /* what is read here is not written while the caller's loop runs */
     bool has_load;          /* an address depends on a load, */
     bool loads_are_certain; /* each time that the function is called */
     unsigned depth;
@@ -91,7 +93,7 @@ static bool is_certain_load(const rewriting *r, const ir_node *load) {
 
 static void note_load(rewriting *r, const ir_node *load) {
     r->has_load = true;
-    if (!is_stable(r, load))
+    if (!r->loads_stay && !is_stable(r, load))
         r->is_exact = false;
     if (!r->loops)
         return;
@@ -348,10 +350,69 @@ static bool take_with_loops(const callee_terms *terms, const access *item, acces
     return true;
 }
 
+/* ---- between bounds --------------------------------------------------------------------------
+ */
+
+static bool take_terms(rewriting *r, element_bounds *all, const bound_term *terms, unsigned count) {
+    for (unsigned i = 0; i < count; i++) {
+        const ir_node *value = terms[i].value ? rewrite(r, terms[i].value) : NULL;
+        const bound_term term = {value, terms[i].offset};
+        if (element_bounds_has(all, term))
+            continue;
+        if (all->term_count == BOUNDS_MOST_TERMS)
+            return false;
+        all->terms[all->term_count++] = term;
+    }
+    return true;
+}
+
+static bool take_conditions(rewriting *r, element_bounds *all, const ir_node *const *values,
+                            unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        all->conditions[all->condition_count++] = rewrite(r, values[i]);
+    return r->is_exact;
+}
+
+/* Those of a function called, in this one's terms. */
+static bool take_bounds_of_callee(rewriting *r, const element_bounds *theirs, element_bounds *all) {
+    all->base = rewrite(r, theirs->base);
+    all->element = theirs->element;
+    return take_terms(r, all, theirs->terms, theirs->term_count) &&
+           take_conditions(r, all, theirs->conditions, theirs->condition_count);
+}
+
+static bool take_own_bounds(rewriting *r, element_bounds *all) {
+    const ir_node *row = access_extent(r->item->lvalue);
+    value_bounds found;
+    bounds_conditions conditions;
+    if (r->item->callee || !r->item->is_exact || row->kind != IR_INDEX ||
+        row->children[0]->type->kind != IR_POINTER || row->type->size <= 0 ||
+        !value_bounds_of(r->terms->facts, r->terms->function, row->children[1], r->item->node,
+                         &found, &conditions))
+        return false;
+    all->base = rewrite_value(r, row->children[0]);
+    all->element = row->type;
+    return take_terms(r, all, found.low, found.low_count) &&
+           take_terms(r, all, found.high, found.high_count) &&
+           take_conditions(r, all, conditions.value, conditions.count);
+}
+
+/* NULL: none are known. */
+static const element_bounds *bounds_in_terms(const callee_terms *terms, const access *item) {
+    rewriting r = {.terms = terms, .item = item, .is_exact = true, .loads_stay = true};
+    element_bounds *all = ARENA_NEW(terms->memory, element_bounds);
+    if (item->kind != ACCESS_READ || item->loop_count)
+        return NULL;
+    const bool is_known =
+        item->bounds ? take_bounds_of_callee(&r, item->bounds, all) : take_own_bounds(&r, all);
+    return is_known && r.is_exact ? all : NULL;
+}
+
 access callee_terms_of(const callee_terms *terms, const access *item) {
     access result = *item;
     rewriting r = {.terms = terms, .item = item, .is_exact = item->is_exact && !item->loop_count};
     result.from = result.to = NULL;
+    result.bounds = NULL;
     result.loop_count = 0;
     result.lvalue = rewrite_lvalue(&r, item->lvalue);
     result.is_exact = r.is_exact;
@@ -359,5 +420,6 @@ access callee_terms_of(const callee_terms *terms, const access *item) {
         take_with_loops(terms, item, &result) || r.is_exact)
         return result;
     result.from = search_element(&r);
+    result.bounds = result.from ? NULL : bounds_in_terms(terms, item);
     return result;
 }

@@ -235,6 +235,30 @@ static const source_loop *loops_for_caller(access_walk *w, access *item, const i
     return loops;
 }
 
+/* With the arguments in them; NULL: they cannot be spelled there. */
+static const element_bounds *bounds_for_caller(access_walk *w, const element_bounds *of,
+                                               const ir_node *call) {
+    const ir_function *function = call->children[0]->function;
+    ir_node *const *arguments = &call->children[1];
+    element_bounds *own = ARENA_NEW(w->memory, element_bounds);
+    *own = *of;
+    own->base = ir_substitute(w->memory, of->base, function, arguments);
+    bool is_spelled = expression_is_plain(own->base) && is_declared_before(own->base, call);
+    for (unsigned i = 0; i < of->term_count; i++) {
+        const ir_node *value = of->terms[i].value;
+        if (!value)
+            continue;
+        own->terms[i].value = value = ir_substitute(w->memory, value, function, arguments);
+        is_spelled &= expression_is_plain(value) && is_declared_before(value, call);
+    }
+    for (unsigned i = 0; i < of->condition_count; i++) {
+        const ir_node *value = ir_substitute(w->memory, of->conditions[i], function, arguments);
+        own->conditions[i] = value;
+        is_spelled &= expression_is_plain(value) && is_declared_before(value, call);
+    }
+    return is_spelled ? own : NULL;
+}
+
 static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
     const ir_function *function = call->children[0]->function;
     effects *all = w->all;
@@ -261,6 +285,8 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         }
         if (item.loop_count)
             item.loops = loops_for_caller(w, &item, call);
+        if (item.bounds)
+            item.bounds = bounds_for_caller(w, item.bounds, call);
         if (item.from) {
             item.from = ir_substitute(all->memory, item.from, function, &call->children[1]);
             item.to = found_element(all->memory, item.from, call);

@@ -199,8 +199,81 @@ static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
            row->children[0]->kind == IR_CAST;
 }
 
+/* ---- between bounds --------------------------------------------------------------------------
+ */
+
+/* Does nothing that the loop writes, other than sums that it is compared with, lie where this is
+ * read? */
+static bool is_written_by_none(const loop_analysis *j, const ir_node *load) {
+    const location where = location_of(j->an->facts, load, j->loop);
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const loop_access *other = &j->accesses[i];
+        if (other->access.kind != ACCESS_READ && other->class != CLASS_REDUCTION &&
+            !other->is_scalar &&
+            locations_overlap(&j->an->rules, &where, &other->where) != OVERLAP_NO)
+            return false;
+    }
+    return true;
+}
+
+/* Can it be read before the loop, by loads that do no harm where the program makes none, and has it
+ * the value then that it has in the loop? */
+static bool can_be_read_before(const loop_analysis *j, const ir_node *node) {
+    const ir_type *type = node->type;
+    if (!type || type->is_volatile || type->is_atomic || type->has_address_space)
+        return false;
+    switch (node->kind) {
+    case IR_NUMBER:
+        return node->flags & IR_HAS_VALUE;
+    case IR_VARIABLE:
+        return variable_is_automatic(node->variable) && !node->variable->address_taken;
+    case IR_CAST:
+        return type->spelling && ir_type_is_scalar(type) &&
+               can_be_read_before(j, node->children[0]);
+    case IR_MEMBER:
+        if (!node->field || node->field->is_bit_field || node->field->offset < 0 ||
+            (ir_type_is_scalar(type) && !is_written_by_none(j, node)))
+            return false;
+        return (node->flags & IR_ARROW || node->children[0]->kind == IR_MEMBER) &&
+               can_be_read_before(j, node->children[0]);
+    default:
+        return false;
+    }
+}
+
+static bool is_bound(const loop_analysis *j, const ir_node *node) {
+    return variation_is_invariant(j->an->facts, j->loop, node) &&
+           !expression_mentions(node, j->counted.counter) && can_be_read_before(j, node);
+}
+
+/* *base, for what is asked of rows. */
+static const ir_node *first_element(const loop_analysis *j, const element_bounds *bounds) {
+    ir_node *row = ir_new(j->an->memory, IR_UNARY, bounds->element, 1);
+    row->op = IR_OP_DEREFERENCE;
+    row->children[0] = ir_substitute(j->an->memory, bounds->base, NULL, NULL);
+    row->children[0]->parent = row;
+    return row;
+}
+
+/* Some of the elements between bounds that the function itself keeps to. */
+static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bounds) {
+    bool is_possible = is_bound(j, bounds->base);
+    for (unsigned i = 0; i < bounds->term_count; i++)
+        is_possible &= !bounds->terms[i].value || is_bound(j, bounds->terms[i].value);
+    for (unsigned i = 0; i < bounds->condition_count; i++)
+        is_possible &= is_bound(j, bounds->conditions[i]);
+    return (source_plan){is_possible,
+                         {.name = expression_text(j->an->memory, bounds->base),
+                          .base = bounds->base,
+                          .row = first_element(j, bounds),
+                          .extent = EXTENT_BOUNDED,
+                          .bounds = bounds}};
+}
+
 source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool of_contents) {
     source_plan plan = {0};
+    if (read->access.bounds && !of_contents)
+        return plan_bounded(j, read->access.bounds);
     if (!read->access.lvalue || !read->access.is_exact || !read->where.base ||
         read->where.is_of_locale)
         return plan;
