@@ -23,15 +23,6 @@ static bool contains(const ir_node *node, const ir_node *target) {
     return false;
 }
 
-static bool mentions_array(const loop_facts *facts, const ir_node *node) {
-    if (loop_array_of_base(facts, node) >= 0)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (mentions_array(facts, node->children[i]))
-            return true;
-    return false;
-}
-
 static bool writes(const ir_node *node) {
     if (expression_written(node) || node->kind == IR_OPAQUE)
         return true;
@@ -84,8 +75,7 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     if (operand_number(record, node) >= 0)
         return true;
     if (record->operand_count == MOST_RECORD_OPERANDS || writes(node) ||
-        mentions_array(facts, node) || record_kind(node) == VALUE_NONE ||
-        (!is_certain && !has_value_always(facts, node)))
+        record_kind(node) == VALUE_NONE || (!is_certain && !has_value_always(facts, node)))
         return false;
     record->operands[record->operand_count++] = node;
     return true;
@@ -192,18 +182,6 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
            element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
-/** Do the arrays stand nowhere but in their updates? */
-static bool is_read_elsewhere(const loop_facts *facts, const ir_node *node) {
-    if (loop_update_at(facts, node))
-        return false;
-    if (ir_is_expression(node) && loop_array_of_base(facts, node) >= 0)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_read_elsewhere(facts, node->children[i]))
-            return true;
-    return false;
-}
-
 static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
@@ -269,7 +247,7 @@ static const char *why_not_later(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (plan->unit->dialect.is_sanitized)
         return "a sanitizer would see values that the program does not compute";
-    if (facts->forward_count > 0 || is_read_elsewhere(facts, facts->counted.body))
+    if (facts->forward_count > 0)
         return "an iteration reads what it updates";
     if (plan->source_count > MOST_SOURCES)
         return "it reads too many arrays that may overlap those it updates";

@@ -74,7 +74,10 @@ enum {
      *  array, nor another such scalar, */
     REDCC_IS_SCALAR = 2,
     /** nor a source that is not known to be apart. */
-    REDCC_MEETS_SCALARS = 4
+    REDCC_MEETS_SCALARS = 4,
+    /** A source that is known to lie apart from all arrays, perhaps between their elements: another
+     *  member of their records. Scalars are all that it may be. */
+    REDCC_MEETS_NO_ARRAY = 8
 };
 
 /** Any function, by its address. */

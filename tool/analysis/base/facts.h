@@ -154,6 +154,7 @@ typedef struct loop_source {
     bool is_scalar;       /* a scalar that the loop accumulates into in memory (scalar_update's
                              is_guarded): compared with all that may be it */
     bool meets_scalars;   /* may be such a scalar */
+    bool meets_arrays;    /* may overlap a reduction array, as far as the analysis knows */
     bool is_sometimes; /* read in some iterations only: its address may have no meaning in others,
                           and is computed as a number (row_address.h knows it, unless TOUCHED) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of

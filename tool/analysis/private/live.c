@@ -2,8 +2,8 @@
 /*
  * Backward liveness of one variable, asked forward: what may be the first thing done with it on the
  * ways from the end of the loop? Structured control only; a label anywhere in the function makes
- * every other occurrence count. So does a directive of OpenMP: its clauses read variables and give
- * constructs copies of their own, of which the tree tells nothing.
+ * every other occurrence count. So does a directive of OpenMP, where it is compiled: its clauses
+ * read variables and give constructs copies of their own, of which the tree tells nothing.
  */
 #include "analysis/private/live.h"
 
@@ -213,7 +213,8 @@ bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
     const search s = {variable, loop};
     const ir_unit *unit = variable_facts_unit(facts);
-    if (!variable->function || text_openmp_in(unit->arena, unit, variable->function))
+    if (!variable->function || (text_openmp_in(unit->arena, unit, variable->function) &&
+                                !function_sleeps(unit, variable->function)))
         return true;
     /* The loop itself may be reached again, by a jump or in a loop around it. */
     if (!occurs_elsewhere(facts, loop, variable) && !(ways_of(&s, loop) & WAY_READS))
