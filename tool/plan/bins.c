@@ -182,6 +182,14 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
            element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
+/** Is the element spelled from the array's base on, not by a pointer of the iteration's own? */
+static bool is_spelled_from_base(const loop_facts *facts, const reduction_update *update) {
+    const ir_node *node = update->target;
+    while (loop_array_of_base(facts, node) != (int)update->array && node->child_count > 0)
+        node = node->children[0];
+    return loop_array_of_base(facts, node) == (int)update->array;
+}
+
 static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
@@ -258,6 +266,9 @@ static const char *why_not_later(const loop_plan *plan) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!can_be_stream(facts, i))
             return "an updated element is no integer or floating value of at most 8 bytes";
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (!is_spelled_from_base(facts, &facts->updates[i]))
+            return "an update goes by a pointer of the iteration";
     return NULL;
 }
 
