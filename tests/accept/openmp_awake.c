@@ -7,7 +7,7 @@
 
 enum { N = 9000, M = 700 };
 static int s[N];
-static int w[N], h[M], g[M], f[M], e[M];
+static int w[N], h[M], g[M], f[M], e[M], d[M];
 
 static void on_it_and_in_it(void) {
 #pragma omp parallel for schedule(static, 64)
@@ -52,6 +52,20 @@ static void in_a_region(void) {
     }
 }
 
+/* What the loop leaves in `at` is read by none: clauses that are passed over read and copy nothing. */
+static void with_clauses(void) {
+    int at = 3;
+#pragma omp parallel firstprivate(at)
+#pragma omp single
+    for (int t = 0; t < N; t++) { // EXPECT: transformed
+        at = s[t];
+        d[at] += w[t];
+    }
+#pragma omp parallel for lastprivate(at)
+    for (int t = 0; t < 4; t++)
+        at = t;
+}
+
 int main(void) {
     case_subscripts(w, N, 1000);
     case_subscripts(s, N, M);
@@ -60,10 +74,12 @@ int main(void) {
         halves();
         chosen();
         in_a_region();
+        with_clauses();
     }
     CASE_PRINT(h);
     CASE_PRINT(g);
     CASE_PRINT(f);
     CASE_PRINT(e);
+    CASE_PRINT(d);
     return 0;
 }

@@ -59,3 +59,24 @@ void bytes_of_it(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: nothing
         h[k[t]] += bytes[t];
 }
+
+/* Members beside the updated one may be read (accept/binned_members.c), but not the updated one of another record, */
+struct pulled {
+    double at[2], pull[2];
+};
+void other_record(int n, struct pulled *b, double reach) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse array-read
+        for (int j = i + 1; j < n; j++)
+            if (b[j].at[0] - b[i].at[0] < reach) {
+                b[i].pull[0] += b[j].at[1];
+                b[j].pull[0] -= b[j].pull[0] * 0.5 + b[i].pull[0];
+            }
+}
+
+/* nor the whole of it. */
+void whole_pulled(int n, struct pulled *restrict b, const int *k) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        const struct pulled one = b[k[t + 1]];
+        b[k[t]].pull[1] += one.at[0];
+    }
+}

@@ -94,9 +94,11 @@ static void write_sources(loop_text *loop, writer *out) {
     writer_line(out, "static const redcc_source %s[] =", outlined_name(loop, "sources"));
     for (unsigned i = 0; i < loop->plan->source_count; i++) {
         const logged_source *item = &loop->plan->sources[i];
-        const char *scalar = item->is_scalar       ? " | REDCC_IS_SCALAR"
-                             : item->meets_scalars ? " | REDCC_MEETS_SCALARS"
-                                                   : "";
+        const bool meets_no_array = !item->is_subscript && !item->meets_arrays;
+        const char *scalar = item->is_scalar        ? " | REDCC_IS_SCALAR"
+                             : !item->meets_scalars ? ""
+                             : meets_no_array ? " | REDCC_MEETS_SCALARS | REDCC_MEETS_NO_ARRAY"
+                                              : " | REDCC_MEETS_SCALARS";
         writer_line(out, "    %s{%s, %d%s}%s", i == 0 ? "{" : "",
                     text_quoted(loop->arena, item->fact->name), item->is_subscript, scalar,
                     i + 1 < loop->plan->source_count ? "," : "};");

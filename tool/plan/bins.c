@@ -23,15 +23,6 @@ static bool contains(const ir_node *node, const ir_node *target) {
     return false;
 }
 
-static bool mentions_array(const loop_facts *facts, const ir_node *node) {
-    if (loop_array_of_base(facts, node) >= 0)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (mentions_array(facts, node->children[i]))
-            return true;
-    return false;
-}
-
 static bool writes(const ir_node *node) {
     if (expression_written(node) || node->kind == IR_OPAQUE)
         return true;
@@ -84,8 +75,7 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
     if (operand_number(record, node) >= 0)
         return true;
     if (record->operand_count == MOST_RECORD_OPERANDS || writes(node) ||
-        mentions_array(facts, node) || record_kind(node) == VALUE_NONE ||
-        (!is_certain && !has_value_always(facts, node)))
+        record_kind(node) == VALUE_NONE || (!is_certain && !has_value_always(facts, node)))
         return false;
     record->operands[record->operand_count++] = node;
     return true;
@@ -191,16 +181,12 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
            element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
-/** Are the arrays used only in their updates? */
-static bool is_read_elsewhere(const loop_facts *facts, const ir_node *node) {
-    if (loop_update_at(facts, node))
-        return false;
-    if (ir_is_expression(node) && loop_array_of_base(facts, node) >= 0)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_read_elsewhere(facts, node->children[i]))
-            return true;
-    return false;
+/** Is the element spelled from the array's base on, not by a pointer of the iteration's own? */
+static bool is_spelled_from_base(const loop_facts *facts, const reduction_update *update) {
+    const ir_node *node = update->target;
+    while (loop_array_of_base(facts, node) != (int)update->array && node->child_count > 0)
+        node = node->children[0];
+    return loop_array_of_base(facts, node) == (int)update->array;
 }
 
 static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
@@ -268,7 +254,7 @@ static const char *why_not_later(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (plan->unit->dialect.is_sanitized)
         return "a sanitizer would see values that the program does not compute";
-    if (facts->forward_count > 0 || is_read_elsewhere(facts, facts->counted.body))
+    if (facts->forward_count > 0)
         return "an iteration reads what it updates";
     if (plan->source_count > MOST_SOURCES)
         return "it reads too many arrays that may overlap those it updates";
@@ -279,6 +265,9 @@ static const char *why_not_later(const loop_plan *plan) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!can_be_stream(facts, i))
             return "an updated element is no integer or floating value of at most 8 bytes";
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (!is_spelled_from_base(facts, &facts->updates[i]))
+            return "an update goes by a pointer of the iteration";
     return NULL;
 }
 

@@ -16,8 +16,8 @@
 
 /** A read that the runtime must know: one or more of the facts' sources that move together. */
 typedef struct logged_source {
-    const loop_source *fact;                     /* the first of them */
-    bool is_subscript, is_scalar, meets_scalars; /* any of them */
+    const loop_source *fact;                                   /* the first of them */
+    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* any of them */
 } logged_source;
 
 enum { SOURCE_NOT_LOGGED = -1 };

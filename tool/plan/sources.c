@@ -32,6 +32,7 @@ void plan_sources(loop_plan *plan) {
         sources[number].is_subscript |= fact->is_subscript;
         sources[number].is_scalar |= fact->is_scalar;
         sources[number].meets_scalars |= fact->meets_scalars;
+        sources[number].meets_arrays |= fact->meets_arrays;
         numbers[i] = (int)number;
     }
     plan->sources = sources;

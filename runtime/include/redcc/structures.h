@@ -76,7 +76,10 @@ enum {
      *  such scalar, */
     REDCC_IS_SCALAR = 2,
     /** or a source marked with this bit, which is not proved disjoint from it. */
-    REDCC_MEETS_SCALARS = 4
+    REDCC_MEETS_SCALARS = 4,
+    /** A source that is disjoint from all arrays, perhaps between their elements: another member of
+     *  their records. It may overlap scalars only. */
+    REDCC_MEETS_NO_ARRAY = 8
 };
 
 /** Any function, by its address. */

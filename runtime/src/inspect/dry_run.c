@@ -15,6 +15,7 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
+#include "ownership/overlap.h"
 
 #include <assert.h>
 
@@ -174,6 +175,8 @@ static void take_touch(struct inspection *inspection, struct inspector *inspecto
         touched = redcc_range_union(touched, range_of_window(window));
     struct gap gap = gap_around(touched);
     for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {
+        if (!redcc_source_meets_arrays(inspection->call->request.loop, s))
+            continue;
         const struct range read = range_read(inspection, inspector, s);
         if (redcc_ranges_overlap(read, touched)) {
             end_run(inspection, inspector, worker, (struct overlap){s, entry->array});
@@ -198,6 +201,8 @@ bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *ins
         end_run(inspection, inspector, worker, (struct overlap){0, 0});
         return true;
     }
+    if (!redcc_source_meets_arrays(inspection->call->request.loop, source))
+        return false;
     struct gap gap = gap_around(range_read(inspection, inspector, source));
     for (uint32_t array = 0; array < inspection->partition.array_count; array++) {
         const struct range window = range_of_window(&run->window[array]);

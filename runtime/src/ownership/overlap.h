@@ -11,6 +11,11 @@ struct overlap {
     uint32_t array; /* from array_count on: a scalar, by its number among the sources */
 };
 
+/** May the source overlap an array, as far as the translator knows? */
+static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t source) {
+    return !(loop->sources[source].is_subscript & REDCC_MEETS_NO_ARRAY);
+}
+
 /** Is the source disjoint from the scalars in memory that the loop adds to? */
 static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
                                                      const struct range *read, uint32_t source,
@@ -37,7 +42,7 @@ static inline bool redcc_ranges_are_apart(const redcc_loop *loop, const struct r
     for (uint32_t r = 0; r < loop->source_count; r++) {
         if (!redcc_range_is_apart_from_scalars(loop, read, r, overlap))
             return false;
-        for (uint32_t w = 0; w < written_count; w++)
+        for (uint32_t w = 0; redcc_source_meets_arrays(loop, r) && w < written_count; w++)
             if (redcc_ranges_overlap(read[r], written[w])) {
                 *overlap = (struct overlap){r, w};
                 return false;

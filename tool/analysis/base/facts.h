@@ -179,6 +179,7 @@ typedef struct loop_source {
     bool is_scalar;       /* a scalar in memory that the loop accumulates into (scalar_update's
                            * is_guarded): compared with all reads that may alias it */
     bool meets_scalars;   /* may be such a scalar */
+    bool meets_arrays;    /* may overlap a reduction array, according to the analysis */
     bool is_sometimes; /* read in some iterations only: its address may be invalid in others, and is
                         * computed as a number (known to row_address.h, except for TOUCHED) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of

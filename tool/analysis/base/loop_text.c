@@ -204,14 +204,14 @@ const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *l
     return NULL;
 }
 
-bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop) {
-    if (unit->dialect.has_openmp)
+bool function_sleeps(const ir_unit *unit, const ir_function *function) {
+    if (unit->dialect.has_openmp || !function->is_in_main_file)
         return false;
-    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
-         i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++)
+    for (unsigned i = loop_text_first_directive(unit, function->range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < function->range.end; i++)
         if (directive_is_openmp(&unit->directives[i]))
             return true;
-    return loop_text_openmp_above(unit, loop) != NULL;
+    return false;
 }
 
 /* The text of a header's function is unknown: any directive may be in it. */

@@ -45,9 +45,9 @@ bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
  *  part of the loop's text; NULL: none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** Are there inactive OpenMP directives in or directly above the loop's text? If they are active,
- *  the loop stays as written. */
-bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop);
+/** Are there inactive OpenMP directives in the function's text? If they are active, its loops stay
+ *  as written. */
+bool function_sleeps(const ir_unit *unit, const ir_function *function);
 
 /** #pragma omp, or #ifdef _OPENMP. */
 bool directive_is_openmp(const ir_directive *d);

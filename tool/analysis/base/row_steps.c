@@ -31,9 +31,24 @@ static bool steps_with(const ir_node *index, const ir_variable *counter) {
            !expression_mentions(right, counter) && steps_with(left, counter);
 }
 
+/* Of the same part of each element, `a[i].f.x` or `a[i].v[2]`: the element. Between two such parts
+ * lie other ones, of which the whole from the first to the last has some too many. */
+static const ir_node *element_around(const ir_node *row) {
+    for (;; row = row->children[0]) {
+        const bool is_member = row->kind == IR_MEMBER && !(row->flags & IR_ARROW) && row->field &&
+                               !row->field->is_bit_field;
+        const bool is_fixed = row->kind == IR_INDEX && row->children[0]->type &&
+                              row->children[0]->type->kind == IR_ARRAY &&
+                              (row->children[1]->flags & IR_HAS_VALUE);
+        if (!is_member && !is_fixed)
+            return row;
+    }
+}
+
 bool row_steps_with(const ir_node *row, const ir_variable *counter) {
     if (!expression_mentions(row, counter))
         return true;
+    row = element_around(row);
     return row->kind == IR_INDEX && row->type->size > 0 &&
            !expression_mentions(row->children[0], counter) && steps_with(row->children[1], counter);
 }

@@ -172,6 +172,7 @@ static void add_source(loop_analysis *j, const loop_source *item) {
         other->needs_guard |= item->needs_guard;
         other->is_scalar |= item->is_scalar;
         other->meets_scalars |= item->meets_scalars;
+        other->meets_arrays |= item->meets_arrays;
         other->is_ahead |= item->is_ahead;
         return;
     }
@@ -241,7 +242,8 @@ static void add_load_in_loops(loop_analysis *j, const ir_node *node, const told_
     load.access.type = node->type;
     load.access.is_behind = false;
     load.where = location_of(j->an->facts, node, j->loop);
-    load.needs_guard = load.meets_scalars = false; /* the callee's own read may be elsewhere */
+    /* the callee's own read may be elsewhere */
+    load.needs_guard = load.meets_scalars = load.meets_arrays = false;
     while (load.access.loop_count &&
            !expression_mentions(node, of->told->loops[load.access.loop_count - 1].counter))
         load.access.loop_count--;
@@ -294,11 +296,13 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
         contents.source.is_subscript = true;
         contents.source.needs_guard = read->needs_guard;
         contents.source.meets_scalars = read->meets_scalars;
+        contents.source.meets_arrays = read->meets_arrays;
         add_source(j, &contents.source);
     } else if (read->needs_guard) {
         source_plan plan = source_plan_of(j, read, false);
         plan.source.needs_guard = true;
         plan.source.meets_scalars = read->meets_scalars;
+        plan.source.meets_arrays = read->meets_arrays;
         plan.source.is_scalar = read->is_scalar;
         if (read->access.callee && plan.source.extent == EXTENT_TOUCHED)
             add_loads_of(j, &plan.source, read);

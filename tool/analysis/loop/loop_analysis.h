@@ -42,6 +42,7 @@ typedef struct loop_access {
                             * is_scalar */
     bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded */
     bool meets_scalars;    /* CLASS_SHARED: may be one of these */
+    bool meets_arrays;     /* CLASS_SHARED: may overlap an array; else needs_guard for a scalar */
 } loop_access;
 
 typedef struct loop_array {

@@ -528,7 +528,7 @@ static bool check_reads(loop_analysis *j) {
             continue;
         }
         read->class = CLASS_SHARED;
-        bool needs_guard = false;
+        read->meets_arrays = false;
         for (unsigned k = 0; k < j->arrays.count; k++) {
             loop_array *array = &j->arrays.items[k];
             overlap meets = overlap_with_array(j, read, k);
@@ -537,12 +537,11 @@ static bool check_reads(loop_analysis *j) {
                 return refuse_overlap(j, read, array);
             if (hangs_on(&read->where, &array->where))
                 array->array.is_interleaved = true; /* another field, read through the same base */
-            needs_guard |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
+            read->meets_arrays |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
         }
         read->meets_scalars =
             !read->access.is_presumed && overlap_with_scalars(j, read) != OVERLAP_NO;
-        needs_guard |= read->meets_scalars;
-        if (needs_guard && !check_guard(j, read))
+        if ((read->meets_arrays || read->meets_scalars) && !check_guard(j, read))
             return false;
     }
     return true;

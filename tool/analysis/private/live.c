@@ -2,8 +2,8 @@
 /*
  * Backward liveness of one variable, computed forward: the possible first uses of it on the paths
  * from the end of the loop. Structured control only; a label anywhere in the function makes every
- * other occurrence count. So does an OpenMP directive: its clauses read variables and privatise
- * them, which the tree does not show.
+ * other occurrence count. So does a compiled OpenMP directive: its clauses read variables and
+ * privatise them, which the tree does not show.
  */
 #include "analysis/private/live.h"
 
@@ -213,7 +213,8 @@ bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
     const search s = {variable, loop};
     const ir_unit *unit = variable_facts_unit(facts);
-    if (!variable->function || text_openmp_in(unit->arena, unit, variable->function))
+    if (!variable->function || (text_openmp_in(unit->arena, unit, variable->function) &&
+                                !function_sleeps(unit, variable->function)))
         return true;
     /* The loop itself may be reached again, by a jump or in a loop around it. */
     if (!occurs_elsewhere(facts, loop, variable) && !(ways_of(&s, loop) & WAY_READS))

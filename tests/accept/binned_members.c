@@ -1,0 +1,81 @@
+// Pairs of records: places are read and pulls updated behind one pointer, at other members. What is read
+// lies between what is updated, and is no part of it; only the sum in memory may be any of it.
+// INTEGERS: no
+#include "case.h"
+
+enum { N = 260 };
+typedef struct triple {
+    double x, y, z;
+} triple;
+struct body {
+    triple at, pull;
+    double mass, spare[2];
+};
+static struct body *bodies, memory[N + 1];
+
+/* Members that lie one behind the other, from record to record. */
+static void pull_all(int n, double *energy, double reach) {
+    double dx, dy, dz, squared, f;
+    int i, j;
+    for (i = 0; i < n - 1; i++) // EXPECT: transformed
+        for (j = i + 1; j < n; j++) {
+            dx = bodies[i].at.x - bodies[j].at.x;
+            dy = bodies[i].at.y - bodies[j].at.y;
+            dz = bodies[i].at.z - bodies[j].at.z;
+            squared = dx * dx + dy * dy + dz * dz;
+            if (squared < reach) {
+                f = 1.0 / (squared + 0.25);
+                bodies[i].pull.x += f * dx, bodies[i].pull.y += f * dy, bodies[i].pull.z += f * dz;
+                bodies[j].pull.x += -f * dx, bodies[j].pull.y += -f * dy, bodies[j].pull.z += -f * dz;
+                *energy += f;
+            }
+        }
+} // CHECKED: 20
+
+/* What is added is computed from another member behind the same pointer, and from one that a list finds. */
+static void by_list(int n, struct body *b, const int *first, const int *second) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        b[first[t]].spare[0] += b[second[t]].mass;
+        b[second[t]].spare[0] -= b[first[t]].mass * 0.5;
+    }
+} // BINNED: 37
+
+/* Elements of an array within the record, of which the loop goes over one part. */
+static void by_parts(int n, struct body *b, const int *begin, const int *end) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int k = begin[t]; k < end[t]; k++) {
+            b[k].spare[1] += b[k].mass * t;
+            b[k].pull.z -= b[t].at.z;
+        }
+} // BINNED: 45
+
+static void fill(void) {
+    for (int i = 0; i <= N; i++) {
+        double *part = &memory[i].at.x;
+        for (unsigned k = 0; k < sizeof *memory / sizeof *part; k++)
+            part[k] = case_value() + (k < 3 ? i % 13 : 0);
+    }
+    memory[3].pull.y = -0.0;
+    bodies = memory;
+}
+
+int main(void) {
+    static int first[4 * N], second[4 * N], begin[N], end[N];
+    case_subscripts(first, 4 * N, N);
+    case_subscripts(second, 4 * N, N);
+    for (int t = 0; t < N; t++) {
+        begin[t] = case_below(N);
+        end[t] = begin[t] + case_below(N - begin[t] + 1) - (t % 5 == 0);
+    }
+    for (int round = 0; round < 5; round++) {
+        double energy = -0.0;
+        fill();
+        double *const to[] = {&energy, &memory[7].at.y, &memory[N - 1].pull.z, &memory[N].pull.x, &memory[9].mass};
+        pull_all(round == 4 ? 2 : N, to[round], round == 1 ? 1e6 : 20.0);
+        CASE_PRINT(memory);
+        CASE_PRINT(&energy);
+        by_list(4 * N, memory, first, second);
+        by_parts(N, memory + round % 2, begin, end);
+        CASE_PRINT(memory);
+    }
+}
