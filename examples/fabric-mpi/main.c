@@ -97,7 +97,7 @@ void __wrap_solver_impulses(solver *s, const linear_system *system, const double
 
 /* What is not done over ranks; NULL: nothing of the scene. */
 static const char *obstacle(const mesh *m, const scene *s, int ranks) {
-    if (s->contact == CONTACT_BARRIER)
+    if (s->contact.method == CONTACT_BARRIER)
         return "contact: over ranks only constraints; barrier changes the matrix' layout in each "
                "iteration";
     if (s->solution.method != METHOD_CONJUGATE_GRADIENTS)

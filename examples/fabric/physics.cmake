@@ -9,7 +9,7 @@ foreach(source
     effects/drag.c effects/drag_along.c effects/drag_work.c effects/damping.c
     effects/strain_limit.c effects/strain_limit_list.c
     contact/collision_account.c contact/collision_near.c contact/collision_triangles.c contact/shape_triangle.c contact/impulse.c contact/impact.c contact/impact_zone.c step/monitor.c step/plan.c step/rest.c step/timing.c step/doubts.c contact/self_collision.c contact/self_grid.c contact/self_pair.c
-    contact/solid_mesh.c contact/nearest.c contact/barrier.c contact/barrier_pairs.c contact/barrier_part.c contact/barrier_energy.c contact/barrier_start.c contact/barrier_system.c
+    contact/solid_mesh.c contact/nearest.c contact/barrier.c contact/barrier_pairs.c contact/barrier_part.c contact/barrier_energy.c contact/barrier_start.c contact/barrier_untangle.c contact/barrier_system.c
     step/barrier_step.c)
   list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})
 endforeach()

@@ -83,6 +83,7 @@ static void test_read(void **unused) {
     assert_true(s.mesh.normal[2] == 1.0 && s.solution.tolerance == 1e-3 &&
                 s.surroundings.drag == 0.0);
     assert_int_equal(s.mesh.seed, 1);
+    assert_true(s.contact.method == CONTACT_CONSTRAINTS && s.contact.untangle == 0);
     assert_int_equal(s.pin_count, 1);
     assert_true(s.pins[0].low[1] == 0.25 && s.pins[0].velocity[0] == 0.0);
     assert_int_equal(s.collider_count, 1);
@@ -187,6 +188,9 @@ static void test_set(void **unused) {
               NULL);
     assert_int_equal(s.collider_count, 2);
     assert_true(s.colliders[0].size[2] == 3.0 && s.colliders[1].axis[2] == 1.0);
+    check_set(&s, "contact=barrier", NULL);
+    check_set(&s, "contact.untangle=on", NULL);
+    assert_true(s.contact.method == CONTACT_BARRIER && s.contact.untangle == 1);
     check_set(&s, "pins=[]", NULL);
     assert_int_equal(s.pin_count, 0);
     scene_free(&s);
@@ -202,6 +206,8 @@ static void test_set_wrong(void **unused) {
               "mean 'bend'?");
     check_set(&s, "material.bend=-1", "'material.bend' is '-1', expected a number, 0 or more");
     check_set(&s, "material=1", "'material' is a section: set one of its keys");
+    check_set(&s, "contact={method: barrier}", "'contact' is a section: set one of its keys");
+    check_set(&s, "contact=glue", "'contact' is 'glue', expected one of 'constraints', 'barrier'");
     check_set(&s, "material.bend.x=1", "'bend' is a value and has no keys in it");
     check_set(&s, "colliders.1.gap=0", "'colliders' has no item '1', expected 0 to 0");
     check_set(&s, "colliders.0=1", "'colliders.0' is an item: set one of its keys");

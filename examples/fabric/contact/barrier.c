@@ -92,7 +92,7 @@ static int make_surface(barrier *b) {
     return 0;
 }
 
-static int root(int *parent, int i) {
+int barrier_root(int *parent, int i) {
     while (parent[i] != i)
         i = parent[i] = parent[parent[i]];
     return i;
@@ -113,10 +113,10 @@ static int know_cloth(barrier *b) {
     }
     for (int t = 0; t < m->triangle_count; t++)
         for (int p = 1; p < 3; p++)
-            b->component[root(b->component, m->triangle[t][p])] =
-                root(b->component, m->triangle[t][0]);
+            b->component[barrier_root(b->component, m->triangle[t][p])] =
+                barrier_root(b->component, m->triangle[t][0]);
     for (int i = 0; i < m->vertex_count; i++)
-        b->component[i] = root(b->component, i);
+        b->component[i] = barrier_root(b->component, i);
     return 0;
 }
 

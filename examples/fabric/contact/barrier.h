@@ -113,6 +113,26 @@ double barrier_friction(const barrier *b, double h, const double (*x)[3]);
  *  0, or -1: out of memory. */
 int barrier_make_elements(barrier *b, double h, const double (*x)[3]);
 
+/** An edge that goes through a triangle. */
+typedef struct barrier_crossing {
+    int edge[2], triangle[3];
+    int nearer;       /* the end of the edge that is nearer to the triangle's plane: 0 or 1 */
+    double depth;     /* m, how far that end lies beyond the plane */
+    double normal[3]; /* unit, of the triangle, on the side of that end */
+    double weight[3]; /* of the triangle's vertices where the edge meets it */
+} barrier_crossing;
+
+/** Looks at a crossing; a status other than 0 ends the search. */
+typedef int barrier_visitor(void *context, const barrier *b, const barrier_crossing *found);
+
+/** Visits all crossings at b->x of cloth with itself and with bodies; an edge of two triangles is
+ *  visited for each. The visitor's last status, or -1: out of memory. */
+int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *context);
+
+/** Moves the cloth at b->x out of itself and out of bodies, as far as it can. 0, or -1: out of
+ *  memory, or not all is finite. barrier_check_start says whether something is left. */
+int barrier_untangle(barrier *b);
+
 /** Is the cloth through itself or a body where it starts, or does it touch? Then -1, with features,
  *  depth and a remedy in error[200]; 0: neither. barrier_find_pairs was called for b->x. */
 int barrier_check_start(barrier *b, char *error);
@@ -127,6 +147,9 @@ static inline void barrier_gather(const int vertex[4], const double (*x)[3], dou
         for (int a = 0; a < 3; a++)
             at[k][a] = x[vertex[k]][a];
 }
+
+/** The root of i's tree in a forest (union-find), whose paths it shortens. */
+int barrier_root(int *parent, int i);
 
 /** The array, grown where it has not room for `count` items of `size` bytes: *room is how many it
  *  has room for. NULL: out of memory, the array is as it was. */

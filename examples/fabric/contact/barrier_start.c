@@ -3,6 +3,7 @@
  * touch. The first of them is named, with the file's numbers of its vertices (from 1). */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "barrier.h"
 #include "base/vector.h"
@@ -47,28 +48,38 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
-/* Does the edge go through the triangle, and how far does its nearer end reach beyond, m? What
- * reaches beyond by rounding alone lies in the plane: if it is near as well, it touches. */
-static int crosses(const barrier *b, const int edge[2], const int triangle[3], double *depth) {
+/* Whether the edge goes through the triangle. What reaches beyond by rounding alone lies in the
+ * plane: if it is near as well, it touches. */
+static int crosses(const barrier *b, const int edge[2], const int triangle[3],
+                   barrier_crossing *found) {
     const double *p = b->x[edge[0]], *q = b->x[edge[1]], *x[3];
     const double rounding = 1e-9; /* of the edge's length */
+    double one[3], other[3], along[3], *weight = found->weight;
     for (int k = 0; k < 3; k++) {
         x[k] = b->x[triangle[k]];
         if (triangle[k] == edge[0] || triangle[k] == edge[1])
             return 0;
     }
     const double above = volume(x[0], x[1], x[2], p), below = volume(x[0], x[1], x[2], q);
-    const int side = volume(p, q, x[0], x[1]) > 0;
-    double one[3], other[3], normal[3], along[3];
-    if ((above > 0) == (below > 0) || (volume(p, q, x[1], x[2]) > 0) != side ||
-        (volume(p, q, x[2], x[0]) > 0) != side)
+    for (int k = 0; k < 3; k++)
+        weight[k] = volume(p, q, x[(k + 1) % 3], x[(k + 2) % 3]);
+    const int side = weight[2] > 0;
+    if ((above > 0) == (below > 0) || (weight[0] > 0) != side || (weight[1] > 0) != side)
         return 0;
     vector_subtract(x[1], x[0], one);
     vector_subtract(x[2], x[0], other);
-    vector_cross(one, other, normal);
+    vector_cross(one, other, found->normal);
     vector_subtract(q, p, along);
-    *depth = fmin(fabs(above), fabs(below)) / vector_length(normal);
-    return *depth > rounding * vector_length(along);
+    const double area = vector_length(found->normal), sum = weight[0] + weight[1] + weight[2];
+    memcpy(found->edge, edge, sizeof found->edge);
+    memcpy(found->triangle, triangle, sizeof found->triangle);
+    found->nearer = fabs(above) > fabs(below);
+    found->depth = fmin(fabs(above), fabs(below)) / area;
+    for (int a = 0; a < 3; a++) {
+        found->normal[a] *= (found->nearer ? below : above) > 0 ? 1 / area : -1 / area;
+        weight[a] /= sum;
+    }
+    return found->depth > rounding * vector_length(along);
 }
 
 static int number_of(const barrier *b, int vertex) {
@@ -89,30 +100,38 @@ static void name_feature(const barrier *b, int count, const int *vertex, char *t
         used += snprintf(text + used, size - (size_t)used, " %d", number_of(b, vertex[k]));
 }
 
-static int complain_crossing(const barrier *b, const int edge[2], const int triangle[3],
-                             double depth, char *error) {
-    char first[48], second[48];
-    name_feature(b, 2, edge, first, sizeof first);
-    name_feature(b, 3, triangle, second, sizeof second);
-    snprintf(error, 200, "it starts in itself: %s goes %.3g mm through %s; move them apart by more",
-             first, 1e3 * depth, second);
+/* Ends the message with what can be done apart from moving something. -1. */
+static int refuse(const barrier *b, char *error) {
+    const size_t used = strlen(error);
+    snprintf(error + used, 200 - used, "%s",
+             b->scene->contact.untangle ? " (contact.untangle could not)"
+                                        : ", or set 'contact.untangle: on'");
     return -1;
 }
 
-/* The edges of one against the other. */
-static int check_triangles(const barrier *b, int t, int u, char *error) {
-    const int *one = b->surface.triangle[t], *other = b->surface.triangle[u];
-    for (int p = 0; p < 3; p++) {
-        const int edge[2] = {one[p], one[(p + 1) % 3]};
-        double depth;
-        if (crosses(b, edge, other, &depth))
-            return complain_crossing(b, edge, other, depth, error);
-    }
-    return 0;
+static int complain_crossing(void *to, const barrier *b, const barrier_crossing *found) {
+    char first[48], second[48];
+    name_feature(b, 2, found->edge, first, sizeof first);
+    name_feature(b, 3, found->triangle, second, sizeof second);
+    snprintf(to, 200, "it starts in itself: %s goes %.3g mm through %s; move them apart by more",
+             first, 1e3 * found->depth, second);
+    return refuse(b, to);
 }
 
-/* All pairs whose boxes meet, along x in order. */
-static int check_crossings(const barrier *b, char *error) {
+/* The edges of triangle t against triangle u. */
+static int visit_edges(const barrier *b, int t, int u, barrier_visitor *visit, void *context) {
+    const int *one = b->surface.triangle[t];
+    int status = 0;
+    for (int p = 0; p < 3 && status == 0; p++) {
+        const int edge[2] = {one[p], one[(p + 1) % 3]};
+        barrier_crossing found;
+        if (crosses(b, edge, b->surface.triangle[u], &found))
+            status = visit(context, b, &found);
+    }
+    return status;
+}
+
+int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *context) {
     const int count = b->surface.triangle_count, cloth = b->cloth->triangle_count;
     const int itself = b->scene->self_collision.gap > 0;
     int status = 0;
@@ -129,9 +148,9 @@ static int check_crossings(const barrier *b, char *error) {
                 list[i].low[1] > list[j].high[1] || list[j].low[1] > list[i].high[1] ||
                 list[i].low[2] > list[j].high[2] || list[j].low[2] > list[i].high[2])
                 continue;
-            status = check_triangles(b, t, u, error);
+            status = visit_edges(b, t, u, visit, context);
             if (status == 0)
-                status = check_triangles(b, u, t, error);
+                status = visit_edges(b, u, t, visit, context);
         }
     free(list);
     return status;
@@ -152,7 +171,7 @@ static int check_inside(const barrier *b, char *error) {
                      "it starts in a body: vertex %d lies %.3g mm in colliders.%d; move it out by "
                      "more",
                      number_of(b, i), 1e3 * depth, n);
-            return -1;
+            return refuse(b, error);
         }
     }
     return 0;
@@ -176,14 +195,14 @@ static int check_touches(const barrier *b, char *error) {
             "it starts touching: %s and %s are %.2g mm apart; move them apart by %.2g mm or more, "
             "or make them one",
             first, second, 1e3 * found.distance, 1e3 * least_part * pair->reach);
-        return -1;
+        return refuse(b, error);
     }
     return 0;
 }
 
 int barrier_check_start(barrier *b, char *error) {
-    return check_crossings(b, error) == 0 && check_inside(b, error) == 0 &&
-                   check_touches(b, error) == 0
+    return barrier_visit_crossings(b, complain_crossing, error) == 0 &&
+                   check_inside(b, error) == 0 && check_touches(b, error) == 0
                ? 0
                : -1;
 }

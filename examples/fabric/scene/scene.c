@@ -281,7 +281,8 @@ static int set_value(const scene_source *from, scene *s, char *path, const char 
     const scene_key *key = find_target(from, s, path, &target);
     if (!key)
         return -1;
-    if (key->kind == VALUE_SECTION)
+    if (key->kind == VALUE_SECTION &&
+        (key->keys->kind != VALUE_CHOICE || value->type != YAML_SCALAR_NODE))
         return scene_complain(from, NULL, "'%s' is a section: set one of its keys", key->name);
     if (strcmp(key->name, "kind") == 0)
         return scene_complain(from, NULL, "the kind of a collider cannot be set, only read");

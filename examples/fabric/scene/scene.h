@@ -112,11 +112,17 @@ typedef struct scene_self_collision {
     double friction; /* Coulomb coefficient */
 } scene_self_collision;
 
-/** How cloth and bodies are kept apart: the order of the scene's key contact. */
+/** How cloth and bodies are kept apart: the order of the scene's key contact.method. */
 typedef enum contact_method {
     CONTACT_CONSTRAINTS, /* vertices are constrained (collision.h), and impulses given (impact.h) */
     CONTACT_BARRIER      /* by an energy: barrier.h */
 } contact_method;
+
+/** A section `contact`. */
+typedef struct scene_contact {
+    int method;   /* contact_method */
+    int untangle; /* with barriers: overlapping parts are separated before the first step */
+} scene_contact;
 
 /** A section `time`. */
 typedef struct scene_time {
@@ -147,7 +153,7 @@ typedef struct scene {
     pin *pins; /* [pin_count] */
     int collider_count;
     collider *colliders; /* [collider_count] */
-    int contact;         /* contact_method */
+    scene_contact contact;
     scene_self_collision self_collision;
     scene_time time;
     scene_solution solution;

@@ -40,6 +40,9 @@ _Static_assert(sizeof((scene_cloth *)0)->file == FILE_SIZE, "a file fits the sce
 
 static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 static const char *const contacts[] = {"constraints", "barrier", NULL};
+static const char *const untangles[] = {"off", "on", NULL};
+static const scene_key contact_keys[] = {CHOICE(scene_contact, method, 0, contacts),
+                                         CHOICE(scene_contact, untangle, 0, untangles), END};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
 
 static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
@@ -191,7 +194,7 @@ const scene_key scene_keys[] = {
     SECTION(surroundings, 0, surroundings_keys),
     LIST(scene, pins, pin_keys, &pin_list),
     LIST(scene, colliders, collider_keys, &collider_list),
-    CHOICE(scene, contact, 0, contacts),
+    SECTION(contact, 0, contact_keys),
     SECTION(self_collision, 0, self_keys),
     SECTION(time, 1, time_keys),
     SECTION(solution, 0, solution_keys),

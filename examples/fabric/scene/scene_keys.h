@@ -14,7 +14,8 @@ typedef enum value_kind {
     VALUE_VECTOR,    /* double[components] */
     VALUE_DIRECTION, /* double[3], made a unit vector when read */
     VALUE_CHOICE,    /* enum, or int: the number of the word in choices */
-    VALUE_SECTION,   /* keys of its own, in the same struct */
+    VALUE_SECTION,   /* keys of its own; a word in its place is its first key's, if that is a choice
+                      */
     VALUE_NUMBERS,   /* int[], allocated; list: counts and frees them */
     VALUE_LIST       /* items with keys of their own, in an allocated array */
 } value_kind;

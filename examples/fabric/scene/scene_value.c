@@ -299,6 +299,8 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
     case VALUE_CHOICE:
         return read_choice(from, node, key, (int *)(void *)field, path);
     case VALUE_SECTION:
+        if (node->type == YAML_SCALAR_NODE && key->keys->kind == VALUE_CHOICE)
+            return scene_read_value(from, node, key->keys, field, path);
         return scene_read_mapping(from, node, key->keys, field, path);
     case VALUE_NUMBERS:
         return read_numbers(from, node, key, target, path);

@@ -102,6 +102,11 @@ int barrier_step_init(simulation *sim, char *error) {
     sim->barrier->still_way = still_part * fmin(least_reach(s), sim->barrier->longest_way);
     set_begin(sim);
     set_goals(sim, 0);
+    if (s->contact.untangle) {
+        if (barrier_untangle(b) != 0)
+            return -1;
+        memcpy(sim->state.x, b->x, (size_t)sim->mesh->vertex_count * sizeof *b->x);
+    }
     if (barrier_find_pairs(b, read_only(b->x), NULL) != 0)
         return -1;
     return barrier_check_start(b, error);

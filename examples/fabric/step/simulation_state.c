@@ -67,9 +67,12 @@ static void set_start(simulation *sim) {
     sim->step.ticks = TICKS_PER_STEP;
     sim->step.h = sim->step.stage_h = s->time.step;
     sim->step.guess_h = s->time.step;
+}
+
+static void start_monitor(simulation *sim) {
     hinge_update_angles(&sim->cloth.hinges, (const double(*)[3])sim->state.x);
     const monitored_step start = simulation_monitored(sim);
-    monitor_begin(&sim->monitor, s, &start);
+    monitor_begin(&sim->monitor, sim->scene, &start);
 }
 
 /* What cannot be had together with the barrier's Newton method. */
@@ -88,7 +91,11 @@ static int check_barrier(const scene *s, char *error) {
 
 static int build(simulation *sim, char *error) {
     const scene *s = sim->scene;
-    const int by_barrier = s->contact == CONTACT_BARRIER;
+    const int by_barrier = s->contact.method == CONTACT_BARRIER;
+    if (!by_barrier && s->contact.untangle) {
+        snprintf(error, 200, "'contact.untangle: on' needs 'contact.method: barrier'");
+        return -1;
+    }
     if (by_barrier && check_barrier(s, error) != 0)
         return -1;
     const integrator_kind integrator =
@@ -130,7 +137,10 @@ static int build(simulation *sim, char *error) {
     if (by_barrier)
         sim->collisions.any_near = 0; /* no vertex is ever in a body */
     set_start(sim);
-    return by_barrier ? barrier_step_init(sim, error) : 0;
+    if (by_barrier && barrier_step_init(sim, error) != 0)
+        return -1;
+    start_monitor(sim);
+    return 0;
 }
 
 static int all_finite(const mesh *m) {

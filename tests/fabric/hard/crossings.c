@@ -12,9 +12,19 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
+/* Rounding gives volumes of either sign where all lies in one plane, however far apart. */
+static int boxes_meet(const double p[3], const double q[3], const double a[3], const double b[3],
+                      const double c[3]) {
+    for (int k = 0; k < 3; k++)
+        if (fmax(p[k], q[k]) < fmin(a[k], fmin(b[k], c[k])) ||
+            fmin(p[k], q[k]) > fmax(a[k], fmax(b[k], c[k])))
+            return 0;
+    return 1;
+}
+
 int segment_crosses(const double p[3], const double q[3], const double a[3], const double b[3],
                     const double c[3]) {
-    if ((volume(a, b, c, p) < 0) == (volume(a, b, c, q) < 0))
+    if (!boxes_meet(p, q, a, b, c) || (volume(a, b, c, p) < 0) == (volume(a, b, c, q) < 0))
         return 0;
     const int s = volume(p, q, a, b) < 0;
     return (volume(p, q, b, c) < 0) == s && (volume(p, q, c, a) < 0) == s;

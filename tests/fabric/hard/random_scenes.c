@@ -296,7 +296,7 @@ static int run(const mesh *m, const scene *s, int steps, int is_worn, char *erro
             if (!isfinite(vector_length(simulation_positions(sim)[i])) ||
                 !isfinite(vector_length(simulation_velocities(sim)[i])))
                 outcome = NOT_FINITE;
-        if (s->contact == CONTACT_BARRIER && crossed_now(m, s, sim) != 0)
+        if (s->contact.method == CONTACT_BARRIER && crossed_now(m, s, sim) != 0)
             outcome = CROSSED;
         if (outcome == FINISHED && !driven && has_too_much(sim, first, highest, now)) {
             outcome = TOO_MUCH_ENERGY;
@@ -389,7 +389,7 @@ static int run_driven(unsigned seed, contact_method by, char *error) {
     s.pins = &hold;
     s.pin_count = any(&seed, 2);
     s.self_collision.gap = one_in(&seed, 2) ? 0.1 * 0.5 / along : 0;
-    s.contact = (int)by;
+    s.contact.method = (int)by;
     if (by == CONTACT_BARRIER)
         s.solution.tolerance = 1e-3;
     const int outcome = run(&m, &s, 40, 1, error);

@@ -22,7 +22,7 @@ static const collider ground = {
 
 static scene scene_of(int colliders, collider *list) {
     scene s = cloth_scene();
-    s.contact = CONTACT_BARRIER;
+    s.contact.method = CONTACT_BARRIER;
     s.time.step = 0.02;
     s.solution.tolerance = 1e-3;
     s.material.bend = 1e-4;
@@ -86,7 +86,8 @@ static int passing(const stage *on) {
 /* Runs the scene to its end; the stage's mesh goes with it. Returns CPU seconds. */
 static double run(const char *name, stage *on, int steps) {
     int crossed = 0;
-    stage_begin(on);
+    if (!on->sim)
+        stage_begin(on);
     double simulated = 0;
     for (int n = 0; n < steps; n++) {
         const clock_t begun = clock();
@@ -290,6 +291,15 @@ static void shirt(void **state) {
     run_and_end("shirt", flat_tube(14, 7, 0.24, 0.24), scene_of(2, bodies), 25);
 }
 
+static mesh crossed_layers(void) {
+    mesh m = layers(2, 4, 0.04, 0.02, 0, 0);
+    for (int i = m.vertex_count / 2; i < m.vertex_count; i++) {
+        m.position[i][2] = 0.02 + 0.3 * (m.position[i][0] - 0.05);
+        m.position[i][1] += 0.003;
+    }
+    return m;
+}
+
 /* Where the start is refused, and what is said of it. */
 static void refused(const char *name, mesh m, scene s, const char *expected) {
     char error[256] = "";
@@ -303,12 +313,7 @@ static void refused(const char *name, mesh m, scene s, const char *expected) {
 static void bad_starts_are_named(void **state) {
     (void)state;
     collider bodies[1] = {ground};
-    mesh crossed = layers(2, 4, 0.04, 0.02, 0, 0);
-    for (int i = crossed.vertex_count / 2; i < crossed.vertex_count; i++) {
-        crossed.position[i][2] = 0.02 + 0.3 * (crossed.position[i][0] - 0.05);
-        crossed.position[i][1] += 0.003;
-    }
-    refused("crossed", crossed, scene_of(0, NULL), "mm through triangle");
+    refused("crossed", crossed_layers(), scene_of(0, NULL), "mm through triangle");
     refused("coincident", layers(2, 4, 0.04, 0.02, 0, 0), scene_of(0, NULL), "touching");
     refused("below the floor", layers(1, 4, 0.04, -0.001, 0, 0), scene_of(1, bodies),
             "lies 1 mm in colliders.0");
@@ -317,6 +322,77 @@ static void bad_starts_are_named(void **state) {
     refused("around a pole", layers(1, 4, 0.04, 0, 0, 0), scene_of(1, thin), "of colliders.0");
     bodies[0].until = 1;
     refused("until", layers(1, 4, 0.04, 0.1, 0, 0), scene_of(1, bodies), "no until");
+}
+
+/* The first layer lies on the second, but for a corner. */
+static mesh layers_but_for_a_corner(void) {
+    mesh m = layers(2, 5, 0.04, 0.02, -0.002, 0.001);
+    m.position[0][2] -= 0.005;
+    return m;
+}
+
+/* A shirt whose front lies up to 1 cm behind its back, aligned with it or not. */
+static mesh crossed_shirt(double aside) {
+    mesh m = flat_tube(14, 7, 0.24, 0.24);
+    for (int i = 0; i < m.vertex_count; i++) {
+        double *at = m.position[i];
+        const int turned = at[0] * at[0] + at[1] * at[1] < 0.0036;
+        at[0] += at[2] > 0.1 ? aside : 0;
+        at[2] = (turned ? 0.2 - at[2] : at[2]) + 0.05 * at[0] * at[1];
+    }
+    return m;
+}
+
+/* Of vertices, m. */
+static double mean_height(const stage *on, int from, int count) {
+    double sum = 0;
+    for (int i = from; i < from + count; i++)
+        sum += simulation_positions(on->sim)[i][2] / count;
+    return sum;
+}
+
+/* With contact.untangle the same starts run; layers keep the order that most of them has. */
+static void overlapping_starts_are_untangled(void **state) {
+    (void)state;
+    collider floor_only[1] = {ground}, bodies[2] = {ground,
+                                                    {.kind = COLLIDER_SPHERE,
+                                                     .position = {0.06, 0.06, 0.04},
+                                                     .size = {0.05},
+                                                     .friction = 0.3,
+                                                     .gap = 0.004}};
+    struct {
+        const char *name;
+        mesh m;
+        int colliders;
+    } starts[] = {{"crossed", crossed_layers(), 1},
+                  {"coincident", layers(2, 5, 0.04, 0.02, 0, 0), 1},
+                  {"reversed", layers_but_for_a_corner(), 1},
+                  {"five coincident", layers(5, 5, 0.04, 0.02, 0, 0), 1},
+                  {"below the floor", layers(1, 5, 0.04, -0.001, 0, 0), 1},
+                  {"in a ball", layers(2, 5, 0.04, 0.07, 0.0002, 0.001), 2},
+                  {"shirt", crossed_shirt(0), 1},
+                  {"shirt, shifted", crossed_shirt(0.007), 1}};
+    for (size_t k = 0; k < sizeof starts / sizeof *starts; k++) {
+        scene s = scene_of(starts[k].colliders, starts[k].colliders > 1 ? bodies : floor_only);
+        pin corner = {.by = PIN_NEAREST};
+        memcpy(corner.nearest, starts[k].m.position[0], sizeof corner.nearest);
+        s.contact.untangle = 1;
+        s.pin_count = k < 2;
+        s.pins = &corner;
+        stage on = stage_of(starts[k].m, s);
+        const int layer = k == 1 || k == 2 ? on.m.vertex_count / 2 : 0;
+        stage_begin(&on);
+        assert_int_equal(passing(&on), 0);
+        if (s.pin_count > 0)
+            assert_memory_equal(simulation_positions(on.sim)[0], corner.nearest,
+                                sizeof corner.nearest);
+        if (layer > 0) {
+            const double first = mean_height(&on, 0, layer), then = mean_height(&on, layer, layer);
+            assert_below(1e-3, k == 1 ? then - first : first - then);
+        }
+        run(starts[k].name, &on, 12);
+        stage_end(&on);
+    }
 }
 
 /* A plate comes down onto a sheet on a floor and goes on: there is no room, and that is said. */
@@ -414,6 +490,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(garment_with_a_t_junction),
         cmocka_unit_test(shirt),
         cmocka_unit_test(bad_starts_are_named),
+        cmocka_unit_test(overlapping_starts_are_untangled),
         cmocka_unit_test(squeezed),
         cmocka_unit_test(work_is_linear_in_contacts),
         cmocka_unit_test(directions_are_conjugate),

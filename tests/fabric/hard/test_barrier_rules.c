@@ -16,7 +16,7 @@ static const collider ground = {
 
 static stage sheet_over(collider *list, int colliders, int columns, double height) {
     stage on = stage_of(cloth_sheet(columns, columns, 0.04, 0.2, 3), cloth_scene());
-    on.s.contact = CONTACT_BARRIER;
+    on.s.contact.method = CONTACT_BARRIER;
     on.s.monitor.energy = 1e-3;
     on.s.self_collision.gap = 0.004;
     on.s.colliders = list;
