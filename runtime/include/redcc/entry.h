@@ -6,7 +6,7 @@
 #include <redcc/structures.h>
 
 /** The version of what this file, structures.h and parallel_steps.h share with the runtime. */
-enum { REDCC_INTERFACE = 1 };
+enum { REDCC_INTERFACE = 2 };
 
 /** A loop in a file. The runtime alone writes to it. */
 typedef struct redcc_site {
