@@ -106,8 +106,11 @@ static void rows_of_iterations_lie_at_equal_distances(void **unused) {
     assert_progression(found[1], element, size, (redcc_size)size);
     assert_int_equal(found[2].first, 0);
     assert_progression(found[3], pair, 8, 8);
-    redcc_ahead_library.prefetch(found, 4, 5);
-    redcc_ahead_library.prefetch(found, 4, (redcc_int)1 << 40); /* no address need be valid */
+    redcc_progressions_prefetch(found, 4, &(redcc_ahead){5, 0, 0, 0, 0, &redcc_ahead_library});
+    redcc_progressions_prefetch(
+        found, 4,
+        &(redcc_ahead){(redcc_int)1 << 40, 0, 0, 0, 0,
+                       &redcc_ahead_library}); /* no address need be valid */
 }
 
 static void only_large_arrays_that_are_written_in_place(void **unused) {

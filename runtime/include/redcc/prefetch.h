@@ -77,6 +77,20 @@ REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
     return ++it->k < it->end || it->calls->turn(it);
 }
 
+/** Asks for what that iteration reads. */
+REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int count,
+                                              const redcc_ahead *ahead) {
+    int i;
+    for (i = 0; i < count; i++)
+        if (it[i].first) {
+            const redcc_size at = it[i].first + (redcc_size)(ahead->k * it[i].step);
+            __builtin_prefetch((const void *)at);
+            __builtin_prefetch((const void *)(at + it[i].bytes - 1));
+            if (it[i].bytes > redcc_prefetch_line)
+                ahead->calls->prefetch((const char *)at, it[i].bytes);
+        }
+}
+
 /** Before the runs at hand: what prefetches so many iterations ahead, where it is wished. */
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead, redcc__farther;                                                      \
@@ -94,7 +108,7 @@ REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
     {                                                                                              \
         if (redcc__wished && redcc_ahead_step(&redcc__farther))                                    \
-            redcc__farther.calls->prefetch(redcc__rows, REDCC_PROGRESSIONS, redcc__farther.k);     \
+            redcc_progressions_prefetch(redcc__rows, REDCC_PROGRESSIONS, &redcc__farther);         \
         if (redcc__wished && redcc_ahead_step(&redcc__ahead)) {                                    \
             redcc_probe *const redcc__probe = 0;                                                   \
             redcc_worker *const redcc__teller = 0;                                                 \

@@ -403,8 +403,8 @@ typedef struct redcc_ahead_calls {
     int (*turn)(redcc_ahead *it);
     /** Copies them. Forgets those that the ones before cover: members of the same structures. */
     void (*rows)(redcc_progression *to, const redcc_progression *from, int count);
-    /** Prefetches what iteration k reads. */
-    void (*prefetch)(const redcc_progression *it, int count, redcc_int k);
+    /** Prefetches a row of more than a line. */
+    void (*prefetch)(const char *address, redcc_size bytes);
 } redcc_ahead_calls;
 
 struct redcc_kept_row;

@@ -36,11 +36,9 @@ static void copy_rows(redcc_progression *to, const redcc_progression *from, int 
     }
 }
 
-static void prefetch_rows(const redcc_progression *it, int count, redcc_int k) {
-    for (int i = 0; i < count; i++)
-        if (it[i].first)
-            redcc_prefetch((const char *)(it[i].first + (redcc_size)(k * it[i].step)), it[i].bytes);
+static void prefetch_lines(const char *address, redcc_size bytes) {
+    redcc_prefetch(address, bytes);
 }
 
 const redcc_ahead_calls redcc_ahead_library = {
-    .begin = begin, .turn = turn, .rows = copy_rows, .prefetch = prefetch_rows};
+    .begin = begin, .turn = turn, .rows = copy_rows, .prefetch = prefetch_lines};
