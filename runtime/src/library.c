@@ -2,6 +2,7 @@
 #include "library.h"
 
 #include "base/safe_load.h"
+#include "execute/ahead.h"
 #include "execute/rows.h"
 #include "operands.h"
 #include "redcc/bins.h"
@@ -43,11 +44,11 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .push_outside = redcc_push_outside,
                                    .push_block = redcc_push_block,
                                    .least_trip = &redcc_least_trip,
-                                   .unasked_iterations = &redcc_unasked_iterations,
                                    .timed_loops = &redcc_timed_loops,
                                    .sequential_end = redcc_sequential_end,
                                    .fill = redcc_rows_fill,
                                    .settle = redcc_rows_settle,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
-                                   .loads = &loads};
+                                   .loads = &loads,
+                                   .ahead = &redcc_ahead_library};

@@ -139,7 +139,7 @@ int main(int count, char **arguments) {
 #ifdef REDCC_RUNTIME_H
     if (count > 3 && redcc__site_springs.calls) {
         const redcc_calls *calls = redcc__site_springs.calls;
-        printf("%lld unasked, from %lld\n", (long long)*calls->unasked_iterations,
+        printf("%lld unasked, from %lld\n", (long long)redcc_unasked_iterations,
                (long long)*calls->least_trip);
     }
 #endif

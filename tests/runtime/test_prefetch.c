@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Prefetches: which iteration goes before which, what is asked of a slice then, and where they are
  * of use. */
+#include "execute/ahead.h"
 #include "execute/prefetch.h"
 
 #include <setjmp.h>
@@ -30,7 +31,7 @@ static void try_runs(int runs, int distance) {
     const int count = list_all(run, runs, origin, list);
     const redcc_worker worker = {.origin = origin, .run = run, .run_end = run + runs};
     redcc_ahead ahead;
-    redcc_ahead_begin(&ahead, &worker, distance);
+    redcc_ahead_library.begin(&ahead, &worker, distance);
     for (int i = 0; i < count + 2; i++) {
         const int found = redcc_ahead_step(&ahead), expected = i + distance;
         assert_int_equal(found, expected < count);
@@ -100,13 +101,16 @@ static void rows_of_iterations_lie_at_equal_distances(void **unused) {
         progression_of(element[0].weight, element[TRIP - 1].weight, 88, TRIP),
         progression_of(pair, pair[TRIP - 1], sizeof *pair, TRIP)};
     redcc_progression found[4];
-    redcc_progressions_begin(found, all, 4);
+    redcc_ahead_library.rows(found, all, 4);
     assert_int_equal(found[0].first, 0);
     assert_progression(found[1], element, size, (redcc_size)size);
     assert_int_equal(found[2].first, 0);
     assert_progression(found[3], pair, 8, 8);
-    redcc_progressions_prefetch(found, 4, 5);
-    redcc_progressions_prefetch(found, 4, (redcc_int)1 << 40); /* no address need be valid */
+    redcc_progressions_prefetch(found, 4, &(redcc_ahead){5, 0, 0, 0, 0, &redcc_ahead_library});
+    redcc_progressions_prefetch(
+        found, 4,
+        &(redcc_ahead){(redcc_int)1 << 40, 0, 0, 0, 0,
+                       &redcc_ahead_library}); /* no address need be valid */
 }
 
 static void only_large_arrays_that_are_written_in_place(void **unused) {

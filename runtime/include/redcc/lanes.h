@@ -224,7 +224,7 @@ redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const voi
             const int redcc__at_once = redcc__worker->manner.lanes && redcc_lanes_round_alike();   \
             REDCC_PREFETCH_BEGIN(redcc__prefetches < REDCC_WIDTH ? REDCC_WIDTH                     \
                                                                  : redcc__prefetches)              \
-            redcc_ahead_begin(&redcc__from, redcc__worker, 0);                                     \
+            redcc__worker->call->calls->ahead->begin(&redcc__from, redcc__worker, 0);              \
             while (redcc_block_take(&redcc__block, &redcc__from)) {                                \
                 int redcc__l;                                                                      \
                 for (redcc__l = 0; redcc__wished && redcc__l < REDCC_WIDTH; redcc__l++)            \

@@ -100,7 +100,9 @@ REDCC_INLINE int redcc_is_there(void *context) {
             redcc_progression_row(&redcc__context.redcc__progressions[redcc_i], redcc__row,        \
                                   sizeof(redcc_row), redcc__end, redcc__trip);                     \
     } while (0)
-REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
+/* In functions: they are called before a loop, for each source. */
+static __attribute__((__noinline__, __unused__)) void
+redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
         extent->first = row;
     if (row + bytes > extent->end)

@@ -48,23 +48,15 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
                                   (redcc_size)(redcc_row) * sizeof(*(redcc_base))),                \
                    sizeof(*(redcc_base)))
 
-/* ---- rows of iterations -------------------------------------------------------------------- */
-
-/** Rows that iterations read: iteration k at first + k * step, in bytes. */
-typedef struct redcc_progression {
-    redcc_size first; /* 0: not known */
-    redcc_int step;
-    redcc_size bytes;
-} redcc_progression;
-
 /** For the sources of a loop, indexed by their numbers. */
 #define REDCC_PROGRESSIONS                                                                         \
     ((int)(sizeof redcc__context->redcc__progressions /                                            \
            sizeof *redcc__context->redcc__progressions))
 
 /** Iteration 0 reads a row there (is_last: iteration trip - 1 does). */
-REDCC_INLINE void redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes,
-                                        int is_last, redcc_int trip) {
+static __attribute__((__noinline__, __unused__)) void
+redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes, int is_last,
+                      redcc_int trip) {
     redcc_int step = 0;
     if (!is_last) {
         it->first = (redcc_size)row;
@@ -79,75 +71,37 @@ REDCC_INLINE void redcc_progression_row(redcc_progression *it, const char *row, 
         it->bytes = (redcc_size)step;
 }
 
-/** Removes progressions that earlier ones cover: members of the same structures. */
-REDCC_INLINE void redcc_progressions_begin(redcc_progression *to, const redcc_progression *from,
-                                           int count) {
-    int i, j;
-    for (i = 0; i < count; i++) {
-        to[i] = from[i];
-        for (j = 0; j < i; j++)
-            if (to[j].step == to[i].step && to[i].first - to[j].first < to[j].bytes)
-                to[i].first = 0;
-    }
-}
-
-REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int count, redcc_int k) {
-    int i;
-    for (i = 0; i < count; i++)
-        if (it[i].first)
-            redcc_prefetch((const char *)(it[i].first + (redcc_size)(k * it[i].step)), it[i].bytes);
-}
-
 /* ---- iterations to come -------------------------------------------------------------------- */
-
-/** The iteration at the given distance ahead in the current runs. */
-typedef struct redcc_ahead {
-    redcc_int k;
-    redcc_int end; /* of its run */
-    redcc_int origin;
-    const redcc_iterations *run; /* the next one */
-    const redcc_iterations *run_end;
-} redcc_ahead;
-
-/** Advances to the next run. Returns 0 if none is left. */
-REDCC_INLINE int redcc_ahead_turn(redcc_ahead *it) {
-    for (; it->run != it->run_end; it->run++) {
-        it->k = it->origin + it->run->begin;
-        it->end = it->k + it->run->count_and_guard / 2;
-        if (it->k < it->end) {
-            it->run++;
-            return 1;
-        }
-    }
-    it->k = it->end;
-    return 0;
-}
 
 /** Advances to the next iteration. Returns 0 if none is left. */
 REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
-    return ++it->k < it->end || redcc_ahead_turn(it);
+    return ++it->k < it->end || it->calls->turn(it);
 }
 
-/** Begins before iteration number `distance` of the runs. */
-REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker, int distance) {
-    it->k = it->end = 0;
-    it->origin = worker->origin;
-    it->run = worker->run;
-    it->run_end = worker->run_end;
-    for (; distance > 0; distance--)
-        redcc_ahead_step(it);
+/** Prefetches the reads of that iteration. */
+REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int count,
+                                              const redcc_ahead *ahead) {
+    int i;
+    for (i = 0; i < count; i++)
+        if (it[i].first) {
+            const redcc_size at = it[i].first + (redcc_size)(ahead->k * it[i].step);
+            __builtin_prefetch((const void *)at);
+            __builtin_prefetch((const void *)(at + it[i].bytes - 1));
+            if (it[i].bytes > redcc_prefetch_line)
+                ahead->calls->prefetch((const char *)at, it[i].bytes);
+        }
 }
 
 /** Before the current runs: starts the prefetcher at this distance, if it is enabled. */
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
-    redcc_ahead redcc__ahead = {0, 0, 0, 0, 0}, redcc__farther = {0, 0, 0, 0, 0};                  \
+    redcc_ahead redcc__ahead, redcc__farther;                                                      \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
     const int redcc__wished = redcc__prefetches > 0 && redcc__worker->manner.prefetches;           \
     if (redcc__wished) {                                                                           \
-        redcc_ahead_begin(&redcc__ahead, redcc__worker, redcc_distance);                           \
-        redcc_ahead_begin(&redcc__farther, redcc__worker, 2 * (redcc_distance));                   \
-        redcc_progressions_begin(redcc__rows, redcc__context->redcc__progressions,                 \
-                                 REDCC_PROGRESSIONS);                                              \
+        const redcc_ahead_calls *const redcc__calls = redcc__worker->call->calls->ahead;           \
+        redcc__calls->begin(&redcc__ahead, redcc__worker, redcc_distance);                         \
+        redcc__calls->begin(&redcc__farther, redcc__worker, 2 * (redcc_distance));                 \
+        redcc__calls->rows(redcc__rows, redcc__context->redcc__progressions, REDCC_PROGRESSIONS);  \
     }
 
 /** Precedes an iteration: prefetches the reads of the farther iteration, then runs the slice of the
@@ -155,7 +109,7 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
     {                                                                                              \
         if (redcc__wished && redcc_ahead_step(&redcc__farther))                                    \
-            redcc_progressions_prefetch(redcc__rows, REDCC_PROGRESSIONS, redcc__farther.k);        \
+            redcc_progressions_prefetch(redcc__rows, REDCC_PROGRESSIONS, &redcc__farther);         \
         if (redcc__wished && redcc_ahead_step(&redcc__ahead)) {                                    \
             redcc_probe *const redcc__probe = 0;                                                   \
             redcc_worker *const redcc__teller = 0;                                                 \

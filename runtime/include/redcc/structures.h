@@ -388,6 +388,38 @@ typedef struct redcc_load_calls {
     int (*load)(void *to, const char *from, redcc_size bytes);
 } redcc_load_calls;
 
+/** Rows that iterations read: iteration k at first + k * step, in bytes. */
+typedef struct redcc_progression {
+    redcc_size first; /* 0: not known */
+    redcc_int step;
+    redcc_size bytes;
+} redcc_progression;
+
+struct redcc_ahead_calls;
+
+/** The iteration at a given distance ahead in the current runs. */
+typedef struct redcc_ahead {
+    redcc_int k;
+    redcc_int end; /* of its run */
+    redcc_int origin;
+    const redcc_iterations *run; /* the next one */
+    const redcc_iterations *run_end;
+    const struct redcc_ahead_calls *calls;
+} redcc_ahead;
+
+/** Calls of the library for redcc/prefetch.h. */
+typedef struct redcc_ahead_calls {
+    /** Begins before iteration number `distance` of the worker's runs. */
+    void (*begin)(redcc_ahead *it, const redcc_worker *worker, int distance);
+    /** Advances to the next run. Returns 0 if none is left. */
+    int (*turn)(redcc_ahead *it);
+    /** Copies progressions without those that earlier ones cover: members of the same structures.
+     */
+    void (*rows)(redcc_progression *to, const redcc_progression *from, int count);
+    /** Prefetches a row longer than a cache line. */
+    void (*prefetch)(const char *address, redcc_size bytes);
+} redcc_ahead_calls;
+
 struct redcc_kept_row;
 
 /**
@@ -409,7 +441,6 @@ typedef struct redcc_calls {
     redcc_u32 (*push_block)(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record);
     /* redcc/parallel.h alone: */
     const redcc_int *least_trip;
-    redcc_int *unasked_iterations;
     const int *timed_loops;
     void (*sequential_end)(redcc_loop *loop);
     /** Sets `bytes` bytes to the neutral element of the array's operator. */
@@ -420,6 +451,7 @@ typedef struct redcc_calls {
     void (*misuse)(const redcc_worker *worker, const char *rule);
     const redcc_series_calls *series;
     const redcc_load_calls *loads;
+    const redcc_ahead_calls *ahead;
 } redcc_calls;
 
 #endif
