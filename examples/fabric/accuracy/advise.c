@@ -14,19 +14,19 @@
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* Parts of the error asked for: that an advised run may have before algebra and solver are chosen;
- * that algebra may add; by which the two most exact runs may differ; by which starts are moved. */
+/* Fractions of the requested error: for an advised run before algebra and solver are chosen;
+ * for algebra; for the difference of the two most exact runs; for the displacement of starts. */
 static const double aim = 0.85, of_algebra = 0.1, agreed = 0.3, moved = 1e-3;
 
 enum { MOST_RUNS = 24, METHODS = 3 };
 
-/** A run, and what it was run by. */
+/** A run and its settings. */
 typedef struct trial {
     scene settings;
     measured got;
 } trial;
 
-/** Runs of one integrator, each in twice as many steps as the one before. */
+/** Runs of one integrator; each takes twice the steps of the previous one. */
 typedef struct series {
     int integrator;
     trial run[MOST_RUNS];
@@ -39,7 +39,7 @@ typedef struct series {
 typedef struct adviser {
     const scene *base;
     const mesh *cloth;
-    double error; /* m, that is asked for */
+    double error; /* m, requested */
     int most_steps;
     series of[METHODS]; /* the second-order methods first */
     const measured *reference;
@@ -72,7 +72,7 @@ static void estimate_error(series *r) {
     r->error = rate > 1.2 ? usable / (rate - 1) : NAN;
 }
 
-/* One more run, in twice as many steps. 0; 1: that would be too many; -1 after a message. */
+/* One more run with twice the steps. 0; 1: too many steps; -1 after a message. */
 static int extend(const adviser *a, series *r) {
     const int least = a->base->time.steps / 8 > 4 ? a->base->time.steps / 8 : 4;
     const int steps = r->count > 0 ? 2 * last_of(r)->settings.time.steps : least;
@@ -284,7 +284,7 @@ static int spread_of(const adviser *a, const trial *best, double *spread) {
     return status;
 }
 
-/* From a run that is exact enough to one that is no more exact than asked for. */
+/* Reduces the accuracy of a run to the requested one. */
 static int refine_choice(adviser *a, trial *best) {
     const scene fewer = divided(&best->settings, (3 * best->settings.time.steps + 3) / 4);
     if (try_settings(a, &fewer, false, best) < 0)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which step, integrator, tolerance and solver reach an error, by runs of the scene itself. Two
- * integrators, each in twice as many steps as before, first have to agree on where the scene ends;
- * the distance from there is the error of every other run. What is advised was run. That takes
- * three to six times as long as the run that is advised, longer where the monitor cuts steps.
+ * Finds step, integrator, tolerance and solver for an error by runs of the scene. First two
+ * integrators, with the number of steps doubled each time, must agree on the final state; the
+ * distance from it is the error of all other runs. The advised settings were run. This takes three
+ * to six times as long as the advised run, longer if the monitor halves steps.
  */
 #ifndef FABRIC_ACCURACY_ADVISE_H
 #define FABRIC_ACCURACY_ADVISE_H
@@ -17,7 +17,8 @@ typedef struct advice {
                            distance at which a second method ends from that */
     double cpu_seconds; /* of one core, that the run took */
     double iterations;  /* of the conjugate gradients, all steps together */
-    double spread;      /* m rms at the end, of runs that start a thousandth of the error apart */
+    double spread; /* m rms at the end, between runs that start a thousandth of the error from each
+                      other */
 } advice;
 
 /**

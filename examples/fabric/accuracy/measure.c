@@ -58,7 +58,7 @@ static void note_end(const simulation *sim, measured *result) {
     result->depth = faults.watched ? faults.deepest : NAN;
 }
 
-/* What is rejected is taken again at half the length. */
+/* Rejected steps are repeated with half the length. */
 static double shortest_step(const simulation *sim, double nominal) {
     int count;
     const rejection *rejected = simulation_rejections(sim, &count);

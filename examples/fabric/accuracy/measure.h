@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One run of a scene in memory: where and how it ends and what it took. */
+/** One run of a scene in memory: its final state and its cost. */
 #ifndef FABRIC_ACCURACY_MEASURE_H
 #define FABRIC_ACCURACY_MEASURE_H
 
@@ -35,10 +35,10 @@ double measured_distance(const measured *a, const measured *b, double *largest);
 /** Kinetic, elastic and of position in gravity's field, J; as the monitor knows it. */
 double total_energy(const simulation *sim);
 
-/** The scene with its duration divided into so many steps. */
+/** The scene with its duration divided into this number of steps. */
 scene divided(const scene *s, int steps);
 
-/** The scene with so many times the vertices, of a generated mesh. */
+/** The scene with this multiple of its vertices, for a generated mesh. */
 scene refined(const scene *s, double factor);
 
 /** `divided`, by this integrator, to this tolerance: of the linear system, or of Newton's method,

@@ -50,16 +50,17 @@ typedef struct study {
 
 extern const char *const integrator_names[]; /* by integrator_kind, NULL after the last */
 
-/** Stretch over the weight of a strip as long as the sheet: what its own weight stretches it by,
- *  inverted. No unit. */
+/** Stretch stiffness over the weight of a strip as long as the sheet: the inverse of the strain
+ *  by its own weight. No unit. */
 double scene_stiffness(const scene *s);
 
 /** Runs the scene on the cloth, which may be another than the study's, and files the result. 0, or
  *  -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
               const mesh *cloth, double tolerance);
-/** Finds of->reference: the implicit midpoint and BDF2 with ever more steps, until they agree to a
- *  tenth of the midpoint's error at the most steps of the study. 0, or -1 after a message. */
+/** Finds of->reference: the implicit midpoint and BDF2 with increasing numbers of steps, until
+ *  their difference is a tenth of the midpoint's error in the study's finest run. 0, or -1 after
+ *  a message. */
 int study_reference(study *of);
 /** Fills errors of all rows against the reference, and the front. */
 void study_compare(study *of);
@@ -73,7 +74,7 @@ int study_trusts_reference(study *of);
 FILE *study_open(const study *of, const char *name, const char *columns);
 /** 0, or -1 after a message: not all of it was written. */
 int study_close(FILE *file);
-/** The least z, m: what runs can be told apart by whose vertices are others. */
+/** The least z, m: compares runs with different vertices. */
 double lowest_point(int count, const double (*x)[3]);
 /** Writes folder/NAME.csv of all rows and forgets them. 0, or -1 after a message. */
 int study_write(study *of, const char *name);

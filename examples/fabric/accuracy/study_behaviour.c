@@ -133,13 +133,13 @@ static const struct {
             {"any", "expansion", "plain"},           {"any", "auto", "plain"}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* What a run took: seconds that passed, and CPU seconds of all threads together. */
+/* Time of a run: elapsed seconds, and CPU seconds of all threads. */
 typedef struct {
     double passed, cpu;
 } spent;
 
-/* Runs this program on the scene in a process of its own: the runtime reads its environment once.
- * 0; or -1 after a message. */
+/* Runs this program on the scene in another process, because the runtime reads its environment
+ * once. 0, or -1 after a message. */
 static int run_apart(const study *of, int way, const char *threads, spent *it) {
     char program[] = "/proc/self/exe", yaml[FILE_PATH_SIZE], out[FILE_PATH_SIZE];
     if (files_join(yaml, of->folder, "sum.yaml") != 0 ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Where chaos ends what any accuracy buys: runs whose starts are next to nothing apart. */
+/* The time after which chaos makes accuracy useless: runs with nearly equal starts. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "accuracy/study.h"
 #include "base/random.h"
 
-/* Runs beside the one that nobody moved, and how far each coordinate is moved at most, m. */
+/* Number of perturbed runs, and the largest perturbation of a coordinate, m. */
 enum { MOVED_RUNS = 16 };
 static const double moved = 1e-9;
 
@@ -74,7 +74,7 @@ static double write_rows(const study *of, const flock *all, FILE *file) {
     return sqrt(squares / (double)MOVED_RUNS);
 }
 
-/* Steps all runs until one gives up, and tells when they are how far apart. */
+/* Steps all runs until one fails, and reports the times of the distances. */
 static void follow(const study *of, flock *all, FILE *file) {
     static const double marks[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}; /* m */
     enum { MARKS = sizeof marks / sizeof *marks };
@@ -93,7 +93,7 @@ static void follow(const study *of, flock *all, FILE *file) {
     }
 }
 
-/* Mean and standard deviation of what the moved runs end with. */
+/* Mean and standard deviation over the perturbed runs. */
 static void tell_ends(const study *of, const flock *all) {
     double sum[2] = {0}, squares[2] = {0};
     for (int r = 1; r < all->count; r++) {

@@ -10,8 +10,7 @@
 #include "accuracy/study.h"
 #include "base/files.h"
 
-/* Labels stand at the lines themselves, in their colours. Formatting would break lines of another
- * language. */
+/* Labels are next to their lines, in the same colours. Not formatted: the text is gnuplot. */
 /* clang-format off */
 static const char common[] =
     "set terminal pngcairo size 900,560 font 'sans,12'\n"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What is solved how exactly: step, tolerances, preconditioners, precisions. */
+/* Accuracy of solutions: step, tolerances, preconditioners, precisions. */
 #include <math.h>
 #include <stdio.h>
 

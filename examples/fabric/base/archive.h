@@ -15,7 +15,7 @@ typedef struct archive {
     unsigned char *bytes; /* [size] written or read, by reference; NULL while counting */
     size_t size;
     size_t used;
-    int failed; /* more was asked for than there is, or what was loaded makes no sense */
+    int failed; /* more was requested than is left, or a value is invalid */
 } archive;
 
 /** Passes `size` bytes from or to `value`. Where there are too few, `failed` is set, and nothing is
@@ -27,7 +27,7 @@ void archive_long(archive *a, long *value); /* as 64 bits */
 void archive_double(archive *a, double *value);
 void archive_doubles(archive *a, double *values, size_t count);
 
-/** As archive_int, and fails where what was loaded is not from `low` to `high`. */
+/** As archive_int, but fails if the loaded value is not from `low` to `high`. */
 void archive_int_within(archive *a, int *value, int low, int high);
 
 #endif

@@ -22,8 +22,7 @@ int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
 int files_output(char path[FILE_PATH_SIZE], const char *folder, const char *name,
                  const char *given);
 
-/** "FOLDER/name", where FOLDER is the one that the running program lies in. 0, or -1 where that
- *  cannot be found out. */
+/** "FOLDER/name" with the folder of the running program. 0, or -1: unknown. */
 int files_beside_program(char path[FILE_PATH_SIZE], const char *name);
 
 /** Opens a file to be read, as bytes. NULL after a message. */

@@ -22,7 +22,7 @@ enum { EXIT_USAGE = 2 };
 
 enum { OPTIONS_END = -1, OPTIONS_WORD = -2, OPTIONS_HELP = -3, OPTIONS_WRONG = -4 };
 
-/** Where reading a command line stands. Start with {command, argc, argv, 0, NULL, 0}. */
+/** Position in a command line. Start with {command, argc, argv, 0, NULL, 0}. */
 typedef struct options {
     const command *of;
     int argc;

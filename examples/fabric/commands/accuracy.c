@@ -73,7 +73,7 @@ static int take_word(const command *self, const options *o, request *r) {
     return 1;
 }
 
-/** Exit status, or -1 to go on. */
+/** Exit status, or -1 to continue. */
 static int read_request(const command *self, int argc, char **argv, request *r) {
     options o = {self, argc, argv, 0, NULL, 0};
     int wrong = 0;

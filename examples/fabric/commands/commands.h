@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The program's commands, each in a file of its own. */
+/** The program's commands, one per file. */
 #ifndef FABRIC_COMMANDS_COMMANDS_H
 #define FABRIC_COMMANDS_COMMANDS_H
 

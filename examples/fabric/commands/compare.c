@@ -36,7 +36,7 @@ static uint64_t ulps_between(double a, double b) {
     return first > second ? (uint64_t)first - (uint64_t)second : (uint64_t)second - (uint64_t)first;
 }
 
-/** Three numbers a vertex; vertex v of the generated mesh stands at a_place[v] and b_place[v]. */
+/** Three numbers per vertex; vertex v of the generated mesh is at a_place[v] and b_place[v]. */
 static difference differ(const double *a, const int *a_place, const double *b, const int *b_place,
                          int vertex_count) {
     difference d = {0, 0.0, -1, 0};
@@ -60,7 +60,7 @@ static difference differ(const double *a, const int *a_place, const double *b, c
     return d;
 }
 
-/** Where each vertex of the generated mesh stands in the state; NULL after a message. */
+/** Index of each vertex of the generated mesh in the state; NULL after a message. */
 static int *places_of(const state *s, const char *path) {
     int *place = malloc((size_t)s->vertex_count * sizeof *place);
     if (!place) {

@@ -31,7 +31,7 @@ enum { GENERATE, REORDER, INFO };
 
 static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 
-/** What the command line asks for. */
+/** Arguments of the command line. */
 typedef struct request {
     int action; /* -1: not said yet */
     const char *input;
@@ -186,7 +186,7 @@ static int read_numbers(const char *name, int *number, int count, char *error) {
     return whole ? 0 : -1;
 }
 
-/** Into the order asked for, or back from one. -1 after a message, or with one in error. */
+/** Applies the requested order, or undoes one. -1 after a message, or with one in error. */
 static int change_order(const request *r, mesh *m, char *error) {
     int *number = malloc((size_t)m->vertex_count * sizeof *number);
     int status = -1;

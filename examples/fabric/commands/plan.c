@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric plan: what a scene calls for, without running it. */
+/* fabric plan: the effects of a scene, without running it. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -35,8 +35,8 @@ static void print_events(const scene *s) {
  * and the first direct solution, of CHOLMOD and BLAS: 0.8. */
 static const double text_of_steps = 0.9 * 1024 * 1024, text_of_direct = 0.8 * 1024 * 1024;
 
-/* What the process holds before there is a cloth, and what a run of it takes: that, and what is
- * allocated by the time of the first step, all of which the steps use. */
+/* Memory of the process before the cloth is made, and of a run: all allocations up to the first
+ * step, which later steps use. */
 typedef struct memory_account {
     double at_start, allocated_at_start; /* bytes */
 } memory_account;

@@ -11,7 +11,7 @@
 
 static const option no_options[] = {{NULL, NULL, NULL}};
 
-/** The program that installs beside this one, else that of PATH. Does not return but in error. */
+/** The program installed in the same folder, otherwise by PATH. Returns only on errors. */
 static void become_view(char **words) {
     char path[FILE_PATH_SIZE];
     if (files_beside_program(path, words[0]) == 0)

@@ -70,7 +70,7 @@ static void set_threads(long threads) {
 #endif
 }
 
-/** The number of an option. Exit status, or -1 to go on. */
+/** The number of an option. Exit status, or -1 to continue. */
 static int read_number(const options *o, int which, run_request *r) {
     static const struct {
         long low, high;
@@ -90,7 +90,7 @@ static int read_number(const options *o, int which, run_request *r) {
                : EXIT_USAGE;
 }
 
-/** Options that go with others, or not. Exit status, or -1 to go on. */
+/** Checks combinations of options. Exit status, or -1 to continue. */
 static int check_request(const command *self, const run_request *r) {
     if (!r->scene_name && !r->resume)
         return options_complain(self, "which scene? %s", self->synopsis);
@@ -103,7 +103,7 @@ static int check_request(const command *self, const run_request *r) {
     return -1;
 }
 
-/** Exit status, or -1 to go on. */
+/** Exit status, or -1 to continue. */
 static int read_request(const command *self, int argc, char **argv, run_request *r) {
     options o = {self, argc, argv, 0, NULL, 0};
     int wrong = -1, number;
@@ -161,7 +161,7 @@ int read_scene(scene *s, const char *name, const setting_list *settings) {
     return make_settings(s, settings);
 }
 
-/** The scene and where the run stands: at its beginning, or at a checkpoint. */
+/** The scene and the start of the run: its beginning, or a checkpoint. */
 static int begin(cloth_run *run, const run_request *r) {
     if (r->resume)
         return run_resume(run, r);
@@ -209,7 +209,7 @@ static int take_step(cloth_run *run) {
     return 0;
 }
 
-/** What a step leaves behind: a frame, a checkpoint. `ends`: this run takes no further one. */
+/** Output of a step: a frame, a checkpoint. `ends`: it is the last step of this run. */
 static int keep_step(cloth_run *run, int ends) {
     const long every = run->record.every;
     const int done = run->record.step == run->of.time.steps;
@@ -219,7 +219,7 @@ static int keep_step(cloth_run *run, int ends) {
     return is_due || (ends && !done) ? run_save(run) : 0;
 }
 
-/** All steps that there are to be taken now, told of. 0, or -1 after a message. */
+/** Takes the remaining steps and reports progress. 0, or -1 after a message. */
 static int take_steps(cloth_run *run, const run_request *r) {
     const long steps = run->of.time.steps;
     const long last = r->stop_after != NOT_GIVEN && r->stop_after < steps ? r->stop_after : steps;
@@ -242,7 +242,7 @@ static int take_steps(cloth_run *run, const run_request *r) {
     return status;
 }
 
-/** Tells what came of the run, and how to go on with one that has ended early. */
+/** Reports the result of the run, and how to resume it if it was interrupted. */
 static void tell_results(const cloth_run *run, const run_request *r) {
     const char *quote = strpbrk(run->folder, " \t!\"#$&()*;<>?[\\]`{|}~") ? "'" : "";
     if (run->account.interrupted)

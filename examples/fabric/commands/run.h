@@ -11,15 +11,15 @@
 
 enum { FRAMES = 25, NOT_GIVEN = -1 };
 
-/** What the command line asks for. */
+/** Arguments of the command line. */
 typedef struct run_request {
-    const char *scene_name; /* NULL: that of the run to go on with */
+    const char *scene_name; /* NULL: that of the resumed run */
     const char *folder;     /* NULL: named after the scene */
     const char *resume;     /* NULL: a new run */
     long steps;             /* NOT_GIVEN: the scene's */
     long stop_after;        /* NOT_GIVEN: the last step */
     long threads;           /* 0: as OpenMP chooses */
-    long frames;            /* NOT_GIVEN: FRAMES, or the run's to go on with */
+    long frames;            /* NOT_GIVEN: FRAMES, or the resumed run's */
     long every;             /* as frames; NOT_GIVEN of a new run: 0 */
     progress_style progress;
     setting_list settings;
@@ -39,19 +39,18 @@ typedef struct cloth_run {
     run_account account;
 } cloth_run;
 
-/** Names the folder, makes it and removes what an older run left there after record.step (of a run
- *  that begins: all), so that nothing of it passes for this run's. 0, or -1 after a message. */
+/** Makes the folder and removes files of an older run after record.step (of a new run: all of
+ *  them), so that they are not taken for this run's. 0, or -1 after a message. */
 int run_prepare_folder(cloth_run *run, const run_request *r);
 
-/** Writes the state after record.step for pictures, where it is one of those asked for. 0, or -1
- *  after a message. */
+/** Writes the state after record.step for pictures, if it is a frame. 0, or -1 after a message. */
 int run_write_frame(const cloth_run *run);
 
-/** Writes what a run leaves: its last state and its account. 0, or -1 after a message. */
+/** Writes the last state and the summary. 0, or -1 after a message. */
 int run_write_results(const cloth_run *run);
 
-/** Reads the scene and where the run stood from a checkpoint; what the command line says of the
- *  scene must be what it was. 0, or -1 after a message. */
+/** Reads scene and state from a checkpoint; scene settings on the command line must be the same.
+ *  0, or -1 after a message. */
 int run_resume(cloth_run *run, const run_request *r);
 
 /** With the simulation made: brings it to where it was. 0, or -1 after a message. */
@@ -60,7 +59,7 @@ int run_restore(cloth_run *run);
 /** Writes the checkpoint of record.step. 0, or -1 after a message: an older one is as it was. */
 int run_save(cloth_run *run);
 
-/** Removes the checkpoint of a run that is done: there is nothing to go on with. */
+/** Removes the checkpoint of a finished run. */
 void run_forget(const cloth_run *run);
 
 #endif

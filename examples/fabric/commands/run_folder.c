@@ -45,7 +45,7 @@ static void remove_old_results(const cloth_run *run) {
     remove_frames(run, goes_on ? run->record.step : -1);
 }
 
-/** The folder of the run to go on with; else, by default, the scene's name without folders and
+/** The folder of the resumed run; otherwise by default the scene's name without folders and
  *  .yaml, and "-run". */
 static int name_folder(cloth_run *run, const run_request *r) {
     if (!run->from.memory) {
@@ -65,7 +65,7 @@ static int name_folder(cloth_run *run, const run_request *r) {
     return files_join(run->frames_folder, run->folder, "frames");
 }
 
-/** A frame at step 0 and at the last, and in between as many as asked for, evenly. */
+/** Frames at step 0, at the last, and evenly distributed between them. */
 static int is_frame(const cloth_run *run, long step) {
     const long steps = run->of.time.steps, frames = run->record.frames, gaps = frames - 1;
     return frames > 0 && (step == 0 || step == steps ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Checkpoints of a run: written, found, compared with what the command line asks for. */
+/* Writes and finds checkpoints of a run, and compares them with the command line. */
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -44,7 +44,7 @@ static int read_wanted_scene(cloth_run *run, const run_request *r) {
     return make_settings(&run->of, &r->settings);
 }
 
-/** A named scene's count of steps is its default: what counts is what the run began with. */
+/** A named scene's number of steps is only a default: the run's first one is compared. */
 static int choose_steps(cloth_run *run, const run_request *r) {
     if (r->steps != NOT_GIVEN)
         run->of.time.steps = (int)r->steps;

@@ -22,7 +22,7 @@ void *barrier_grow(void *array, int *room, long count, size_t size) {
     return grown;
 }
 
-/* What the barrier does not keep apart is refused by name. */
+/* Refuses scenes that the barrier does not support. */
 static int check_scene(const scene *s, char *error) {
     for (int n = 0; n < s->collider_count; n++) {
         const collider *k = &s->colliders[n];

@@ -42,7 +42,7 @@ typedef struct barrier_contact {
     nearest at;
 } barrier_contact;
 
-/** What a contact keeps through a step for friction: Li et al. 2020, section 5. */
+/** A contact at the beginning of a step, for friction: Li et al. 2020, section 5. */
 typedef struct barrier_grip {
     barrier_contact touch; /* where the step began */
     double most;           /* N, friction's greatest force */
@@ -68,7 +68,7 @@ typedef struct barrier {
     const scene *scene;
     const mesh *cloth;
     mesh surface;          /* all triangles; positions: where the cloth starts */
-    double (*rest)[3];     /* [cloth's vertices] m, where the cloth has its rest shape */
+    double (*rest)[3];     /* [cloth's vertices] m, rest positions */
     int *component;        /* [cloth's vertices] which connected part of the cloth */
     int *collider;         /* [surface's vertices] -1: the cloth's */
     unsigned char *driven; /* [surface's vertices] moved by a pin or a body */
@@ -76,14 +76,14 @@ typedef struct barrier {
     double slip_speed;     /* m/s, below which friction grows from 0 */
     self_collision search; /* the grid */
     barrier_list list;
-    double (*begin)[3]; /* [surface's vertices] m, where the step began, */
-    double (*x)[3];     /* where they are at present, */
-    double (*way)[3];   /* and where they want to go from there */
-    double (*goal)[3];  /* m, where what is driven ends the step */
+    double (*begin)[3]; /* [surface's vertices] m, positions at the step's beginning, */
+    double (*x)[3];     /* current ones, */
+    double (*way)[3];   /* and their planned displacement */
+    double (*goal)[3];  /* m, final positions of driven vertices */
 } barrier;
 
-/** Scene and cloth by reference; mass [vertices] kg. 0, or -1 with a message in error[200]: what a
- *  barrier cannot keep apart, or out of memory. */
+/** Keeps references to scene and cloth; mass [vertices] kg. 0, or -1 with a message in
+ *  error[200]: the scene is not supported, or out of memory. */
 int barrier_init(barrier *b, const mesh *cloth, const scene *s, const double *mass, char *error);
 void barrier_free(barrier *b);
 

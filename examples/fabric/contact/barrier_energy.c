@@ -2,12 +2,14 @@
 /*
  * The barrier's energy, its gradient, and a positive semidefinite part of its Hessian.
  *
- * With u = sum w_k x_k, d = |u| and n = u / d the gradient of d by x_k is w_k n exactly: where the
- * points are nearest, the weights' own change does not count. Of the Hessian
+ * With u = sum w_k x_k, d = |u| and n = u / d the gradient of d by x_k is exactly w_k n: at the
+ * nearest points, changes of the weights do not contribute. Of the Hessian
+ *
  *     B'' w_i w_j n n' + B' (d2 d),   B'' > 0, B' < 0
- * the first term is kept, which is positive semidefinite as it is (Gauss-Newton). Newton's method
- * with it still ends where the gradient is 0; only its way there differs. Of the factor e for
- * parallel edges the same: B de/dc 2 J'J with J the derivative of e1 x e2.
+ *
+ * only the first term is used, which is positive semidefinite (Gauss-Newton). Newton's method still
+ * converges to a zero of the gradient, along another path. The factor e for parallel edges is
+ * treated alike: B de/dc 2 J'J with J the derivative of e1 x e2.
  */
 #include "barrier.h"
 
@@ -64,7 +66,7 @@ static mollifier mollify(const barrier *b, const barrier_pair *pair, const doubl
     return m;
 }
 
-/* What the pair presses with, N. */
+/* The normal force of the pair, N. */
 static double force_of(const barrier *b, const barrier_contact *touch, const double (*x)[3]) {
     double at[4][3];
     barrier_gather(touch->pair.vertex, x, at);
@@ -90,7 +92,7 @@ double barrier_energy(const barrier *b, const double (*x)[3]) {
     return chunk_sum_all(count, sum);
 }
 
-/* block (p, q) += factor a_p a_q M for p <= q, where a are weights. */
+/* block (p, q) += factor a_p a_q M for p <= q, with the weights a. */
 static void add_blocks(double factor, const double weight[4], const double m[3][3],
                        double block[10][3][3]) {
     int k = 0;

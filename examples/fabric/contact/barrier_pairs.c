@@ -22,7 +22,7 @@ void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[
     }
 }
 
-/* How much nearer the features may come to each other on the way, at most. */
+/* Upper bound on the decrease of the distance during the displacement, m. */
 static double greatest_way(const int vertex[4], const double (*way)[3], int firsts) {
     double of[2] = {0, 0};
     for (int k = 0; way && k < 4; k++) {
@@ -32,8 +32,8 @@ static double greatest_way(const int vertex[4], const double (*way)[3], int firs
     return of[0] + of[1];
 }
 
-/* Of features that are neighbours in the cloth, half of their distance at rest: else the cloth
- * would push itself apart where its triangles are smaller than the gap. */
+/* The gap, but at most half the rest distance of features of one part: cloth with triangles
+ * smaller than the gap would push itself apart. */
 static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     const double gap = b->scene->self_collision.gap;
@@ -46,7 +46,7 @@ static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     return fmin(gap, fmax(found.distance / 2, gap / 100));
 }
 
-/* What the grid found, as a pair of the barrier's; reach 0: of no interest. */
+/* Converts a pair of the grid; its reach is 0 if the barrier does not need it. */
 static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     barrier_pair pair = {.kind = from->is_edges ? BARRIER_EDGES : BARRIER_VERTEX, .collider = -1};
     int of_bodies = 1;
@@ -66,7 +66,8 @@ static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     return pair;
 }
 
-/* Do the boxes of what the two features sweep stay apart by the reach? Most pairs do. */
+/* Whether the swept boxes of the two features keep a distance of at least the reach. For most
+ * pairs they do. */
 static int boxes_apart(const barrier_pair *pair, const double (*x)[3], const double (*way)[3]) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     for (int a = 0; a < 3; a++) {

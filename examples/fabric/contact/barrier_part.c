@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * How far all may go at once: additive continuous collision detection (Li, Kaufman and Jiang 2021,
- * section 4 and algorithm 1). A distance shrinks by no more than the way that the two features go
- * towards each other, so going (1 - kept) of it never meets; the features are moved there and the
- * rest is asked for again, until the distance is the part `kept` of what it was. Nothing is solved
- * for, so no root can be missed: rounding only moves the end by some 1e-16 of the coordinates.
+ * The largest common step: additive continuous collision detection (Li, Kaufman and Jiang 2021,
+ * section 4 and algorithm 1). A distance decreases by at most the relative displacement, so
+ * features that move by (1 - kept) of their distance cannot meet. This is repeated until the
+ * distance is the fraction `kept` of its first value. No equation is solved, so no root can be
+ * missed; rounding errors are some 1e-16 of the coordinates.
  */
 #include "barrier.h"
 
@@ -12,12 +12,13 @@
 
 #include "base/vector.h"
 
-/* Of its distance, less what it always keeps, a pair keeps at least this part. */
+/* A pair keeps at least this fraction of its distance, less the minimum below. */
 static const double kept = 0.1;
-/* A pair always keeps this part of its reach: many ways, each of which took nine tenths of the
- * distance, would come to where rounding decides on which side a vertex is. */
+/* A pair always keeps this fraction of its reach. Without this minimum, repeated steps of nine
+ * tenths of the distance would reach the rounding error, where the side of a vertex is
+ * undefined. */
 static const double kept_reach = 1e-6;
-/* After so many advances what was reached is taken: it is safe wherever it ends. */
+/* After this number of advances the current fraction is returned: it is safe at any time. */
 enum { most_advances = 1000 };
 
 /* The way relative to the pair's mean, and how fast the features approach at most. */

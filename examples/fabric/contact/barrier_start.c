@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a start must not have: edges through triangles, vertices in solid bodies, features that
- * touch. The first of them is named, with the file's numbers of its vertices (from 1). */
+/* Refuses starts with edges through triangles, vertices in solid bodies or features that touch.
+ * The message names the first of them by the vertex numbers of the file (from 1). */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +100,7 @@ static void name_feature(const barrier *b, int count, const int *vertex, char *t
         used += snprintf(text + used, size - (size_t)used, " %d", number_of(b, vertex[k]));
 }
 
-/* Ends the message with what can be done apart from moving something. -1. */
+/* Appends the option that may help. -1. */
 static int refuse(const barrier *b, char *error) {
     const size_t used = strlen(error);
     snprintf(error + used, 200 - used, "%s",

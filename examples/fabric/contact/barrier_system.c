@@ -32,7 +32,7 @@ void barrier_system_free(barrier_system *s) {
     *s = (barrier_system){0};
 }
 
-/* A body's vertex has no row: the cloth's first vertex in the element stands for it. */
+/* Vertices of bodies have no row: the element's first cloth vertex replaces them. */
 static void couple_cloth(const barrier *b, const int vertex[4], int couple[4]) {
     int first = 0;
     while (b->collider[vertex[first]] >= 0)
@@ -110,7 +110,8 @@ static void locate(const barrier *b, const block_matrix *A, barrier_element *e, 
         }
 }
 
-/* What the gradient changes by while vertex number `from` of the element goes its way. */
+/* Adds the change of the gradient due to the displacement of vertex number `from` of the
+ * element. */
 static void lead(const double way[3], int from, barrier_element *e) {
     int k = 0;
     for (int p = 0; p < 4; p++)

@@ -19,7 +19,7 @@
 #include "shape.h"
 
 enum { most_rounds = 400 };
-/* Pairs nearer than half of this part of their reach are moved apart to all of it. */
+/* Pairs nearer than half of this fraction of their reach are separated to the whole fraction. */
 static const double wanted_part = 0.5;
 
 typedef struct untangling {
@@ -116,7 +116,7 @@ static int find_sides(untangling *u) {
         feature_normal(u, one <= other ? 3 : 1, one <= other ? v + 1 : v, up);
         const double height = vector_dot(vertical, up);
         if (fabs(height) < 0.7 * found.distance)
-            continue; /* it lies beside the triangle */
+            continue; /* neither above nor below the triangle */
         if (one == other && (u->above[v[0]] == 0 || fabs(height) < fabs(u->above[v[0]])))
             u->above[v[0]] = height;
         else if (one < other)
@@ -183,7 +183,7 @@ static int find_direction(const untangling *u, int firsts, const int *first, int
     return 1;
 }
 
-/* sum weight x along the direction grows by `lacking` m; what is driven stays. */
+/* Increases sum weight x along the direction by `lacking` m without moving driven vertices. */
 static void project(untangling *u, int count, const int *vertex, const double *weight,
                     const double direction[3], double lacking) {
     double squares = 0;

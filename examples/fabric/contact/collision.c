@@ -417,7 +417,7 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
     }
 }
 
-/* What the constraint's force (N) says about the contact: does it pull, does it stick? */
+/* Whether the contact pulls and whether it sticks, from the constraint's force (N). */
 static void settle(contact *touch, const collider *k, const double carried[3], double stick_speed,
                    double h, double mass, const double v[3], const double force[3]) {
     double along[3], slip[3];
@@ -430,7 +430,7 @@ static void settle(contact *touch, const collider *k, const double carried[3], d
     touch->pulls = touch->force < 0 ? touch->pulls + 1 : 0;
     if (touch->sticks) {
         touch->sticks = sideways <= most;
-        touch->slip_speed = h * (sideways - most) / mass; /* what it will slip with at most */
+        touch->slip_speed = h * (sideways - most) / mass; /* largest slip speed */
     } else {
         touch->slip_speed = vector_length(slip);
         touch->sticks = touch->slip_speed < stick_speed && most > 0;

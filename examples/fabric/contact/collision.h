@@ -47,14 +47,14 @@ typedef struct met_triangles {
     int count, room;
     int left;         /* of those, how many still meet one after the impulses */
     double gap;       /* m, the least of their colliders; infinite: there are none */
-    double *distance; /* [vertices] m, to the collider that is looked at; NULL: none was */
+    double *distance; /* [vertices] m, to the current collider; NULL: none yet */
 } met_triangles;
 
 /** Colliders that the cloth cannot reach for some time, so that nothing is done for each of them:
  *  all that are not watched. */
 typedef struct out_of_reach {
-    int *watched;     /* [count] numbers of the colliders that are looked at, ascending */
-    int count;        /* -1: all are to be looked at */
+    int *watched;     /* [count] numbers of the colliders to be tested, ascending */
+    int count;        /* -1: all are to be tested */
     double center[3]; /* m, of the cloth when they were, at */
     double time;      /* s; then */
     double clearance; /* m, the centre's distance to the nearest of the others, less its gap */
@@ -129,13 +129,14 @@ int collisions_constrain(const collisions *c, const double (*v)[3], constraints 
 int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 
-/** Last resort for what was still missed: changes v so that x + h v stays out, and adds the work
- *  that takes to *work, J; mass [vertices] kg. Returns the largest change of a velocity, m/s. */
+/** Last resort for contacts that were missed: changes v so that x + h v stays outside, and adds
+ *  the required work to *work, J; mass [vertices] kg. Returns the largest change of a velocity,
+ *  m/s. */
 double collisions_keep_out(collisions *c, double time, double h, const double *mass,
                            const double (*x)[3], double (*v)[3], double *work);
 
-/** Finds which colliders may touch the cloth in the step, with velocities v + dv (dv NULL: v; v
- *  NULL: at rest): what follows looks at no others. */
+/** Finds the colliders that may touch the cloth in the step, with velocities v + dv (dv NULL: v;
+ *  v NULL: at rest). The functions below test only these. */
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 
@@ -152,9 +153,9 @@ double collisions_push_triangles(collisions *c, const movable *of, double time, 
 void collisions_check_triangles(collisions *c, const movable *of, double time, double h,
                                 const double (*x)[3], const double (*v)[3]);
 
-/** The velocity along found->normal, m/s, that ends a step of h s at the collider's gap. What is
- *  found inside is pushed out by no more than the gap in a step of the scene: the push stays in its
- *  velocity, and in a part of that step must not be faster. */
+/** The velocity along found->normal, m/s, that ends a step of h s at the collider's gap. A
+ *  vertex inside is pushed out by at most the gap in a step of the scene. The push remains in
+ *  its velocity, so it must not be faster in a shorter step. */
 double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
                               double h);
 
@@ -166,10 +167,9 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
 void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
                        const double (*residual)[3]);
 
-/** The work in J that constraints and friction did in the step of h s that ends with velocities v,
- *  an upper bound of it where a collider moves; colliders at rest do none above 0, but to push out
- *  what is too near. residual as the solver left it, for a stage of
- *  stage_h s. */
+/** The work in J of constraints and friction in the step of h s that ends with velocities v; an
+ *  upper bound if a collider moves. Colliders at rest do no positive work except to push
+ *  vertices out. residual as the solver left it, for a stage of stage_h s. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]);
 

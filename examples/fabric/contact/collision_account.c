@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What contacts come to: work, depth, numbers. */
+/* Work, depth and counts of contacts. */
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "collision.h"
 #include "shape.h"
 
-/* Friction -f (v - u) does at most f u.u / 4 to what it acts on. */
+/* Friction -f (v - u) does a work of at most f u.u / 4. */
 static double friction_work(const contact *touch, double friction, const double carried[3],
                             double h) {
     if (touch->sticks || !(touch->force > 0))
@@ -26,9 +26,9 @@ static int is_held_at_rest(const collisions *c, int vertex) {
     return 1;
 }
 
-/* What is at rest takes energy, but gives none: a constraint that seems to, by pulling what comes
- * nearer, hides a solution that is wrong by as much. The sum is what counts: of single vertices the
- * solver's tolerance has its share, of either sign. */
+/* A body at rest takes energy and gives none. A constraint that seems to give some, by pulling
+ * at an approaching vertex, shows an error of the solution of that size. Only the sum is
+ * meaningful: at single vertices the solver's tolerance appears with either sign. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]) {
     const int count = c->vertex_count, contacts = c->now && !c->now_empty;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which colliders the cloth may touch in a step: what is done for the others does not grow with
- * their number. */
+/* The colliders that the cloth may touch in a step. The cost of a step does not grow with the
+ * number of the others. */
 #include "base/vector.h"
 #include "collision.h"
 #include "shape.h"

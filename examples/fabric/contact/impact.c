@@ -5,7 +5,7 @@
 
 #include "impact_zone.h"
 
-/* Impulses are given in this many rounds, and all of it this often with the pairs found anew. */
+/* Number of rounds of impulses, and of searches for pairs. */
 enum { most_rounds = 20, most_searches = 3 };
 
 /* One round over all; returns the largest change of a velocity, m/s. */
@@ -31,7 +31,7 @@ static int has_rounds(const impact_step *s) {
     return (s->itself && s->itself->pair_count > 0) || s->bodies->met.count > 0;
 }
 
-/* Of what is pushed by less than this (m/s) in a round, no more is to be had. */
+/* Rounds end when all changes of velocity are below this, m/s. */
 static double little(const impact_step *s) {
     const double own = s->itself ? s->itself->gap : INFINITY;
     return 1e-3 * fmin(own, s->bodies->met.gap) / s->h;

@@ -15,16 +15,16 @@
 
 typedef struct impact_step {
     double time, h;         /* s */
-    const double (*x)[3];   /* [vertices] m, where it begins */
+    const double (*x)[3];   /* [vertices] m, at its beginning */
     double (*v)[3];         /* [vertices] m/s, changed */
     movable of;             /* what may move */
     self_collision *itself; /* NULL: the cloth may go through itself */
     collisions *bodies;
 } impact_step;
 
-/** *work: what bodies do by it, J, less what the cloth's own impulses take; what those may
- *  have given is no work from outside: the monitor is to see it. 0, or -1: out of memory, or the
- *  step ends in something not finite. */
+/** Resolves contacts of the step. *work: the work of bodies, J, less the energy that the cloth's
+ *  own impulses take. Energy that these add is not counted as external work, so the monitor
+ *  detects it. 0, or -1: out of memory, or the step ends in something not finite. */
 int impact_resolve(impact_step *step, double *work);
 
 #endif

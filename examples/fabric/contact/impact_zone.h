@@ -8,11 +8,11 @@
 #include "impulse.h"
 #include "self_collision.h"
 
-/** Joins the vertices of the pairs that pass to zones and gives each the velocities of a rigid body
- *  with the zone's momenta; one with a vertex that a pin or a contact holds moves as those held do.
- *  Pairs that pass between zones or at a zone's boundary make them grow: until none does, or it has
- * been tried often. Adds the energy that takes to *work, J. s->left tells what still passes; 0, or
- * -1: out of memory. */
+/** Joins the vertices of passing pairs to zones, each of which gets the velocities of a rigid
+ *  body with its momenta; a zone with vertices that a pin or contact holds moves like these.
+ *  Zones grow by pairs that pass at their boundary, until none does or the number of rounds is
+ *  exhausted. Adds the required energy to *work, J. s->left counts the pairs that still pass. 0,
+ *  or -1: out of memory. */
 int impact_zones_make(self_collision *s, const movable *of, double h, const double (*x)[3],
                       double (*v)[3], double *work);
 

@@ -47,8 +47,8 @@ void movable_move(const movable *of, int i, const double change[3], double v[3])
     }
 }
 
-/* What an impulse along d (kg m/s) makes of vertex i, m/s. Where a body takes most of it, it makes
- * nothing: what is left of it goes aside, and would have to be many times as large. */
+/* The velocity that an impulse along d (kg m/s) gives vertex i, m/s. 0 if a body takes most of
+ * it: the remainder points sideways and would have to be many times as large. */
 static void response(const movable *of, int i, const double v[3], const double d[3],
                      double change[3]) {
     static const double least_part = 0.25; /* of d'd that is free */
@@ -115,7 +115,7 @@ static void find_friction(const movable *of, const feature *f, const double norm
 
 int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3],
                         const double normal[3]) {
-    static const double least_part = 0.02; /* of what it would be if nothing were held */
+    static const double least_part = 0.02; /* relative to a vertex that is free */
     double all_free = 0;
     for (int k = 0; k < f->count; k++) {
         const double mass = of->mass[f->vertex[k]];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Impulses that keep features of the cloth - a vertex, a point of an edge or of a triangle - from
- *  meeting each other or a body. What a pin holds is as heavy as the ground, and so is what lies on
- * a body for an impulse into it. */
+/** Impulses that keep features of the cloth (a vertex, a point of an edge or of a triangle) from
+ *  meeting each other or a body. Pinned vertices have infinite mass, and vertices on a body have
+ *  infinite mass for impulses into it. */
 #ifndef FABRIC_IMPULSE_H
 #define FABRIC_IMPULSE_H
 
@@ -16,9 +16,10 @@ typedef struct movable {
 /** Is the vertex pinned, or does it lie on a body? */
 int movable_is_held(const movable *of, int vertex);
 
-/** What of an impulse or velocity d moves vertex i, which has velocity v [3] m/s: none of it if
- * that is pinned, nothing into a body that it lies on. What moves away from its body is free: else
- * impulses could lift it and never slow it down, and rounds of them would not come to an end. */
+/** The part of an impulse or velocity d that moves vertex i, which has velocity v [3] m/s: 0 if
+ *  it is pinned, without the component into a body that it lies on. A vertex that leaves its
+ *  body is free; otherwise impulses could lift it but not slow it down, and the rounds would not
+ *  converge. */
 void movable_part(const movable *of, int i, const double v[3], const double d[3], double part[3]);
 
 /** Moves vertex i by `change` m/s, as movable_part gives it, but never into a body that it lies

@@ -57,8 +57,8 @@ void motion_enter_keyed(const body_motion *m, const double x[3], const double v[
 void motion_carry_keyed(const body_motion *m, const double p[3], double normal[3],
                         double carried[3]);
 
-/** In the body's axes: p, where x is at the step's begin, and u, its way while it goes with v
- *  (m/s). m: of one with keyframes, else unused. */
+/** In the body's axes: p, the position of x at the beginning of the step, and u, its
+ *  displacement at velocity v (m/s). m: for colliders with keyframes, otherwise unused. */
 static inline void motion_enter(const collider *k, const body_motion *m, double time, double h,
                                 const double x[3], const double v[3], double p[3], double u[3]) {
     if (motion_has_keys(k)) {
@@ -71,8 +71,8 @@ static inline void motion_enter(const collider *k, const body_motion *m, double 
     }
 }
 
-/** What was found at p in the body's axes, for the space: turns the normal to where it points at
- *  the step's end, and gives the mean velocity (m/s) of the body's matter at p. */
+/** Converts from the body's axes to space: rotates the normal to its direction at the step's
+ *  end, and gives the mean velocity (m/s) of the body at p. */
 static inline void motion_carry(const collider *k, const body_motion *m, const double p[3],
                                 double normal[3], double carried[3]) {
     if (motion_has_keys(k))

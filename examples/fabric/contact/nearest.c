@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each function takes the least of all candidates: the inner point, where there is one, and what
- * the features' borders give. No region is decided by a sign that rounding may turn. */
+/* Each function takes the nearest of all candidates: the inner point, if it exists, and the
+ * points on the borders. No case is selected by a sign that rounding may change. */
 #include "nearest.h"
 
 #include <string.h>

@@ -7,7 +7,8 @@
 #include "base/vector.h"
 #include "mesh/mesh_sides.h"
 
-/* What is nearer than the gap draws apart by this part of what is missing, a step of the scene. */
+/* Pairs nearer than the gap separate by this fraction of the missing distance in a step of the
+ * scene. */
 static const double drawing_apart = 0.25;
 /* What would pass is kept this part of its distance, or of the gap, away. */
 static const double kept_away = 0.1;
@@ -72,7 +73,8 @@ static void gather(const self_pair *pair, double h, const double (*x)[3], const 
         }
 }
 
-/* Do the boxes that the two features sweep stay further apart than that? Most pairs do. */
+/* Whether the swept boxes of the two features keep more than this distance. For most pairs they
+ * do. */
 static int stay_apart(double apart, const self_pair *pair, const double start[4][3],
                       const double end[4][3]) {
     const int firsts = pair->is_edges ? 2 : 1;
@@ -141,8 +143,8 @@ static double asked_now(const self_collision *s, int n, double h, const double (
     return asked(s, &s->pair[n], h, v, (const double(*)[3])start, (const double(*)[3])end, found);
 }
 
-/* Side by side: which velocities were changed since the last round, and what asks for nothing as a
- * round begins. Most pairs do, and are not looked at one after the other. */
+/* In parallel: marks velocities that changed since the last round, and pairs that need no
+ * impulse at the beginning of a round. These are most pairs; the sequential part skips them. */
 static void look_through(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     self_turns *turns = &s->turns;
     turns->now++;

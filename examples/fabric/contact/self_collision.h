@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Cloth against itself. After the system is solved, velocities are changed so that in the step no
- * vertex goes through a triangle and no edge through an edge, and those nearer than the gap draw
- * apart (Bridson, Fedkiw and Anderson 2002): equal and opposite impulses along the normal, with
- * friction, one pair after the other in a fixed order. impact.h says how often, and what comes of
- * those that are left.
+ * Self-collision. After the system is solved, velocities are changed so that in the step no vertex
+ * passes a triangle and no edge passes an edge, and pairs nearer than the gap separate (Bridson,
+ * Fedkiw and Anderson 2002): equal and opposite impulses along the normal, with friction, one pair
+ * after the other in a fixed order. impact.h has the number of rounds and the treatment of pairs
+ * that still pass.
  *
- * Pairs that may meet are found in a grid of the boxes that the triangles sweep; each vertex and
- * edge is tested for one of its triangles alone (Curtis, Tamstorf and Manocha 2008).
+ * Candidate pairs come from a grid of the triangles' swept boxes; each vertex and edge is tested
+ * with one of its triangles only (Curtis, Tamstorf and Manocha 2008).
  */
 #ifndef FABRIC_SELF_COLLISION_H
 #define FABRIC_SELF_COLLISION_H
@@ -19,14 +19,14 @@
 typedef struct self_pair {
     int vertex[4];
     int is_edges;
-    int near_at_rest; /* too near in the flat cloth to be kept apart: only kept from passing */
+    int near_at_rest; /* nearer than the gap in the flat cloth: only kept from passing */
 } self_pair;
 
-/** What is found or looked through side by side is in so many parts, whatever the threads, which
- * are put together in order. */
+/** Searches have this number of parts, for any number of threads; the results are joined in
+ *  order. */
 enum { SELF_PARTS = 64 };
 
-/** Where part number `part` of so many begins. */
+/** First index of part number `part`. */
 static inline int self_part_start(int count, int part) {
     return (int)((long)count * part / SELF_PARTS);
 }
@@ -40,29 +40,29 @@ typedef struct self_pairs {
 /** Boxes that triangles sweep, sorted into the cells of a grid; see self_grid.c. */
 typedef struct self_grid {
     double (*box)[2][3]; /* [triangles] low and high, m */
-    double cloth[2][3];  /* m, of the cloth's among them, where there are bodies' */
+    double cloth[2][3];  /* m, box of the cloth's triangles, if there are bodies */
     int *owned;          /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
     int *start;          /* [buckets + 1] */
     struct self_entry *entry;
     int bucket_room, entry_room;
-    self_pairs part[SELF_PARTS]; /* of what was found last */
+    self_pairs part[SELF_PARTS]; /* results of the last search */
 } self_grid;
 
-/** Which pairs need not be looked at again: what asked for nothing does so for as long as its
- *  vertices keep their velocities. Times are numbers of impulses given since pairs were found. */
+/** Pairs that can be skipped: a pair that needed no impulse needs none while its vertices keep
+ *  their velocities. Times count the impulses since the search. */
 typedef struct self_turns {
     int now;
     int *vertex;    /* [vertices] when its velocity changed last */
     double (*v)[3]; /* [vertices] m/s, at the end of the last round */
-    int *pair;      /* [pairs] when it asked for nothing; -1: not yet */
+    int *pair;      /* [pairs] when it needed no impulse; -1: never */
     int pair_room;
 } self_turns;
 
 typedef struct self_collision {
     const mesh *mesh;
     double gap, friction; /* m */
-    double step;          /* s, the scene's: what is too near draws apart within some of these */
-    int bodies_from;      /* triangles from this one on are bodies', no two of which are a pair */
+    double step;     /* s, the scene's: pairs that are too near separate within some of these */
+    int bodies_from; /* first triangle of bodies; two of these are never a pair */
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
@@ -85,8 +85,8 @@ int self_collision_find(self_collision *s, double h, const double (*x)[3], const
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 
-/** Finds the pairs anew, since what they sweep has changed with the velocities, and counts in
- *  s->left those that pass. 0, or -1 as above. */
+/** Repeats the search, because the swept boxes changed with the velocities, and counts the
+ *  passing pairs in s->left. 0, or -1 as above. */
 int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
 /** Does the pair pass through itself in the step? */
@@ -96,8 +96,8 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
 /** Finds the pairs that may meet in the step; 0, or -1: out of memory, or not all is finite. */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** How two features meet: weights of the four vertices' velocities, the normal from the second
- *  feature to the first, and how far apart they are at the start. */
+/** Contact of two features: weights of the four vertices, the unit normal from the second
+ *  feature to the first, and the distance at the beginning of the step. */
 typedef struct self_contact {
     double weight[4];
     double normal[3];

@@ -41,7 +41,7 @@ static void sweep(self_collision *s, double h, const double (*x)[3], const doubl
         }
 }
 
-/* Of the cloth's triangles. */
+/* Mean extent of the cloth's triangles, m. */
 static double mean_extent(const self_collision *s) {
     double sum = 0;
     for (int t = 0; t < s->bodies_from; t++)

@@ -4,7 +4,7 @@
 #include "base/vector.h"
 #include "mesh/surface.h"
 
-/* Distance of a point on a ball's centre and the like, where no direction is better. */
+/* Distance for points such as a ball's centre, at which all directions are equal. */
 static void set_up(double normal[3]) {
     normal[0] = normal[1] = 0;
     normal[2] = 1;

@@ -18,12 +18,11 @@ typedef struct approach {
 
 /**
  * Follows p (from the collider's position) along the straight path `u`, both m and relative to the
- * moving collider. 1, and what is known at the first place where the distance falls to the
- * collider's gap; 0: there is none, and the path ends further away than the gap. No thinness of the
- * collider nor length of the path makes it miss: it goes as far as the distance allows each time
- * (sphere tracing, Hart 1996). A point kept to the outer side of the plane through that place
- * is kept out of a convex shape; in the hollow of a mesh it may meet another side of it, which is
- * then found in the next step.
+ * moving collider. 1 and the first place at which the distance falls to the collider's gap; 0: the
+ * path ends farther away than the gap. Each advance is as long as the distance allows (sphere
+ * tracing, Hart 1996), so neither thin colliders nor long paths are missed. A point on the outer
+ * side of the plane through that place is outside a convex shape; in the hollow of a mesh it may
+ * meet another side, which the next step finds.
  */
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found);
 

@@ -3,8 +3,8 @@
 
 #include "base/vector.h"
 
-/* Parts of parts of a triangle, and how many are looked at in all: a triangle of many thousand
- * times the gap is not worth more. */
+/* Depth of subdivision and number of parts: more would not pay for a triangle of many thousand
+ * times the gap. */
 enum { deepest = 12, most_parts = 2000 };
 
 /** The search for the nearest point. */
@@ -14,9 +14,9 @@ typedef struct search {
     int is_convex;
     int looked;   /* parts looked at */
     double slack; /* m: a point nearer by less than this need not be found, */
-    double part;  /* nor one by this part of what is left to `kept`, m */
+    double part;  /* nor by this fraction of the remainder above `kept`, m */
     double kept;
-    double distance;  /* m, the least so far, or what is far enough */
+    double distance;  /* m, the least so far, or a sufficient distance */
     double weight[3]; /* of the nearest point */
     double normal[3];
 } search;
@@ -26,7 +26,7 @@ static void mix(const double (*p)[3], const double weight[3], double at[3]) {
         at[a] = weight[0] * p[0][a] + weight[1] * p[1][a] + weight[2] * p[2][a];
 }
 
-/* How much nearer than what is found a point may be without being looked for. */
+/* Tolerance of the search: a nearer point may exist by this much. */
 static double allowed(const search *s) {
     const double left = s->distance - s->kept;
     return s->slack + (left > 0 ? s->part * left : 0);

@@ -31,8 +31,7 @@ static int box_mesh(const collider *c, mesh *m) {
     return 0;
 }
 
-/** Rings of AROUND vertices, the first at one end, with a vertex of its own beyond either end:
- *  number 0 before ring 0, and the last. */
+/** Rings of AROUND vertices between two end vertices: number 0 before ring 0, and the last. */
 static int rings_mesh(mesh *m, int rings) {
     int t = 0;
     if (mesh_allocate(m, rings * AROUND + 2, 2 * AROUND * rings) != 0)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The damping forces alone, without their derivatives. triangle_forces and hinge_forces give b with
- * damping linearised together with the stiffness; an iteration of Newton's method, whose positions
- * and velocities move on apart, needs -h D(x) v by itself.
+ * The damping forces alone, without their derivatives. triangle_forces and hinge_forces linearise
+ * damping together with stiffness; an iteration of Newton's method, with independent positions and
+ * velocities, needs -h D(x) v separately.
  */
 #ifndef FABRIC_DAMPING_H
 #define FABRIC_DAMPING_H

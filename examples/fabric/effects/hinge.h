@@ -54,9 +54,8 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
-/** Energy at positions x, in J, with the angles nearest to those remembered, which stay; should
- *  hinge_update_angles be next, and at the same positions, it has nothing to do where angles are
- *  looked at ahead. */
+/** Energy at positions x, in J. Chooses the angles nearest to the stored ones, which it keeps. A
+ *  hinge_update_angles at the same positions then costs nothing, if angles are precomputed. */
 double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]);
 
 /** Energy of the angles remembered, in J. */

@@ -41,7 +41,7 @@ static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
     }
 }
 
-/* In (-pi, pi]. atan2 keeps all digits near 0, where an arc cosine would lose half of them. */
+/* In (-pi, pi]. atan2 is accurate near 0; an arc cosine would lose half the digits. */
 static double hinge_angle(const double (*x)[3], const int corner[4]) {
     double e[3], a[3], b[3], n1[3], n2[3], across[3];
     vector_subtract(x[corner[1]], x[corner[0]], e);

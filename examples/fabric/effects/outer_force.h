@@ -14,7 +14,7 @@
  *  step of h ends at positions x + h (lag + dv) and velocities v + dv. */
 typedef struct expansion {
     double h;               /* s */
-    const double (*x)[3];   /* m, where forces and their derivatives are taken */
+    const double (*x)[3];   /* m, positions of forces and derivatives */
     const double (*lag)[3]; /* m/s; v where x is where the step starts */
     const double (*v)[3];   /* m/s, at the start of the step */
 } expansion;

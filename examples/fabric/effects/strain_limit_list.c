@@ -63,7 +63,7 @@ static void later_lengths(const triangle_elements *e, int t, double h, const dou
 int strain_limit_find_missed(strain_limit *l, const triangle_elements *e, double h,
                              const double (*x)[3], const double (*v)[3], const double (*dv)[3]) {
     l->count = 0;
-    /* In order, and as a list of its own: what is listed already is in the system. */
+    /* In order, as a separate list: elements listed before are already in the system. */
     for (int t = 0; t < e->count; t++) {
         double length[2];
         if (l->over[t] != 0)

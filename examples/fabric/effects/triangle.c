@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Stretch and shear: a loop for each choice of effects that a cloth may call for. The loops differ
- * in the constant that triangle_force gets, by which the compiler drops what is not called for.
+ * Stretch and shear: a loop for each combination of effects. The loops differ in a constant
+ * argument of triangle_force, by which the compiler removes unused terms.
  */
 #include "effect.h"
 #include "triangle_terms.h"
@@ -12,8 +12,8 @@ enum {
                     (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)
 };
 
-/* f and df, added where they belong: one statement each, the same in every loop. (A loop that is to
- * run in parallel has to stand in its function.) */
+/* Adds f and df: one statement each, the same in every loop. (A parallel loop must contain its
+ * updates.) */
 #define ADD_FORCE(b)                                                                               \
     for (c = 0; c < 3; c++) {                                                                      \
         (b)[i][c] += f[0][c];                                                                      \

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * One triangle's stretch and shear: the force and its derivatives (see triangle.h for the
- * energies). One text for every choice of effects: `effects` is a constant at each call, so that
- * what a cloth lacks is not in the code of its loop.
+ * One triangle's stretch and shear: the force and its derivatives (triangle.h has the energies).
+ * `effects` is a constant at each call, so that the loop of a combination of effects contains only
+ * its terms.
  */
 #ifndef FABRIC_TRIANGLE_TERMS_H
 #define FABRIC_TRIANGLE_TERMS_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The meshes of scenes, from files, and what is wrong with them. */
+/** Reads and checks the meshes of scenes. */
 #ifndef FABRIC_INPUT_MESH_FILE_H
 #define FABRIC_INPUT_MESH_FILE_H
 
@@ -10,9 +10,9 @@
  *  "file: ..., expected ..." on standard error. mesh_free frees it. */
 int mesh_file_read(mesh *m, const char *path);
 
-/** Removes what a cloth must not have, connects the mesh and checks it: mesh_clean, mesh_connect
- *  and mesh_check. Prints what was found on standard error, a line for each kind, each after
- *  `name`. 0, or -1 with a message in error[256]. */
+/** Removes unusable triangles, connects the mesh and checks it: mesh_clean, mesh_connect and
+ *  mesh_check. Prints a line on standard error for each kind of defect, after `name`. 0, or -1
+ *  with a message in error[256]. */
 int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *error);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "mesh/surface.h"
 
-/** NULL with a message in error[256] that says what is wrong, where, and what was expected: the
- * file cannot be read, or it is no surface of a solid (surface_check.h). */
+/** NULL with a message in error[256] that names the defect, its position and the expected value:
+ *  the file cannot be read, or is not the surface of a solid (surface_check.h). */
 surface *surface_read(const char *path, char *error);
 
 #endif

@@ -80,7 +80,7 @@ static void add_edge(mesh *m, const half_edge *sides, int count) {
     edge[1] = sides[0].high;
     if (count < 2)
         return;
-    /* Wing 2 lies left of the edge, wing 3 right, as long as the triangles agree on what is up. */
+    /* Wing 2 is left of the edge, wing 3 right, if the triangles have the same orientation. */
     int *hinge = m->hinge[m->hinge_count++];
     const int left = sides[0].forward || !sides[1].forward ? 0 : 1;
     hinge[0] = edge[0];

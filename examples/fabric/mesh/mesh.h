@@ -8,7 +8,7 @@ typedef struct mesh {
     int triangle_count;
     int edge_count;
     int hinge_count;
-    double (*position)[3]; /* [vertex_count] m, where the cloth starts */
+    double (*position)[3]; /* [vertex_count] m, initial positions */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
     int rest_in_space;     /* the rest shape of each triangle is that of its positions instead */
     int bent_at_rest;      /* and the angles at its hinges are at rest as well; else 0 is */
@@ -24,7 +24,7 @@ typedef enum mesh_order {
     MESH_ORDER_SORTED,   /* reverse Cuthill-McKee */
     MESH_ORDER_SHUFFLED, /* at random */
     MESH_ORDER_HILBERT,  /* along a space-filling curve through the flat cloth */
-    MESH_ORDER_DISSECTED /* nested dissection by METIS, where that is built in */
+    MESH_ORDER_DISSECTED /* nested dissection by METIS, if built with it */
 } mesh_order;
 
 /**

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a mesh from anywhere may have that a cloth should not have. */
+/* Defects of meshes that cloth must not have. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,7 +73,7 @@ static sorted_triangle sorted(const int corner[3], int number) {
     return s;
 }
 
-/* Marks what is to be removed. */
+/* Marks triangles to be removed. */
 static int mark(const mesh *m, mesh_problem *found, unsigned char *removed) {
     sorted_triangle *all = malloc(((size_t)m->triangle_count + 1) * sizeof *all);
     if (!all)
@@ -175,8 +175,8 @@ static int compare_places(const void *left, const void *right) {
     return a->vertex < b->vertex ? -1 : 1;
 }
 
-/* Programs that write a vertex once for each triangle or texture coordinate leave seams that are
- * not joined: cloth comes apart there. places, twin: [vertices]. */
+/* Programs that write one vertex per triangle or texture coordinate leave unjoined seams, at
+ * which cloth separates. places, twin: [vertices]. */
 static void check_seams(const mesh *m, mesh_problem *found, place *places, unsigned char *twin) {
     for (int v = 0; v < m->vertex_count; v++) {
         memcpy(places[v].at, m->position[v], sizeof places[v].at);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Vertices along Hilbert's curve (Hilbert, Ueber die stetige Abbildung einer Linie auf ein
- * Flaechenstueck, 1891): what is near on the curve is near in the plane. */
+ * Flaechenstueck, 1891): points near each other on the curve are near in the plane. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

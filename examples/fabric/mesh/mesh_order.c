@@ -15,7 +15,7 @@
 
 enum { ERROR_SIZE = 256 };
 
-/** What the search for an ordering works on. */
+/** Work arrays of the search for an order. */
 typedef struct search {
     int *order;   /* vertices in the order they were reached */
     int *mark;    /* [vertex_count] number of the search that last reached the vertex */

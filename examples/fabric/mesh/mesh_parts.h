@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the files that make and change meshes share; not for users of a mesh. */
+/** Shared by the files that make and change meshes; not for users of a mesh. */
 #ifndef FABRIC_MESH_PARTS_H
 #define FABRIC_MESH_PARTS_H
 

@@ -79,8 +79,8 @@ static void fill_grid(cell_grid *grid, double (*points)[2], int count) {
     }
 }
 
-/** Adds to `push` what the points of one row of cells around `point` do to it: each at a distance
- *  d below `reach` repels by 1 - d / reach. */
+/** Adds to `push` the repulsion by the points of one row of cells around `point`: 1 - d / reach
+ *  at a distance d below `reach`. */
 static void repel(const cell_grid *grid, double (*points)[2], int point, int row, double reach,
                   double push[2]) {
     const int column = cell_of(grid, points[point][0]);

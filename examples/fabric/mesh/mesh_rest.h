@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The rest shape of single triangles, and what a mesh has that a cloth should not have. */
+/** The rest shape of single triangles, and defects of meshes. */
 #ifndef FABRIC_MESH_REST_H
 #define FABRIC_MESH_REST_H
 
 #include "mesh.h"
 
-/** A triangle lower than this part of its longest edge carries no force: what a step moves its
- *  corners by is many times its height. */
+/** A triangle lower than this fraction of its longest edge carries no force: a step moves its
+ *  corners by many times its height. */
 #define MESH_LEAST_HEIGHT 1e-3
 
 typedef enum mesh_rest_kind {
@@ -22,7 +22,7 @@ mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[
 /** The area of all rest shapes together, m^2. */
 double mesh_rest_area(const mesh *m);
 
-/** What is wrong with a mesh, with the number of the first triangle, edge or vertex of its kind. */
+/** Defects of a mesh, with the number of the first triangle, edge or vertex of each kind. */
 enum {
     MESH_FLAT_TRIANGLE,   /* no rest shape: no force */
     MESH_NO_MATERIAL,     /* rest shape from positions */

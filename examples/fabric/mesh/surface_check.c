@@ -15,7 +15,7 @@ static int ascends(const mesh *m, const mesh_side *side) {
     return m->triangle[side->triangle][side->number] == side->low;
 }
 
-/* Of an edge with all its `count` triangles. */
+/* Checks an edge with all its `count` triangles. */
 static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fault *fault) {
     for (int k = 1; k < count; k++)
         if (opposite(m, &of[k]) == opposite(m, &of[0])) {

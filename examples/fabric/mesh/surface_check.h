@@ -5,17 +5,16 @@
 
 #include "mesh.h"
 
-/** What is wrong, and of which triangle; -1: of all together, or of no second one. */
+/** The defect and its triangles; -1: all, or no second one. */
 typedef struct surface_fault {
-    const char *what; /* and what was expected; NULL: nothing is wrong */
+    const char *what; /* and the expected state; NULL: no defect */
     int triangle, other;
 } surface_fault;
 
 /**
- * Finds two triangles of the same three vertices, an edge of more than two triangles, an edge along
- * which one triangle faces outwards and the other inwards, or, of a closed surface, that all of it
- * faces inwards: all of which would turn the sign of distances. Surfaces that are not closed are
- * left as they are. 0, or -1: out of memory.
+ * Finds two triangles of the same three vertices, an edge of more than two triangles, an edge
+ * between triangles of opposite orientation, or a closed surface that faces inwards: each would
+ * change the sign of distances. Open surfaces are accepted. 0, or -1: out of memory.
  */
 int surface_check(const mesh *m, surface_fault *fault);
 

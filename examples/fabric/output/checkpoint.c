@@ -10,7 +10,7 @@
 
 static const sealed_kind CHECKPOINT_KIND = {"FABRICCP", 1, "a checkpoint", 1};
 
-/** What the payload begins with. */
+/** Start of the payload. */
 typedef struct prologue {
     uint64_t cloth_hash, collider_hash;
     uint64_t text_size, saved_size;

@@ -22,7 +22,7 @@
 
 #include "step/simulation.h"
 
-/** What a run is beside its simulation. */
+/** State of a run, except its simulation. */
 typedef struct run_record {
     long step;      /* steps of the scene done */
     long frames;    /* how many states are kept for pictures */
@@ -42,12 +42,12 @@ typedef struct checkpoint {
     void *memory; /* what checkpoint_read allocated: checkpoint_free's */
 } checkpoint;
 
-/** Writes beside `path`, then renames. 0, or -1 after a message: an older file is as it was. */
+/** Writes a temporary file and renames it. 0, or -1 after a message: an older file is unchanged. */
 int checkpoint_write(const run_record *record, const scene *s, const mesh *cloth, simulation *sim,
                      const char *path);
 
-/** Reads and checks all of it but what the mesh is needed for; checkpoint_free frees it. 0, or -1
- *  after a message that says what is wrong with the file. */
+/** Reads and checks all data that do not need the mesh; checkpoint_free frees it. 0, or -1 after
+ *  a message about the defect. */
 int checkpoint_read(checkpoint *c, const char *path);
 void checkpoint_free(checkpoint *c);
 

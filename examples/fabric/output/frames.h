@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The states that `run` has kept in DIR/frames, of which the first has the triangles. */
+/** The states of `run` in DIR/frames; the first contains the triangles. */
 #ifndef FABRIC_OUTPUT_FRAMES_H
 #define FABRIC_OUTPUT_FRAMES_H
 

@@ -20,7 +20,7 @@ int fresh_file_open(fresh_file *f, const char *path) {
 }
 
 int fresh_file_sync(fresh_file *f) {
-    /* EINVAL: what is no file on a disk */
+    /* EINVAL: not a regular file */
     if (!ferror(f->file) && fflush(f->file) == 0 &&
         (fsync(fileno(f->file)) == 0 || errno == EINVAL))
         return 0;

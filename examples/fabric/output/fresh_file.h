@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Files that are written beside their name and get it when they are whole. */
+/** Files written under a temporary name and renamed when complete. */
 #ifndef FABRIC_OUTPUT_FRESH_FILE_H
 #define FABRIC_OUTPUT_FRESH_FILE_H
 
@@ -16,8 +16,8 @@ typedef struct fresh_file {
 /** Begins one. 0, or -1 after a message: then there is nothing to close. */
 int fresh_file_open(fresh_file *f, const char *path);
 
-/** Waits until what was written is on the disk. 0, or -1 after a message; fresh_file_close in
- * either case. */
+/** Waits until the data is on the disk. 0, or -1 after a message; fresh_file_close in either
+ *  case. */
 int fresh_file_sync(fresh_file *f);
 
 /** Gives the file its name where `status`, what became of it so far, is 0; else removes it. Returns

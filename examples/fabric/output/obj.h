@@ -5,8 +5,8 @@
 
 #include "mesh/mesh.h"
 
-/** Writes vertices and triangles beside `path`, then renames; numbers keep every bit. 0, or -1
- *  after a message on standard error. */
+/** Writes vertices and triangles to a temporary file and renames it; numbers keep every bit. 0,
+ *  or -1 after a message on standard error. */
 int obj_write(const mesh *m, const char *path);
 
 /**
@@ -16,7 +16,7 @@ int obj_write(const mesh *m, const char *path);
  */
 int obj_read(mesh *m, const char *path);
 
-/** The line on which triangle 0 <= triangle of such a file stands; 0: it cannot be read again. */
+/** The line of triangle 0 <= triangle in such a file; 0: it cannot be read again. */
 long obj_triangle_line(const char *path, int triangle);
 
 #endif

@@ -8,7 +8,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-/* With each step the pace forgets one part in so many of those before: contact makes later steps
+/* The pace is an exponential mean with this time constant in steps: contact makes later steps
  * slower than the first. */
 enum { STEPS_REMEMBERED = 10 };
 /* Seconds between signs of life. */
@@ -19,7 +19,7 @@ const char *const progress_styles[] = {"auto", "bar", "lines", "json", "none", N
 /* What the alarm's handler needs. A line or bar is written at once, by write(), and so is a beat.
  */
 static volatile sig_atomic_t beats;
-static char beat_begin[200]; /* what stands before the seconds */
+static char beat_begin[200]; /* text before the seconds */
 static volatile sig_atomic_t beat_ready;
 static int beat_seconds;
 
@@ -29,7 +29,7 @@ progress_style progress_resolve(progress_style style) {
     return isatty(STDERR_FILENO) ? PROGRESS_BAR : PROGRESS_LINES;
 }
 
-/* Only what is safe in a handler: no stdio. */
+/* Only functions that are safe in a handler: no stdio. */
 static void beat(int signal_number) {
     char text[sizeof beat_begin + 32], digits[12];
     size_t length = 0;
@@ -114,7 +114,7 @@ static void tell_bar(const progress *p, long step, double seconds, const char *l
     bar[WIDTH] = '\0';
     snprintf(text, sizeof text, "\r[%s] step %ld of %ld, %.1f s, %s", bar, step, p->steps, seconds,
              left);
-    fprintf(stderr, "%s\033[K", text); /* what a longer line before has left is wiped out */
+    fprintf(stderr, "%s\033[K", text); /* erases the rest of a longer line */
     strcat(text, " (");
     if (step < p->steps)
         start_beating(p, text);

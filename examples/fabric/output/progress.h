@@ -14,7 +14,7 @@ typedef enum progress_style {
 /** The styles' names, in their order, NULL after the last. */
 extern const char *const progress_styles[];
 
-/** AUTO becomes what it stands for; the others stay. */
+/** Resolves AUTO; the others stay. */
 progress_style progress_resolve(progress_style style);
 
 /** One at a time in a program: the sign of life is the process' alarm signal. */

@@ -39,17 +39,17 @@ typedef struct sealed_header {
 typedef struct sealed_kind {
     char magic[9];    /* 8 characters */
     uint32_t version; /* the one that this program writes and reads */
-    const char *name; /* "a state": what a file of this kind is, in messages */
+    const char *name; /* "a state": the kind of file, in messages */
     int durable; /* it is on the disk before it gets its name, whatever happens to the machine */
 } sealed_kind;
 
-/** Writes beside `path`, then renames: a file of that name is always whole. The header needs parts,
- * counts, time, step and payload_size; the rest is filled in. 0, or -1 after a message. */
+/** Writes a temporary file and renames it, so that a file of that name is always complete. The
+ *  header needs parts, counts, time, step and payload_size; the rest is filled in. 0, or -1
+ *  after a message. */
 int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void *payload,
                       const char *path);
 
-/** Reads the header and checks what there is to check before the payload is there. 0, or -1 after a
- *  message that says what is wrong with the file. */
+/** Reads and checks the header. 0, or -1 after a message about the defect. */
 int sealed_file_read_header(const sealed_kind *kind, sealed_header *header, FILE *file,
                             const char *path);
 

@@ -33,12 +33,12 @@ typedef struct state {
     void *memory;           /* what state_read allocated: state_free's, not for others */
 } state;
 
-/** Writes beside `path`, then renames: a file of that name is always whole. 0, or -1 after a
- *  message on standard error. */
+/** Writes a temporary file and renames it, so that a file of that name is always complete. 0, or
+ *  -1 after a message on standard error. */
 int state_write(const state *s, const char *path);
 
-/** Reads and checks all of it; state_free frees it. 0, or -1 after a message on standard error that
- *  says what is wrong with the file: not a state, torn, damaged, another version. */
+/** Reads and checks the file; state_free frees it. 0, or -1 after a message on standard error
+ *  about the defect: not a state, incomplete, damaged, another version. */
 int state_read(state *s, const char *path);
 
 void state_free(state *s);

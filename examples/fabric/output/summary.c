@@ -60,7 +60,7 @@ static json_t *rejections_of(const simulation *sim) {
     return list;
 }
 
-/** What the run went on in spite of. */
+/** Faults that the run tolerated. */
 static json_t *faults_of(const simulation *sim) {
     const run_faults f = simulation_faults(sim);
     json_t *faults =
@@ -70,7 +70,7 @@ static json_t *faults_of(const simulation *sim) {
                   f.greatest_strain, "deepest", f.deepest, "starts_inside", "vertices",
                   (json_int_t)f.start_inside, "deepest", f.start_depth, "solved_directly",
                   (json_int_t)f.solved_directly);
-    if (!f.watched) { /* the monitor is off: nobody knows */
+    if (!f.watched) { /* unknown, because the monitor is off */
         json_object_del(faults, "greatest_strain");
         json_object_del(faults, "deepest");
         json_object_del(faults, "starts_inside");

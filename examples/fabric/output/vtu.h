@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Frames of a run as VTK's XML files, a file for each frame, which ParaView reads. All are written
- *  beside, then renamed. Functions return 0, or -1 after a message on standard error. */
+/** Frames of a run as VTK XML files for ParaView, one file per frame. Temporary files are
+ *  renamed when all are complete. Functions return 0, or -1 after a message on standard error. */
 #ifndef FABRIC_OUTPUT_VTU_H
 #define FABRIC_OUTPUT_VTU_H
 
@@ -9,7 +9,8 @@
 /** A frame as an unstructured grid, ASCII. */
 int vtu_write(const cloth_frames *frames, const state *s, const char *path);
 
-/** The collection of `frames`' .vtu files: file[k], a name beside `path`, at time[k]. */
+/** The collection of the .vtu files of `frames`: file[k], a name in the folder of `path`, at
+ *  time[k]. */
 int pvd_write(const cloth_frames *frames, char (*file)[32], const char *path);
 
 #endif

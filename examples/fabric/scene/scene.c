@@ -124,7 +124,7 @@ static int check_whole(const scene_source *from, scene *s) {
     return read_surfaces(from, s);
 }
 
-/** Forgets what was read from files, to be read anew. */
+/** Frees data from files, to be read again. */
 static void free_meshes(scene *s) {
     for (int n = 0; n < s->collider_count; n++) {
         surface_free(s->colliders[n].surface);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What is simulated: read from a scene file (YAML, docs in scenes/README.md). SI units. */
+/** A scene, read from a file (YAML, docs in scenes/README.md). SI units. */
 #ifndef FABRIC_SCENE_H
 #define FABRIC_SCENE_H
 
@@ -34,13 +34,13 @@ typedef struct collider {
     double gap;         /* m, cloth rests at this distance */
     char file[SCENE_FILE_SIZE]; /* mesh: of input/mesh_file.h, with its whole path */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
-    double from, until;         /* s, it is there from then until then; until 0: for good */
+    double from, until;         /* s, interval in which it exists; until 0: no end */
     double turn_axis[3];        /* unit, which it turns about by its keyframes: */
     int keyframe_count;         /* none: it moves by its velocity alone */
     keyframe *keyframes;        /* [keyframe_count]; the scene's */
 } collider;
 
-/** What tells which vertices a pin holds. */
+/** How a pin selects its vertices. */
 typedef enum pin_kind { PIN_RECTANGLE, PIN_BOX, PIN_NEAREST, PIN_VERTICES } pin_kind;
 
 typedef struct pin {
@@ -56,19 +56,19 @@ typedef struct pin {
     double until;                 /* s, it lets go then; 0: never */
 } pin;
 
-/** What a step may do before it is taken again at half the length (see monitor.h). */
+/** Limits of a step; beyond them it is repeated with half the length (see monitor.h). */
 typedef struct monitor_limits {
-    double energy;      /* gained in a step, as part of what was there and was put in */
+    double energy;      /* gain in a step, as a fraction of the present and added energy */
     double growth;      /* of a triangle's strain in a step, */
     double strain;      /* where it ends above this */
     double penetration; /* m, of a vertex into a collider */
-    int off;            /* looks at none of these, only for what is not finite or not solved */
+    int off;            /* ignores these; checks only for non-finite and unsolved steps */
 } monitor_limits;
 
 /** Where the cloth comes from, */
 typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
 
-/** and what the rest shape of one from a file is. */
+/** and the rest shape of one from a file. */
 typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
 
 /** Where bending is none: where the cloth is flat, or where it starts. */
@@ -82,11 +82,11 @@ typedef struct scene_cloth {
     int rest;                   /* sheet_rest */
     int rest_angles;            /* sheet_angles */
     struct mesh *sheet;         /* as the file has it; freed by scene_free */
-    int vertices, boundary;     /* from a file: as many as it has, and 0 */
+    int vertices, boundary;     /* from a file: its number, and 0 */
     double side;                /* m; from a file: the square root of its area */
     unsigned seed;
     mesh_order order;
-    double origin[3]; /* m, where the sheet's centre is put */
+    double origin[3]; /* m, the sheet's centre */
     double normal[3]; /* unit, the sheet's plane */
 } scene_cloth;
 
@@ -112,7 +112,7 @@ typedef struct scene_self_collision {
     double friction; /* Coulomb coefficient */
 } scene_self_collision;
 
-/** How cloth and bodies are kept apart: the order of the scene's key contact.method. */
+/** Method of contact, in the order of the values of contact.method. */
 typedef enum contact_method {
     CONTACT_CONSTRAINTS, /* vertices are constrained (collision.h), and impulses given (impact.h) */
     CONTACT_BARRIER      /* by an energy: barrier.h */

@@ -42,7 +42,7 @@ static int compare_values(comparison *of, const scene_key *key, const char *path
     return differ;
 }
 
-/** Two sections or items, of which these are the structs. */
+/** Compares two sections or items by their structs. */
 static int compare_within(comparison *of, const char *a, const char *b, const scene_key *keys,
                           const char *path) {
     comparison within = {a, b, of->said, of->failed};

@@ -14,10 +14,9 @@ typedef enum value_kind {
     VALUE_VECTOR,    /* double[components] */
     VALUE_DIRECTION, /* double[3], made a unit vector when read */
     VALUE_CHOICE,    /* enum, or int: the number of the word in choices */
-    VALUE_SECTION,   /* keys of its own; a word in its place is its first key's, if that is a choice
-                      */
-    VALUE_NUMBERS,   /* int[], allocated; list: counts and frees them */
-    VALUE_LIST       /* items with keys of their own, in an allocated array */
+    VALUE_SECTION, /* nested keys; a single word is a value of the first key, if that is a choice */
+    VALUE_NUMBERS, /* int[], allocated; list: counts and frees them */
+    VALUE_LIST     /* items with keys of their own, in an allocated array */
 } value_kind;
 
 enum { TEXT_SIZE = 64, FILE_SIZE = 1024, MOST_KEYS = 32 };
@@ -29,11 +28,11 @@ typedef struct scene_list {
     size_t count_offset; /* of the int that counts the items */
     size_t item_size;
     const void *defaults;        /* an item before its keys are read */
-    void (*release)(void *item); /* frees what an item has beside itself; NULL: nothing */
+    void (*release)(void *item); /* frees allocated members of an item; NULL: none */
 } scene_list;
 
 struct scene_key {
-    const char *name; /* "": not in files; the int at offset tells of_kinds what was read */
+    const char *name; /* "": not in files; the int at offset holds the kind for of_kinds */
     value_kind kind;
     size_t offset; /* in the struct of the section, or of the list's item */
     int required;
@@ -53,7 +52,7 @@ int scene_kind(const scene_key *keys, const void *struct_);
 /** A file's outermost keys; no name after the last. */
 extern const scene_key scene_keys[];
 
-/** What a scene is before its file is read (struct scene). */
+/** Defaults of a scene (struct scene). */
 extern const struct scene scene_defaults;
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "scene.h"
 
-/** The mesh as the file has it, checked, with what is wrong said on standard error; to be freed by
+/** The checked mesh of the file, with defects printed on standard error; to be freed by
  *  mesh_free and free. NULL after a message there or in error[256]. */
 mesh *scene_sheet_read(const char *path, int rest, char *error);
 

@@ -78,7 +78,7 @@ static void describe_range(char text[MESSAGE_SIZE], const scene_key *key) {
                  key->low, key->high);
 }
 
-/** What a value must be, in words. */
+/** Describes the valid values. */
 static void describe(char text[MESSAGE_SIZE], const scene_key *key) {
     char range[MESSAGE_SIZE - 64] = "";
     text[0] = '\0';
@@ -149,7 +149,7 @@ static int read_vector(const scene_source *from, const yaml_node_t *node, const 
                                   "'%s' has no direction, expected a vector other "
                                   "than 0",
                                   path);
-        /* What was written as a unit vector is read as the same bits. */
+        /* A unit vector that was written is read with the same bits. */
         for (int k = 0; k < 3 && !(fabs(length - 1.0) < 4 * DBL_EPSILON); k++)
             value[k] /= length;
     }
@@ -206,7 +206,7 @@ static void free_items(const scene_list *list, char *items, long count) {
     free(items);
 }
 
-/** Whole numbers, in memory of their own that takes the place of what was there. */
+/** Whole numbers, in a new array that replaces the old one. */
 static int read_numbers(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                         char *target, const char *path) {
     char expected[MESSAGE_SIZE];

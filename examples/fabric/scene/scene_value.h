@@ -9,8 +9,8 @@
 
 enum { PATH_SIZE = 128 };
 
-/** A document being read. Messages begin with "file:line: ", or, where there is no file, with
- *  `source` and ": ". */
+/** A document being read. Messages begin with "file:line: ", or without a file with `source` and
+ *  ": ". */
 typedef struct scene_source {
     const char *source;
     int has_lines;
@@ -21,8 +21,8 @@ typedef struct scene_source {
 int scene_complain(const scene_source *from, const yaml_node_t *node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** The key of this name that items of this kind have (kind < 0: any); NULL after a message that
- *  names the valid ones. `path`: of what the key stands in, "" outermost. */
+/** The key of this name for items of this kind (kind < 0: any); NULL after a message with the
+ *  valid names. `path`: of the enclosing section, "" outermost. */
 const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *node,
                                 const scene_key *keys, int kind, const char *name,
                                 const char *path);
@@ -31,7 +31,7 @@ const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *nod
 int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                        void *target, const char *path);
 
-/** Reads one value; a list replaces what was there. 0, or -1 after a message. `path`: its key's. */
+/** Reads one value; a list replaces the old one. 0, or -1 after a message. `path`: of the key. */
 int scene_read_value(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                      void *target, const char *path);
 

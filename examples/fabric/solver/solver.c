@@ -215,7 +215,7 @@ static void spread_given(const constraints *c, double (*z)[3]) {
             z[i][a] = constraint_change(c, i)[a];
 }
 
-/* |b - A z| in the preconditioner's norm, squared: what the residual is measured against. */
+/* |b - A z| in the preconditioner's norm, squared: the reference for the residual. */
 static double reference_square(solver *s, const linear_system *system, const constraints *c,
                                int driven) {
     if (driven) {
@@ -245,8 +245,9 @@ static solver_status iterate_to(double goal, solver *s, const linear_system *sys
     }
 }
 
-/* residual = b - A dv, with what the constraints take. The iteration keeps S r only: along given
- * directions r may be larger by many orders, and its rounding would drown the rest. */
+/* residual = b - A dv, including the forces of constraints. The iteration holds only S r: along
+ * given directions r may be larger by orders of magnitude, whose rounding errors would
+ * dominate. */
 void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]) {
     clear(s->product, s->count);
     half_product(&system->A, dv, s->product);

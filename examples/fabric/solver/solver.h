@@ -29,16 +29,16 @@ typedef enum preconditioner_kind { /* the order of the scene's key solution.prec
 
 typedef enum solver_precision { /* the order of the scene's key solution.precision */
                                 PRECISION_DOUBLE,
-                                PRECISION_FLOAT, /* the iteration is in float, and so is what it
-                                                    believes its residual to be */
+                                PRECISION_FLOAT, /* iteration in float, which overestimates its
+                                                    accuracy */
                                 PRECISION_MIXED  /* the same, repeated on the residual in double
                                                     until that is small enough */
 } solver_precision;
 
 typedef enum solver_method { /* the order of the scene's key solution.method */
                              METHOD_CONJUGATE_GRADIENTS,
-                             METHOD_DIRECT /* sparse Cholesky by CHOLMOD, where it is built in;
-                                              double only */
+                             METHOD_DIRECT /* sparse Cholesky by CHOLMOD, if built with it; double
+                                              only */
 } solver_method;
 
 typedef struct solver_options {
@@ -59,7 +59,7 @@ typedef struct solver {
     double (*inverse)[6];                  /* P's blocks: xx xy xz yy yz zz */
     double *sum_direction, *sum_residual;  /* [chunks] partial sums of p'Ap and r'Pr */
     solver_options options;
-    /* What the options call for, NULL but for one at most; block-Jacobi in double needs none. */
+    /* Data of the chosen method, at most one not NULL; block-Jacobi in double needs none. */
     struct domain_solver *domains; /* Gauss-Seidel in double */
     struct packed_solver *packed;  /* other conjugate gradients */
     struct direct_solver *direct;  /* METHOD_DIRECT */
@@ -80,14 +80,14 @@ int solver_choose(solver *s, const block_matrix *A, const solver_options *option
 void solver_free(solver *s);
 
 /**
- * How far dv is from the solution: |S (b - A dv)| in the preconditioner's norm, sqrt(kg) m/s, and
- * in *reference |S (b - A z)|, what a relative tolerance goes by. dv is first made to meet the
- * constraints. s->residual holds S (b - A dv) afterwards.
+ * The error of dv: |S (b - A dv)| in the preconditioner's norm, sqrt(kg) m/s, and in *reference |S
+ * (b - A z)|, to which tolerances are relative. First projects dv onto the constraints. Leaves S (b
+ * - A dv) in s->residual.
  */
 double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
                      double *reference);
 
-/** s->residual = b - A dv, with what the constraints take. */
+/** s->residual = b - A dv, including the forces of constraints. */
 void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
 
 /**

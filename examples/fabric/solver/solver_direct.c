@@ -11,8 +11,8 @@
 
 #include "solver_parts.h"
 
-/* OpenBLAS, where that is the BLAS: its threads cost more than they bring on these fronts, and
- * their number would show in the bits. */
+/* If the BLAS is OpenBLAS: its threads cost more than they gain on these fronts, and their
+ * number would change bits. */
 extern void openblas_set_num_threads(int count) __attribute__((weak));
 
 struct direct_solver {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The direct solution: sparse Cholesky factorisation by CHOLMOD (SuiteSparse), where fabric is
- *  built with it. */
+/** Direct solution: sparse Cholesky factorisation by CHOLMOD (SuiteSparse), if built with it. */
 #ifndef FABRIC_SOLVER_DIRECT_H
 #define FABRIC_SOLVER_DIRECT_H
 
@@ -15,12 +14,12 @@ int direct_solver_available(void);
 direct_solver *direct_solver_new(const block_matrix *A, char *error);
 void direct_solver_free(direct_solver *d);
 
-/** The multiplications that one solution takes: of the factorisation and of the two triangular
- *  systems. Of the layout alone: the same on every machine. */
+/** Multiplications of one solution: the factorisation and two triangular systems. Depends on the
+ *  sparsity pattern only. */
 double direct_solver_work(const direct_solver *d);
 
-/** *held: the bytes that d has allocated; *more: those that its first solution allocates beside
- * them, the factor and the workspace of factorising, as its layout says. */
+/** Memory by the sparsity pattern, bytes. *held: allocated for d; *more: allocated by its first
+ *  solution (factor and workspace). */
 void direct_solver_memory(const direct_solver *d, double *held, double *more);
 
 /** As solver_solve, which calls it, to rounding; counts a factorisation as one iteration.

@@ -19,7 +19,7 @@
 #include "solver_parts.h"
 #include "system/sparse_product.h"
 
-/* The first half of r = (I + U)^-T r: what is left are the odd domains. */
+/* The first half of r = (I + U)^-T r; the odd domains follow. */
 static void sweep_even_down(domain_solver *d, double (*r)[3]) {
 #pragma omp parallel for schedule(static)
     for (int domain = 0; domain < d->count; domain += 2)
@@ -47,7 +47,7 @@ static void add_correction(domain_solver *d, double (*dv)[3]) {
     domain_add_correction(d, dv);
 }
 
-/* correction = 0, p = the residual, and what an iteration begins with. */
+/* correction = 0, p = the residual, and the initial vectors of an iteration. */
 static void begin(domain_solver *d) {
     const size_t size = sizeof(double[3]) * (size_t)d->A->row_count;
     memset(d->correction, 0, size);

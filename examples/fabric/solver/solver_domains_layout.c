@@ -23,7 +23,7 @@ static int is_odd(const domain_solver *d, int vertex) {
     return d->domain[vertex] % 2;
 }
 
-/* What a block of A belongs to. One from an odd domain to an even one is transposed there. */
+/* Target of a block of A. Blocks from odd to even domains are transposed. */
 static block_matrix *home_of(domain_solver *d, int row, int column) {
     if (row != column && d->domain[row] == d->domain[column])
         return &d->within;
@@ -111,7 +111,7 @@ domain_solver *domain_solver_divided(const block_matrix *A, int count, const int
                 d->domain[i] = k;
         if (lay_out(d, &d->within) == 0 && lay_out(d, &d->across) == 0 &&
             lay_out(d, &d->between) == 0 && lay_out_columns(d) == 0) {
-            /* the diagonal is there in any case */
+            /* the diagonal always exists */
             d->has_between = d->between.block_count > A->row_count;
             return d;
         }

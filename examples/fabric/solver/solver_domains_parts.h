@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the files of this solver share: its layout, and the passes that its iteration is made of, of
- * one domain each unless they say otherwise. Passes of different domains of a kind, even or odd,
- * may run at the same time; what a pass of one kind reads of the other has to be there before.
+ * Shared by the files of this solver: its layout, and the passes of an iteration, each over one
+ * domain unless stated otherwise. Passes over different domains of a kind, even or odd, may run in
+ * parallel; the other kind must be complete before.
  */
 #ifndef FABRIC_SOLVER_DOMAINS_PARTS_H
 #define FABRIC_SOLVER_DOMAINS_PARTS_H
@@ -37,13 +37,13 @@ struct domain_solver {
     double *sum_direction, *sum_residual; /* [count] partial sums of p . image and r . r */
 };
 
-/** How many domains a cloth of so many vertices has, */
+/** Number of domains of a cloth with this number of vertices, */
 int domain_count(int vertices);
 /** and the first vertex of one; of domain_count: vertices. */
 int domain_start(int vertices, int domain);
 
-/** For domains that begin at start [count + 1], vertices of A: NULL when memory is out. Where A is
- *  a part of a cloth, as many as the whole has; those of other parts may be empty or in part. */
+/** Domains begin at start [count + 1], vertices of A; NULL: out of memory. If A is a part of a
+ *  cloth, the domains are those of the whole; domains of other parts may be empty or incomplete. */
 domain_solver *domain_solver_divided(const block_matrix *A, int count, const int *start);
 
 /** All matrices from A, and roots. */
@@ -77,7 +77,7 @@ double domain_advance(domain_solver *d, int domain, double alpha);
 /** p = residual + beta p */
 void domain_turn(domain_solver *d, int domain, double beta);
 
-/** dv += what the correction, swept up, is in the system's own terms, of all vertices. */
+/** dv += the correction after its upward sweep, in the units of the system, for all vertices. */
 void domain_add_correction(const domain_solver *d, double (*dv)[3]);
 
 #endif

@@ -19,8 +19,8 @@ static inline void subtract_row(const block_matrix *U, int row, const double (*x
     t[2] = t2;
 }
 
-/* Rows from the last, each from its first block on, are no order that the hardware's prefetchers
- * foresee: a row of the matrix is fetched when so many others are still before it. */
+/* Hardware prefetchers do not predict rows in descending order with ascending blocks: a row is
+ * fetched this number of rows ahead. */
 enum { ROWS_AHEAD = 16 };
 
 void domain_sweep_up(const domain_solver *d, int domain, const double (*from)[3], double (*to)[3]) {
@@ -57,7 +57,8 @@ void domain_sweep_down(const domain_solver *d, int domain, double (*r)[3]) {
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
         subtract_column(d, i, r); /* of an even domain: empty */
         for (int k = U->row_start[i]; k < U->row_start[i + 1]; k++) {
-            /* Read here, not once a row: a row by itself is too short to be a loop for threads. */
+            /* Read here instead of once per row, because a row is too short for a parallel
+             * loop. */
             const double w0 = r[i][0], w1 = r[i][1], w2 = r[i][2];
             double *y = r[U->column[k]];
             const double(*u)[3] = (const double(*)[3])U->value[k];

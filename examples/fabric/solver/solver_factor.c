@@ -9,8 +9,8 @@
 #include "base/matrix3.h"
 #include "solver_precondition.h"
 
-/* A pivot that incomplete factorisation reduces to less than this part of what it was breaks it
- * down: the factor would be next to singular. */
+/* Incomplete factorisation breaks down if it reduces a pivot to less than this fraction: the
+ * factor would be nearly singular. */
 static const double least_pivot = 1e-2;
 /* The first shift; each breakdown doubles it. With 0.001 and 0.01 some matrices of the scene
  * `hanging` broke down, with 0.1 none did. */
@@ -113,7 +113,7 @@ static void diagonal_roots(factored *f, const block_matrix *A, preconditioner_ki
     }
 }
 
-/* C^-1 of what is left of row i's diagonal block; 0, or -1: broken down. */
+/* C^-1 of the remainder of row i's diagonal block; 0, or -1: broken down. */
 static int reduced_root(factored *f, const block_matrix *A, int i) {
     double least[3], left[3][3];
     const double(*whole)[3] = (const double(*)[3])f->upper[A->row_start[i]];
@@ -167,7 +167,7 @@ static int factorise(factored *f, const block_matrix *A) {
     return 0;
 }
 
-/* left C^-T, and C^-1 from the left as well where asked for. */
+/* left C^-T, with C^-1 from the left if requested. */
 static void scale_block(const double left_root[3][3], const double right_root[3][3], int both,
                         double block[3][3]) {
     double half[3][3];
@@ -201,7 +201,7 @@ void factored_build(factored *f, const block_matrix *A, const constraints *c,
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             prefiltered_block(A, c, i, k, f->upper[k]);
     if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) {
-        /* With a shift of 2^20 nothing is left to break down but what is not finite. */
+        /* With a shift of 2^20 only non-finite values can break it down. */
         for (f->shift = first_shift; factorise(f, A) != 0 && f->shift < 1e6;)
             f->shift *= 2;
     } else

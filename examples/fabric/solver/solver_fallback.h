@@ -7,16 +7,16 @@
 
 #include "solver.h"
 
-/** Empty at first; what it needs is made at the first solution that does not converge. */
+/** Empty at first; allocated at the first solution that does not converge. */
 typedef struct solver_fallback {
     struct direct_solver *direct;
     int failed;  /* there is no direct solution to be had: not built in, or no memory */
-    int costly;  /* it was looked at, and is more work than the iteration */
+    int costly;  /* it was estimated, and costs more than the iteration */
     int next;    /* this many systems are solved directly before the iteration is tried again */
     long solved; /* systems solved directly, in all */
 } solver_fallback;
 
-/** A system that took as many is weighed against its direct solution. */
+/** After this number of iterations the cost of a direct solution is estimated. */
 enum { SOLVER_MANY_ITERATIONS = 1000 };
 
 /** As solver_solve; what does not converge within the limits is solved directly, and so are the

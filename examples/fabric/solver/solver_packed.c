@@ -114,9 +114,8 @@ static double transform(packed_solver *p, const double (*r)[3]) {
                                                     : float_transform(&p->in_float, p->A, kind, r);
 }
 
-/* dv += the solution for the residual made ready. Rounding (a float's above all) puts a little of
- * it along given directions, where no residual would ever show it: the constraints are made good.
- */
+/* dv += the solution for the prepared residual. Rounding, especially in float, adds small
+ * components along given directions, which the residual does not show; they are projected out. */
 static solver_status iterate(packed_solver *p, const constraints *c, double square, double goal,
                              long most, double (*dv)[3], long *iterations) {
     const preconditioner_kind kind = p->options.preconditioner;

@@ -211,7 +211,7 @@ static double PACKED(transform)(const PACKED(system) * s, const block_matrix *A,
     return sum;
 }
 
-/* dv += what the correction is in the system's own terms. */
+/* dv += the correction in the units of the system. */
 static void PACKED(add_correction)(const PACKED(system) * s, const block_matrix *A,
                                    preconditioner_kind kind, double (*dv)[3]) {
     const REAL(*W)[3][3] = PACKED(swept_blocks)(s, kind);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the methods of solution share. */
+/** Shared by the methods of solution. */
 #ifndef FABRIC_SOLVER_PARTS_H
 #define FABRIC_SOLVER_PARTS_H
 
@@ -17,7 +17,7 @@ int solver_apply(const constraints *c, double (*dv)[3]);
 /** r = S r, every vertex. */
 void solver_filter(const constraints *c, double (*r)[3]);
 
-/** s->residual = S (b - A z), which a relative tolerance goes by; `which` is solver_apply's. */
+/** s->residual = S (b - A z), the reference of a relative tolerance; `which` is solver_apply's. */
 void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
                                int which);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Preconditioning within the constraints: block-Jacobi whole, and what the others begin with. */
+/** Preconditioning with constraints: all of block-Jacobi, and the first part of the others. */
 #ifndef FABRIC_SOLVER_PRECONDITION_H
 #define FABRIC_SOLVER_PRECONDITION_H
 
@@ -15,7 +15,7 @@
  */
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]);
 
-/** Block k, of row i, of S A S + s (I - S), any s > 0: what stands for A within the constraints
+/** Block k of row i of S A S + s (I - S), any s > 0, which replaces A with constraints
  *  (Tamstorf, Jones and McCormick 2015). */
 void prefiltered_block(const block_matrix *A, const constraints *c, int i, int k, double out[3][3]);
 

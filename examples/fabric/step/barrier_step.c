@@ -15,10 +15,9 @@
 
 /* Newton's method ends with a change of no more than this part of the least reach. */
 static const double still_part = 1e-3;
-/* Nothing moves further at once than so many mean edges: what it sweeps has to be looked through.
- */
+/* Largest displacement in an iteration, in mean edges: it bounds the swept boxes. */
 static const double most_edges = 2;
-/* A way is looked through for so many times what Newton's method says. */
+/* Pairs are searched along this multiple of Newton's displacement. */
 static const double most_stretch = 4;
 enum { most_halvings = 40, most_drives = 60, most_iterations = 300 };
 
@@ -173,7 +172,7 @@ static double potential(simulation *sim, const double (*x)[3]) {
            barrier_friction(&s->contact, sim->step.h, x);
 }
 
-/* The system for the change of dv at b->x, towards which what is driven goes its way. */
+/* The system for the change of dv at b->x, with driven vertices moving to their goals. */
 static int assemble(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
@@ -204,7 +203,7 @@ static int assemble(simulation *sim) {
     return 0;
 }
 
-/* Where all want to go, from the linear system; *most: m, of what is free. */
+/* Displacements from the linear system; *most: m, the largest of a free vertex. */
 static solver_status find_way(simulation *sim, double *most) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
@@ -229,7 +228,7 @@ static solver_status find_way(simulation *sim, double *most) {
     return status == SOLVER_NOT_FINITE || !isfinite(longest) ? SOLVER_NOT_FINITE : SOLVER_CONVERGED;
 }
 
-/* The longest way of all, or of what is driven alone, m. */
+/* The largest displacement of all vertices or of driven ones, m. */
 static double longest_way(const barrier *b, int driven_alone) {
     double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most)
@@ -241,7 +240,7 @@ static double longest_way(const barrier *b, int driven_alone) {
     return most;
 }
 
-/* x: b->x and part of the way; `arrives`: what is driven is where it ends the step, exactly. */
+/* x = b->x + part of the displacement; `arrives`: driven vertices are exactly at their goals. */
 static void go(const barrier *b, double part, int arrives, double (*x)[3]) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)
@@ -251,7 +250,7 @@ static void go(const barrier *b, double part, int arrives, double (*x)[3]) {
             vector_add_scaled(b->x[i], part, b->way[i], x[i]);
 }
 
-/* sum a.b over what is free */
+/* sum a.b over free vertices */
 static double free_dot(const simulation *sim, const double (*a)[3], const double (*b)[3]) {
     const unsigned char *driven = sim->barrier->contact.driven;
     const int count = sim->mesh->vertex_count;
@@ -263,9 +262,9 @@ static double free_dot(const simulation *sim, const double (*a)[3], const double
     return chunk_sum_all(count, sum);
 }
 
-/* From Newton's direction z to one that is conjugate to the last: z + f d, f = z.(r - r') / z'.r',
- * where r is -dE/d(dv) and ' means before (Polak and Ribiere's f). The projected Hessian is too
- * stiff where what is left out of it is below 0; alone it takes three times as many systems. */
+/* Makes Newton's direction z conjugate to the last one: z + f d, f = z.(r - r') / z'.r', with r
+ * = -dE/d(dv) and ' for the previous iteration (Polak and Ribiere). The projected Hessian omits
+ * negative terms and is too stiff; without conjugation three times as many systems are needed. */
 static void turn_conjugate(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier_descent *d = &s->descent;
@@ -291,7 +290,7 @@ static void turn_conjugate(simulation *sim) {
             b->way[i][a] = sim->step.h * d->direction[i][a];
 }
 
-/* Where the parabola is lowest that begins with this slope and has changed so much after `part`. */
+/* Minimum of the parabola with this slope at 0 and this change after `part`. */
 static double lowest_part(double slope, double change, double part, double most) {
     const double curvature = 2 * (change - slope * part) / (part * part);
     return curvature > 0 ? fmin(most, -slope / curvature) : most;
@@ -320,8 +319,8 @@ static int descend(simulation *sim, double newton, double most) {
     return 1;
 }
 
-/* What the barrier takes, and what bodies do, in the step: the force that holds each is what the
- * elements do not balance. The pins' share is what the constraints' residual says. */
+/* Energy of the barrier and work of bodies in the step: a body is held by the force that the
+ * elements leave unbalanced. The work of pins follows from the constraints' residual. */
 static void settle(simulation *sim) {
     barrier_step *s = sim->barrier;
     const barrier *b = &s->contact;
@@ -340,8 +339,8 @@ static void settle(simulation *sim) {
            (size_t)sim->mesh->vertex_count * sizeof *sim->solver.residual);
 }
 
-/* One iteration, which always changes something: however short the step, the cloth falls.
- * CONVERGED: nothing is left to be done; TOO_MANY_ITERATIONS: go on. */
+/* One iteration, which always changes something: in the shortest step, too, the cloth falls.
+ * CONVERGED: the step is done; TOO_MANY_ITERATIONS: continue. */
 static solver_status iterate(simulation *sim, int number) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
@@ -355,7 +354,7 @@ static solver_status iterate(simulation *sim, int number) {
         s->descent.along = 0;
     else
         turn_conjugate(sim);
-    /* What is looked through is up to so many times Newton's way, within the longest. */
+    /* Searches along a multiple of Newton's displacement, up to the largest. */
     const double reach = fmin(drive > 0 ? 1 : most_stretch, s->longest_way / longest_way(b, 0));
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)

@@ -35,17 +35,17 @@ typedef struct barrier_step {
     barrier_system system;
     double (*base)[3][3]; /* [blocks of the cloth's matrix] C */
     double (*base_b)[3];  /* [vertices] b */
-    double (*dv)[3];      /* [vertices] m/s, that the positions looked at need */
+    double (*dv)[3];      /* [vertices] m/s, change of velocity for the current trial positions */
     double (*product)[3]; /* [vertices] C dv */
     double (*still)[3];   /* [vertices] 0 m/s */
-    double (*change)[3];  /* [vertices] m/s, of dv: what a linear system gave */
+    double (*change)[3];  /* [vertices] m/s, solution of the linear system */
     double begin_energy;  /* J, of the barrier where the step began */
-    double work;          /* J, that bodies did in the step, less what the barrier took of it */
+    double work;          /* J, work of bodies in the step, less the energy that the barrier took */
     double (*trial)[3];   /* [surface's vertices] m */
     barrier_descent descent;
     double still_way;                  /* m, a way that is none */
     double longest_way;                /* m, of a vertex in an iteration */
-    int blocked;                       /* what is driven could not get to where it ends the step */
+    int blocked;                       /* driven vertices could not reach their goals */
     const volatile sig_atomic_t *stop; /* not 0: the step is to end at once; NULL: never */
     unsigned char *kept; /* [kept_size] where there is `stop`: the simulation before the step */
     size_t kept_size;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a cloth is made of, for as long as its simulation lasts. */
+/** Elements and masses of a cloth, constant during a simulation. */
 #ifndef FABRIC_CLOTH_ELEMENTS_H
 #define FABRIC_CLOTH_ELEMENTS_H
 

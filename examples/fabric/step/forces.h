@@ -7,21 +7,20 @@
 #include "simulation.h"
 
 /**
- * Fills sim->system: A = M + h D + h^2 K and b = h (m g + f(x)) - (h^2 K + h D) lag, with
- * K = -df/dx and D = -df/dv taken at x. Drag, which has no K, goes by v instead of lag. Charges
- * each effect its seconds.
+ * Fills sim->system: A = M + h D + h^2 K and b = h (m g + f(x)) - (h^2 K + h D) lag, with K =
+ * -df/dx and D = -df/dv at x. Drag has no K and uses v instead of lag. Adds the time to each
+ * effect.
  */
 void forces_assemble(simulation *sim, const expansion *at);
 
-/** The same in two parts, for an incremental potential: all that goes by velocities or acts from
- *  outside, and is expanded about the step's start alone, */
+/** The same in two parts, for an incremental potential: forces that depend on velocities or are
+ *  external, expanded about the beginning of the step only, */
 void forces_assemble_lagged(simulation *sim, const expansion *at);
-/** and, added to what is in sim->system, what has an energy: stretch, shear, bend and their limit.
- */
+/** and, added to sim->system, forces with an energy: stretch, shear, bend and their limit. */
 void forces_add_elastic(simulation *sim, const expansion *at);
 
-/** Adds what the solution dv showed to be missing, effects that begin within the step; returns how
- *  many elements that is. The system is to be solved again then. */
+/** Adds elements of effects that begin within the step, as the solution dv shows; returns their
+ *  number. The system must then be solved again. */
 int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
 #endif

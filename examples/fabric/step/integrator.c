@@ -141,7 +141,7 @@ static solver_status solve_stage(simulation *sim) {
                                  &limits, sim->step.dv, &sim->account.iterations);
 }
 
-/* Newton's method finds such forces by itself, at the states it goes through. */
+/* Newton's method detects such forces at the states that it visits. */
 static int add_missed_forces(simulation *sim) {
     const expansion start = {sim->step.h, read_only(sim->state.x), read_only(sim->state.v),
                              read_only(sim->state.v)};

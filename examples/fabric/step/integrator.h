@@ -25,7 +25,7 @@ typedef enum integrator_kind { /* the order of the scene's key time.integrator *
                                INTEGRATOR_MIDPOINT
 } integrator_kind;
 
-/** What an integrator remembers; the arrays are NULL for those that need none. */
+/** State of an integrator; arrays that it does not need are NULL. */
 typedef struct integrator_memory {
     integrator_kind kind;
     int two_states;           /* BDF2: the stage under way rests on two states, not one */
@@ -34,7 +34,7 @@ typedef struct integrator_memory {
     double h_before;          /* BDF2: s, the step from there to the last; 0: there is none */
     double (*base_x)[3];      /* [vertices] m, X */
     double (*base_v)[3];      /* [vertices] m/s, V */
-    double (*at_x)[3];        /* [vertices] m, where forces are taken: X + tau v */
+    double (*at_x)[3];        /* [vertices] m, positions at which forces are evaluated: X + tau v */
     double (*at_v)[3];        /* [vertices] m/s, v */
     double (*lag)[3];         /* [vertices] m/s */
     double (*last)[3];        /* [vertices] m/s, dv of the iteration before */
@@ -50,8 +50,8 @@ void integrator_free(integrator_memory *memory);
  *  of them are finite. */
 int integrator_move(simulation *sim);
 
-/** The step ends at x_next and v_next: remembers the state it started from, where that is needed.
- *  To be called before x, v and the step's contacts are changed. */
+/** The step ends at x_next and v_next: stores the state at its beginning, if needed. Must be
+ *  called before x, v and the step's contacts change. */
 void integrator_accept(simulation *sim);
 
 #endif

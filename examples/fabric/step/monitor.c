@@ -51,7 +51,7 @@ static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
     return stretch + shear + bend;
 }
 
-/* Of what acts from outside: gravity, outer forces, constraints, friction. */
+/* Work of external forces: gravity, outer forces, constraints, friction. */
 static double outside_work(const monitored_step *step, const scene *s) {
     const int count = step->collisions->vertex_count;
     double work = 0;
@@ -99,15 +99,15 @@ static monitor_verdict complain(monitor *m, monitor_verdict verdict, double valu
     return verdict;
 }
 
-/* A step that cannot be halved any more is taken as it is, and what is wrong with it is noted. */
+/* A step of the shortest length is accepted, and its fault is counted. */
 static int tolerates(monitor *m, const monitored_step *step, monitor_verdict verdict) {
     const int is_contact = verdict == STEP_PASSING || verdict == STEP_PENETRATION;
     m->tolerated[verdict] = step->shortest || (is_contact && step->futile);
     return m->tolerated[verdict];
 }
 
-/* Neither the step nor all steps together may gain more than this part of what there was and was
- * put in: little in each step comes to much, the more so where steps are short. */
+/* Neither a step nor all steps together may gain more than this fraction of the energy that
+ * existed and was added: small gains add up, especially in short steps. */
 static int keeps_energy(monitor *m, double part) {
     const double given = m->reference + fabs(m->work), most = part * given + m->noise;
     const double in_step = m->next_energy - m->energy - m->work, in_all = m->next_energy - given;

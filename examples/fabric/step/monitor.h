@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What a step must keep to, and whether it did. A step is bad that
+ * Checks each step. A step is bad if it
+ *
  *  - ends in an infinity or not-a-number, or has no converged solution;
  *  - stretches a triangle by more than a limit, unless the cloth stays below a harmless strain;
  *  - has gained more energy than gravity, wind, pins and colliders put in: with E kinetic and
  *    elastic energy and W their work, E' - E - W > limit (E_0 + sum |W|); or ends with more than
  *    all steps were given, E' > (1 + limit) (E_0 + sum |W|);
- *  - ends with a vertex deeper in a collider than a limit, and deeper than it was;
+ *  - ends with a vertex deeper in a collider than a limit, and deeper than before;
  *  - lets cloth pass through itself or through a collider.
- * Nothing here changes the state, so a step that is accepted has the bits it has without.
+ *
+ * The state is not changed, so an accepted step has the same bits as without the monitor.
  */
 #ifndef FABRIC_MONITOR_H
 #define FABRIC_MONITOR_H
@@ -26,11 +28,11 @@ typedef enum monitor_verdict {
     STEP_ENERGY,
     STEP_PENETRATION,
     STEP_PASSING,
-    STEP_NO_ROOM, /* with `contact: barrier`: what is driven could not get where it should */
+    STEP_NO_ROOM, /* with `contact: barrier`: driven vertices could not reach their goals */
     STEP_VERDICT_COUNT
 } monitor_verdict;
 
-/** What the monitor looks at: the step's two ends. All by reference. */
+/** Input of the monitor: both ends of the step, by reference. */
 typedef struct monitored_step {
     double h;           /* s */
     double stage_h;     /* s, of the integrator's stage */
@@ -45,21 +47,21 @@ typedef struct monitored_step {
     const collisions *collisions;
     solver_status status;
     int passing;  /* pairs of the cloth that pass through each other in the step */
-    int watched;  /* else only `finite`, `status` and `passing` are looked at */
+    int watched;  /* otherwise only `finite`, `status` and `passing` are checked */
     int finite;   /* all of x_next and v_next */
     int shortest; /* the step cannot be halved any more, */
-    int futile;   /* or shorter ones have not kept cloth and bodies apart (monitor_futile_parts) */
+    int futile; /* or shorter ones did not keep cloth and bodies separate (monitor_futile_parts) */
 } monitored_step;
 
 typedef struct monitor {
     const scene *scene;
     double strain, energy, depth; /* of the state accepted last: largest, J, m */
     double reference;             /* J, E_0 + sum |W| */
-    double noise;                 /* J, what the rounding of positions may make of nothing */
+    double noise;                 /* J, bound on the error by rounded positions */
     /* of the step checked last */
     double next_strain, next_energy, next_depth, work;
-    double value, limit;               /* what was too much, and what would not have been */
-    int tolerated[STEP_VERDICT_COUNT]; /* what it let pass because the step was the shortest */
+    double value, limit;               /* the value and its limit */
+    int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in the shortest step */
     long in_vain;                      /* steps accepted in a row in which something passed */
     /* of all steps accepted */
     long let_pass[STEP_VERDICT_COUNT];
@@ -78,10 +80,10 @@ void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 monitor_verdict monitor_check(monitor *m, const monitored_step *step);
 
 /**
- * Steps of how many of the least parts of a scene's step need not be halved for what passes or
- * goes into a body: 1 at first, and twice as many each time 32 steps in a row were let pass. What
- * two bodies squeeze passes however short the steps are; to go on in the shortest ones would cost
- * a thousand times as much and end no better.
+ * The step length, in least parts of the scene's step, below which passing or penetration causes no
+ * more halving: 1 at first, doubled after each 32 accepted faults in a row. Cloth squeezed by two
+ * bodies passes in steps of any length; the shortest ones would take a thousand times as long and
+ * end no better.
  */
 int monitor_futile_parts(const monitor *m);
 

@@ -51,7 +51,7 @@ static int has_friction(const scene *s) {
     return 0;
 }
 
-/* What is on in a step that begins at `time`. */
+/* The effects of a step that begins at `time`. */
 static void switch_effects(simulation *sim, double time) {
     const scene *s = sim->scene;
     const int blows = time >= s->surroundings.wind_from &&

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Sleeping cloth: one of which no vertex was faster than the scene's `sleep` (m/s) at the end of
- * STEPS_UNTIL_SLEEP steps in a row stays where it is, and its steps cost nothing, until something
- * begins or ends (plan.h). While a collider or pin moves, or wind blows, it is awake.
+ * Sleeping cloth: if no vertex was faster than the scene's `sleep` (m/s) at the end of
+ * STEPS_UNTIL_SLEEP steps in a row, the cloth stays unchanged, at no cost, until something begins
+ * or ends (plan.h). It is awake while a collider or pin moves or wind blows.
  */
 #ifndef FABRIC_REST_H
 #define FABRIC_REST_H

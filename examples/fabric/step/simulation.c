@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The loop of figure 2 of the paper. A step that fails - no solution, or a cloth that is torn apart
- * - is taken again at half the length; lengths are the scene's step over powers of two, so every
- * frame ends on the scene's grid of times (timing.h).
+ * The loop of figure 2 of the paper. A step that fails, without a solution or with torn cloth, is
+ * repeated with half the length. Lengths are the scene's step over powers of two, so every frame
+ * ends on the scene's time grid (timing.h).
  */
 #include "simulation.h"
 
@@ -139,7 +139,7 @@ static void run_phase(simulation *sim, int index, void (*run)(simulation *)) {
     team_look(&sim->team, end);
 }
 
-/* The four phases, by as many threads as make them fastest. */
+/* The four phases, with the fastest number of threads. */
 static void run_round(simulation *sim) {
     const double begun = clock_seconds(), solved = sim->account.phases[PHASE_SOLVE].seconds;
     const long iterations = sim->account.iterations;
@@ -192,7 +192,7 @@ static int is_stopped(const simulation *sim) {
     return sim->barrier && sim->barrier->stop && *sim->barrier->stop;
 }
 
-/* What the step's parts have changed is put back. */
+/* Restores the state before the step. */
 static int undo(simulation *sim, size_t size, char *error) {
     if (simulation_restore(sim, sim->barrier->kept, size) == 0)
         return 1;

@@ -28,8 +28,8 @@ typedef struct simulation simulation;
 /** A step that was taken again at half the length. */
 typedef struct rejection {
     const char *reason;  /* "energy", "strain", "penetration", "not solved", "not finite" */
-    double time, h;      /* s, where it began and its length */
-    double value, limit; /* what was too much, and what would not have been */
+    double time, h;      /* s, its beginning and its length */
+    double value, limit; /* the value and its limit */
 } rejection;
 
 /* The log keeps the first ones; all are counted. */
@@ -46,23 +46,22 @@ void collisionDetection(simulation *sim);
 void solveSystem(simulation *sim);
 void updateSystem(simulation *sim);
 
-/** Makes what the first step would make room for, to be looked at; not for a simulation that is to
- *  run. */
+/** Allocates the arrays of the first step, to measure them; not for a simulation that is to run. */
 void simulation_make_room(simulation *sim);
 
-/** The bytes that solving directly takes, beyond what the simulation has allocated; 0: this program
- *  cannot. *only: the scene says so, rather than a run that falls back on it. */
+/** The memory of a direct solution, bytes, beyond the present allocations; 0: not supported by
+ *  this program. *only: the scene requires it (otherwise it is a fall-back). */
 double simulation_direct_bytes(const simulation *sim, int *only);
 
-/** From now on each step is given as many threads as make it fastest, up to what OpenMP would give
- *  (team.h), in place of all of these. The bits are the same. */
+/** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
+ *  all of these. The bits are the same. */
 void simulation_choose_threads(simulation *sim);
 /** How many that are at present; 0: all. */
 int simulation_threads(const simulation *sim);
 
-/** From now on a step with `contact: barrier`, which may take long, looks at *stop in each of its
- *  iterations; where it is not 0, simulation_step returns 1, and all is as it was before the step.
- *  By reference. 0, or -1: out of memory. */
+/** From now on a step with `contact: barrier`, which may take long, checks *stop in each of its
+ *  iterations. If it is not 0, simulation_step returns 1 and restores the state before the step.
+ *  Keeps the reference. 0, or -1: out of memory. */
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
 /** One step of the scene: the four phases, timed, as often as it takes. 0; 1: stopped; or -1 with a
@@ -78,7 +77,7 @@ void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
  *  all that can be done with it is to free it. Changes nothing of the bytes. */
 int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
 
-/* What callers may look at; valid until simulation_free. */
+/* Read access for callers; valid until simulation_free. */
 const double (*simulation_positions(const simulation *sim))[3];
 const double (*simulation_velocities(const simulation *sim))[3];
 double simulation_time(const simulation *sim);
@@ -94,7 +93,7 @@ long simulation_steps_slept(const simulation *sim); /* of the scene, through whi
 const rejection *simulation_rejections(const simulation *sim, int *count);
 long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
 
-/** What is wrong with a run that has come to its end all the same. */
+/** Faults of a run that ended. */
 typedef struct run_faults {
     /* steps that the monitor let pass since they could not be halved any more */
     long not_solved, strain, penetration, passing;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * What a simulation between two steps of the scene consists of, beside what scene and mesh give:
- * positions, velocities and all that the next steps look back at. What each step makes anew (the
- * system, the constraints, contacts found, limited triangles) is left out.
+ * The state of a simulation between two steps of the scene, except data that scene and mesh
+ * determine: positions, velocities, and all that later steps depend on. Data that each step
+ * computes (the system, the constraints, contacts found, limited triangles) is left out.
  */
 #include <string.h>
 
@@ -73,7 +73,7 @@ static void pass_monitor(archive *a, monitor *m) {
     archive_double(a, &m->deepest);
 }
 
-/* Where time stands, and how long the next step is. */
+/* The current time and the length of the next step. */
 static void pass_time(archive *a, simulation *sim) {
     archive_long(a, &sim->state.frame);
     archive_int_within(a, &sim->step.ticks, 1, TICKS_PER_STEP);

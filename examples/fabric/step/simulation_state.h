@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a simulation consists of: for simulation.c and its tests, not for callers. */
+/** The parts of a simulation: for the files of this folder and tests. */
 #ifndef FABRIC_SIMULATION_STATE_H
 #define FABRIC_SIMULATION_STATE_H
 
@@ -57,7 +57,7 @@ struct step {
     int slow_steps;    /* of the scene, in a row, that ended at rest (rest.h) */
 };
 
-/** What a run says of itself at its end. */
+/** Counters and times of a run. */
 struct run_account {
     phase phases[PHASE_COUNT];
     effect_account effects[EFFECT_COUNT];
@@ -101,7 +101,7 @@ static inline int effect_is_on(const simulation *sim, int effect) {
     return BUILT_WITH(effect) && sim->account.effects[effect].on;
 }
 
-/** What the monitor is to look at: the step being taken. */
+/** Input of the monitor for the current step. */
 monitored_step simulation_monitored(simulation *sim);
 
 /** A number of ticks as part of the scene's step, s. */

@@ -7,15 +7,15 @@
 #include <omp.h>
 #endif
 
-/* The share of all seconds that trials may lose; a trial's round may take this many times what the
- * chosen level's takes; a level must gain this much to be chosen. */
+/* Limits: the fraction of the time that trials may cost; the duration of a trial relative to a
+ * round of the chosen level; the gain for which a level is chosen. */
 static const double share = 0.02, margin = 1.5, gain = 0.97;
-/* Of a new round in the means. */
+/* Weight of a new round in the means. */
 static const double weight = 0.3;
 /* Rounds before the first trial: the first ones also make room and inspect loops. */
 enum { SETTLED = 3 };
-/* Whether cores are busy at the beginning, regions of some 50 us tell, so many: where they take
- * this many times what they should. */
+/* Probe for busy cores: this number of regions of about 50 us, and the ratio to the expected
+ * time above which cores count as busy. */
 enum { PROBES = 40, PROBE_WORK = 8000 };
 static const double delay = 1.5;
 
@@ -45,8 +45,8 @@ static double work(volatile double *sink) {
     return clock_seconds() - start;
 }
 
-/* Do threads often have no core of their own? By short regions and what is between them, for some
- * milliseconds: has all of it taken longer than it should have, had no thread waited for a core? */
+/* Whether threads often lose their core: compares some milliseconds of short regions with the
+ * time that they take if no thread waits. */
 static int is_busy(void) {
     volatile double sink;
     double least = work(&sink), start = 0, seconds = 0;
@@ -155,7 +155,7 @@ void team_end(team *t, const team_round *round) {
     const double expected = predicted(at, round->iterations);
     if (at->rounds == SETTLED - 1)
         t->credit += (margin - 1) * round->seconds; /* for the first trial */
-    /* Far slower than it was: what was lost pays for finding out what is best by now. */
+    /* Far slower than before: the loss justifies a new search. */
     if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
         t->credit += (round->seconds - expected) / 2;
         for (int l = 0; l < t->levels; l++)

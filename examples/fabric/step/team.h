@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * How many threads a round of the four phases is given: as many as make it fastest, of what OpenMP
- * would give, a half, a quarter, ... and one. Which it is depends on the mesh, on the machine and
- * on who else uses its cores: beside busy neighbours regions that take microseconds wait
- * milliseconds for a thread that has lost its core, and a run with all threads takes many times
- * that of one. The bits do not depend on the number of threads, so it may change from round to
- * round.
+ * The number of threads of a round of the four phases: OpenMP's number, a half, a quarter, ... or
+ * one, whichever is fastest. It depends on the mesh, the machine and other programs: with busy
+ * neighbours, regions of microseconds wait milliseconds for a thread that has lost its core, and a
+ * run with all threads takes many times as long as with one. The bits do not depend on the number
+ * of threads, so it may change from round to round.
  *
- * At each count of threads the seconds of a round are kept in two parts, those of an iteration of
- * the solver and all others. Now and then the next count up or down gets a round; it is kept where
- * it is faster. Such a trial ends between two phases once it has taken half as much again as it
- * should have, and what trials lose is limited to a fiftieth of all seconds (and one trial).
+ * For each number of threads the time of a round is kept in two parts, an iteration of the solver
+ * and the rest. Now and then the next number up or down gets a round, and is kept if it is faster.
+ * Such a trial ends between two phases once it has taken 1.5 times the expected time, and all
+ * trials together may cost a fiftieth of the time (and one trial).
  *
- * One team a process: OpenMP's count of threads is the process's. Without OpenMP all of this does
- * nothing.
+ * One team per process, as OpenMP's number of threads belongs to the process. Without OpenMP none
+ * of this has an effect.
  */
 #ifndef FABRIC_TEAM_H
 #define FABRIC_TEAM_H
@@ -50,7 +49,7 @@ typedef struct team_round {
 
 /** Begins with `most` threads, or with one where cores are busy. */
 void team_start(team *t, int most, int busy);
-/** The same with what OpenMP would give at this moment, after a look at how long it takes. */
+/** The same with OpenMP's current number of threads, after a probe for busy cores. */
 void team_choose(team *t);
 /** A round begins: its threads are set, for this thread's parallel regions. */
 void team_begin(team *t, double now);

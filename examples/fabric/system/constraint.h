@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which directions of a vertex' velocity are given, and what they are given: Baraff and Witkin
- * 1998, section 5. For each vertex dv = S y + z with S = I - sum e e' over orthonormal given
- * directions e, and z the change of velocity given along them.
+ * Given directions of a vertex' velocity change, and their values: Baraff and Witkin 1998, section
+ * 5. For each vertex dv = S y + z with S = I - sum e e' over orthonormal given directions e, and z
+ * the given change of velocity along them.
  */
 #ifndef FABRIC_CONSTRAINT_H
 #define FABRIC_CONSTRAINT_H
@@ -10,7 +10,7 @@
 #include "base/vector.h"
 
 typedef struct vertex_constraint {
-    double S[3][3]; /* projection on what is free */
+    double S[3][3]; /* projection onto free directions */
     double z[3];    /* m/s */
 } vertex_constraint;
 

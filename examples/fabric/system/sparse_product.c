@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The symmetric product from half of the matrix. A block a at (i, j) works twice: y_i += a x_j and
- * y_j += a' x_i. The matrix is read once instead of twice, which is what the product's time is made
- * of; the price is the second, irregular update.
+ * The symmetric product from half of the matrix. A block a at (i, j) is used twice: y_i += a x_j
+ * and y_j += a' x_i. The matrix, which determines the time, is read once instead of twice, at the
+ * price of the second, irregular update.
  */
 #include "sparse_product.h"
 

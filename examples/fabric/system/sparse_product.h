@@ -5,7 +5,7 @@
 
 #include "system.h"
 
-/** y += A x, A symmetric and given by its half. x, y [A->row_count], apart from each other. */
+/** y += A x for a symmetric A given by its half. x, y [A->row_count] must not overlap. */
 void half_product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 
 #endif
