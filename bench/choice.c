@@ -207,7 +207,7 @@ static void make_mesh(int shuffled) {
     free(node);
 }
 
-/* ---- what is measured ---- */
+/* ---- the measured loops ---- */
 
 static void make_count(void) {
     key = malloc(KEYS * sizeof *key);

@@ -47,7 +47,7 @@ static double determinant(double a[3][3]) {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
-/* Of the determinant by the matrix: its cofactors. */
+/* The derivative of the determinant by the matrix: its cofactors. */
 static void cofactors(double a[3][3], double c[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
