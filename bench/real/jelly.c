@@ -4,7 +4,7 @@
  *
  *   jelly SIDE STEPS >motion
  *
- * SIDE^3 cubes, each cut into five tetrahedra, stand tilted over a floor. Each step takes the
+ * SIDE^3 cubes, each cut into five tetrahedra, are tilted above a floor. Each step takes the
  * forces of all tetrahedra, of a stable Neo-Hookean material with viscous damping, onto their
  * nodes, pushes nodes out of the floor by springs, and moves them (symplectic Euler). Every
  * fiftieth step prints energies and the lowest node; the end prints some of the nodes.
