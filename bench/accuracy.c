@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What each order and each sum costs, and what it buys: `b[row[t]] += value[t]`, 1.2 million
- * contributions to 20000 elements, by every way that REDCC_ORDER, REDCC_SUM and REDCC_METHOD name.
+ * Cost and accuracy of each order and each sum: `b[row[t]] += value[t]`, 1.2 million contributions
+ * to 20000 elements, by every combination of REDCC_ORDER, REDCC_SUM and REDCC_METHOD.
  *
  *   accuracy CORES >accuracy.csv
  *
- * rows      sorted: neighbours in time are neighbours in the array; shuffled: any element
- * values    well: in (0, 1); ill: of both signs, over ten orders of magnitude, so that what is left
- *           of each element's sum is 1e-12 of its parts
- * Errors are relative to the exact sum, which is taken in 113 bits. Every run is a process of its
- * own, since the variables are read once; runs are at CORES threads, then at 1, 2, 3, 8 and 16.
+ * rows      sorted: consecutive contributions go to adjacent elements; shuffled: to any element
+ * values    well: in (0, 1); ill: of both signs, over ten orders of magnitude, so that each
+ * element's sum is 1e-12 of its parts Errors are relative to the exact sum, which is computed in
+ * 113 bits. Every run is a separate process, because the variables are read once; runs use CORES
+ * threads, then 1, 2, 3, 8 and 16.
  */
 #include "redcc/runtime.h"
 
@@ -130,7 +130,7 @@ static void add_up_by_redcc(double *b) {
     redcc_sequential_done(&loop);
 }
 
-/* What a child leaves behind. */
+/* The results of a child process. */
 struct outcome {
     double b[ROWS];
     double seconds;        /* median */

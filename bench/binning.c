@@ -13,7 +13,7 @@
  * A separate run executes the loop by `auto`, in turns with the sequential loop, and adds up all
  * executions, the first included: seconds and the speed-up are those of the sums.
  *
- * Of the others seconds are medians; speed-ups are medians of the rounds' own, lowest and highest
+ * For the others, seconds are medians; speed-ups are medians of the rounds' own, lowest and highest
  * of them; best is the least time of the sequential loop over the least of this one; cpu is the
  * sequential loop's processor time over this one's for a thread (auto: over all of it), which other
  * jobs disturb less; extra memory as a share of the array.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the loops of bench/binning.c read. One thread; what is made is given to free_data. */
+/** Input data of the loops of bench/binning.c. One thread; free_data frees them. */
 #ifndef BENCH_BINNING_DATA_H
 #define BENCH_BINNING_DATA_H
 
@@ -9,7 +9,7 @@
 
 enum { TRIP = 10000000, MILLION = 1 << 20 };
 
-/** What a loop reads, new in each of the sets. */
+/** The data that a loop reads, new in each of the sets. */
 struct data {
     redcc_int trip;
     size_t rows;
@@ -21,10 +21,10 @@ struct data {
     int side; /* of the particles' grid, in cells */
 };
 
-/** Where subscripts go. */
+/** Distributions of subscripts. */
 enum pattern { RANDOM, SORTED, BANDED };
 
-/** TRIP subscripts of so many rows, and values, which all data share. */
+/** TRIP subscripts into `rows` rows, and values, which all data share. */
 void make_subscripts(struct data *d, enum pattern pattern, size_t rows);
 
 /** Particles anywhere in a grid of side * side * side cells. */
@@ -33,7 +33,7 @@ void make_particles(struct data *d, int side);
 /** Atoms on a lattice, each with half of its 26 neighbours, numbered at random. */
 void make_neighbours(struct data *d);
 
-/** Gives back what is not shared. */
+/** Frees the data that are not shared. */
 void free_data(struct data *d);
 
 #endif

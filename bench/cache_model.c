@@ -6,9 +6,9 @@
  *     (b)  for each copy: for each element: b[i] += copy[t][i]
  *
  * one thread's share of the elements, 1 to 32 copies, by a model of a set-associative cache: lines
- * of 64 bytes, 4 to a set, the least recently used one goes, 32 KiB. `apart` is how far the copies
- * lie from each other: a power of two (then the lines of all copies fall into one set), or the
- * paper's mesh of 218272 nodes with 3 doubles each, padded to lines.
+ * of 64 bytes, 4 to a set, LRU replacement, 32 KiB. `apart` is the distance between copies: a power
+ * of two (then the lines of all copies fall into one set), or the paper's mesh of 218272 nodes with
+ * 3 doubles each, padded to lines.
  *
  * Prints lines: apart,threads,a_percent,b_percent.
  */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops as programs have them, most of which gain little or nothing by running in parallel: what
- * redcc costs a program that calls such a loop once, some times, or with other subscripts each
- * time.
+ * Typical loops of programs, most of which gain little or nothing by running in parallel: measures
+ * the cost of redcc in a program that calls such a loop once, some times, or with other subscripts
+ * each time.
  *
  *   choice LOOP CALLS [CALLS...]     ascending
  *
- * prints, for each of CALLS, the seconds of so many executions from the first one on (what happens
- * between executions is not counted) and a hash of the results' bits. LOOP:
+ * prints, for each of CALLS, the seconds of that number of executions from the first one on (not
+ * counting the time between executions) and a hash of the results' bits. LOOP:
  *   count             8 M integer keys into 65536 counts; two keys change before each call
  *   pairs             pairs of points by distance, the bin found by bisection; new points each call
  *   weights           20,000 weights into 4096 bins; new subscripts each call
@@ -207,7 +207,7 @@ static void make_mesh(int shuffled) {
     free(node);
 }
 
-/* ---- what is measured ---- */
+/* ---- the measured loops ---- */
 
 static void make_count(void) {
     key = malloc(KEYS * sizeof *key);

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What lanes and prefetches bring to executors, by kernel (lanes_kernels.c), order of the data and
- * threads: the untouched loop, and the translated one in each manner and as the runtime decides,
- * one after the other in each round. Of two executions in a row the second is timed; the bits are
- * compared each time.
+ * The effect of lanes and prefetches on executors, by kernel (lanes_kernels.c), order of the data
+ * and threads: the original loop, and the translated one in each variant and as the runtime
+ * decides, one after the other in each round. Each is run twice in a row and the second run is
+ * timed; the bits are compared each time.
  *
  *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [KERNEL]]]
  *
- * By LOCALWRITE with owners by index on data in order, and by the access graph on shuffled data,
- * as auto would, or by what REDCC_METHOD names.
- * SIDE: of the square mesh, in nodes. KERNEL: this one alone.
- * Prints lines: kernel,order,threads,serial_seconds, then of each manner speed-up,low,high -
- * against the untouched loop, median and the 5th and 95th percentile of the rounds' own.
+ * By LOCALWRITE with owners by index on sorted data, and by the access graph on shuffled data, as
+ * auto would, or by the method of REDCC_METHOD.
+ * SIDE: of the square mesh, in nodes. KERNEL: only this one.
+ * Prints lines: kernel,order,threads,serial_seconds, then for each variant speed-up,low,high -
+ * against the original loop, median and the 5th and 95th percentile of the rounds' own.
  */
 #include "lanes_data.h"
 
@@ -159,7 +159,7 @@ static int measure(enum kernel kernel, const char *order, const struct mesh *m, 
     return differ;
 }
 
-/* Measures in a child process: the runtime must not reuse the manner it found on other data. */
+/* Measures in a child process: the runtime must not reuse the variant it found on other data. */
 static int measure_in_child(enum kernel kernel, const char *order, const struct mesh *m,
                             int rounds) {
     const pid_t child = fork();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loops of bench/lanes: written as a programmer writes them, translated by redcc as they are,
- * and compiled untouched beside that. */
+/* The loops of bench/lanes, as a programmer writes them: translated by redcc, and compiled
+ * unchanged for comparison. */
 #include <math.h>
 
 #include "lanes_kernels.h"
@@ -217,7 +217,7 @@ static int contact(const double (*x)[3], const double *radius, int i, int j, dou
     return 1;
 }
 
-/* Contact by a function that tells by its value whether there is any. */
+/* Contact by a function whose value says whether there is any. */
 void touching(int count, const int (*pair)[2], const double (*x)[3], const double *radius,
               double (*force)[3]) {
     for (int t = 0; t < count; t++) {
@@ -322,7 +322,7 @@ void tetrahedra(int count, const int (*corner)[4], const double (*x)[3], const i
     }
 }
 
-/* A symmetric matrix of which the upper half is kept. */
+/* A symmetric matrix whose upper half is stored. */
 void half_product(int rows, const int *start, const int *column, const double *value,
                   const double *x, double *y) {
     for (int i = 0; i < rows; i++)

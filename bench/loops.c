@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The runtime's methods on two loops over a mesh of the paper's size, written as redcc writes them,
- * beside what a user could write himself:
+ * compared with hand-written alternatives:
  *   heavy  a triangle of 217k nodes, 434k triangles: 9 doubles into b, 81 into a block matrix
  *   light  an edge of that mesh: 6 doubles into b
  *
  *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
- * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds and more,
- * for twice as long, each of two executions by each course in turn, of which the second counts:
- * none is to start in the caches, and with the sleeping threads, that another left; and 9 with an
- * inspection. Prints lines
+ * First come WARM seconds of executions (2; so that `auto` has settled). Then at least 9 rounds,
+ * for twice that time. In a round each variant is executed twice in a row and the second execution
+ * is timed, so that none starts with the caches, or the sleeping threads, that another left. Then 9
+ * with an inspection. Prints lines
  *
  *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
  *   inspection_of_serial,extra_percent,replication,modelled
  *
- * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own, of many rounds
- * without the twentieth part at either end; inspection is in executions of the sequential loop;
- * extra memory as a share of the reduction arrays; modelled is the iterations of the loop over
- * those that its threads take one after the other by the schedule, waits included (length.h). With
- * `others`, also the lines of OpenMP's atomics, its reduction of array sections (which takes stacks
- * as large as the arrays: ulimit -s, OMP_STACKSIZE), array expansion written by hand, and, as this
- * machine's bound, `unmerged`: equal shares of the iterations, each into an array of its own. WARM
- * 0: one execution only, for the model at many threads.
+ * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own, with many
+ * rounds the 5th to 95th percentile; inspection is in executions of the sequential loop; extra
+ * memory as a share of the reduction arrays; modelled is the iterations of the loop over the
+ * makespan of its schedule, waits included (length.h). With `others`, also the lines of OpenMP's
+ * atomics, its reduction of array sections (whose stacks are as large as the arrays: ulimit -s,
+ * OMP_STACKSIZE), array expansion written by hand, and, as this machine's bound, `unmerged`: equal
+ * shares of the iterations, each into a separate array. WARM 0: one execution only, for the model
+ * at many threads.
  */
 #include "loop.h"
 
@@ -280,7 +280,7 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, COU
         BODY(t, ATOMICALLY);                                                                       \
     }
 
-/* A copy for each thread but the first, brought in by blocks where MERGED. */
+/* A copy for each thread but the first, merged by blocks if MERGED. */
 #define BY_EXPANSION(trip, BODY, WITH_A, MERGED)                                                   \
     const size_t doubles = 3 * (size_t)NODES + (WITH_A ? 9 * (size_t)BLOCKS : 0);                  \
     static double **copy;                                                                          \
@@ -307,7 +307,7 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, COU
         }                                                                                          \
     }
 
-/* `key` stands for a pointer that the subscripts depend on: another one forces an inspection. */
+/* `key` represents a pointer that the subscripts depend on: changing it forces an inspection. */
 static void sequentially_heavy(void) {
     double(*const to_b)[3] = b;
     double(*const to_a)[9] = a;
@@ -435,7 +435,7 @@ static struct spread ratios(const double *above, const double *below, int count)
     return spread_of(ratio, count);
 }
 
-/* Rounds of all courses before `end`, for so many seconds; returns how many there were. */
+/* Rounds of all variants before `end`, for `most` seconds; returns their number. */
 static int time_rounds(double taken[COURSES][MOST_ROUNDS], int end, double most) {
     const double begin = omp_get_wtime();
     int round = 0;

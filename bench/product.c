@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Half or whole? The time of a product with the cloth's matrix when half of it is stored, as the
- * simulator does, against every block, for meshes of so many vertices. The two are compared before
- * they are timed. The program of script/bench product.
+ * Compares the time of a product with the cloth's matrix when half of it is stored, as in the
+ * simulator, and when every block is, for meshes of given numbers of vertices. The two products are
+ * compared before they are timed. The program of script/bench product.
  */
 #include <math.h>
 #include <stdio.h>
@@ -44,8 +44,8 @@ static int complete(const block_matrix *half, block_matrix *full) {
     }
     complete_row_starts(half, full->row_start);
     memcpy(next, full->row_start, sizeof *next * (size_t)rows);
-    /* Rows in ascending order: what comes from rows above, the transposed blocks, is left of the
-     * diagonal and is there before the row's own blocks, so columns ascend. */
+    /* Rows in ascending order: the transposed blocks from the rows above are left of the diagonal
+     * and exist before the row's own blocks, so columns ascend. */
     for (int i = 0; i < rows; i++)
         for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
             const int j = half->column[k];

@@ -63,7 +63,7 @@ typedef struct midpoint {
     int low, high, vertex; /* of the edge low-high; vertex -1: the place is free */
 } midpoint;
 
-/* The vertex in the middle of an edge, made where it is first asked for. */
+/* The vertex in the middle of an edge, created on first use. */
 static int middle(mesh *m, midpoint *table, unsigned size, int a, int b) {
     const int low = a < b ? a : b, high = a < b ? b : a;
     unsigned at = ((unsigned)low * 2654435761u ^ (unsigned)high * 40503u) & (size - 1);

@@ -4,7 +4,7 @@
  *
  *   jelly SIDE STEPS >motion
  *
- * SIDE^3 cubes, each cut into five tetrahedra, stand tilted over a floor. Each step takes the
+ * SIDE^3 cubes, each cut into five tetrahedra, are tilted above a floor. Each step takes the
  * forces of all tetrahedra, of a stable Neo-Hookean material with viscous damping, onto their
  * nodes, pushes nodes out of the floor by springs, and moves them (symplectic Euler). Every
  * fiftieth step prints energies and the lowest node; the end prints some of the nodes.
@@ -47,7 +47,7 @@ static double determinant(double a[3][3]) {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
-/* Of the determinant by the matrix: its cofactors. */
+/* The derivative of the determinant by the matrix: its cofactors. */
 static void cofactors(double a[3][3], double c[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {

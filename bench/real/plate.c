@@ -7,7 +7,7 @@
  * A plate of SIDE x SIDE nodes, cut into linear triangles, of a conductivity that varies, is heated
  * in one corner and cooled along its edge. Crank and Nicolson's scheme gives a symmetric system for
  * each step, which conjugate gradients solve. All products of a matrix and a vector are CSparse's
- * cs_gaxpy, which goes by columns: y[i] += A(i, j) x[j]. Matrices are built from triplets by
+ * cs_gaxpy, which works by columns: y[i] += A(i, j) x[j]. Matrices are built from triplets by
  * cs_entry, cs_compress and cs_dupl. Every step prints its iterations and the heat in the plate;
  * the end prints temperatures.
  *

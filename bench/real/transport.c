@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <umfpack.h>
 
-enum { DEGREE = 8 /* entries of a column beside the diagonal, most */ };
+enum { DEGREE = 8 /* maximum entries of a column besides the diagonal */ };
 
 static int n, nz;
 static int *Ap, *Ai;

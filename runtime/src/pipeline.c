@@ -182,9 +182,9 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
         begin_sweep(thread);
     } else {
         redcc_flush(worker);
-        const double told = redcc_sweep_close(inspection, inspector);
+        const double recorded = redcc_sweep_close(inspection, inspector);
         if (!inspection->call->in_bins)
-            redcc_hash_some(&thread->hasher, inspection->call->request.loop, told);
+            redcc_hash_some(&thread->hasher, inspection->call->request.loop, recorded);
     }
     if (redcc_sweep_hand_out(inspection, inspector, worker))
         return PROGRESS_TELL;

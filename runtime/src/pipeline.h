@@ -12,7 +12,7 @@
  *                    sample     some iterations   -> struct partition (the cuts)
  *                    sweep      all iterations    -> struct summary, one a thread
  *                                                    and the overlap guard
- *                    log        all touches, kept -> struct told, one a thread
+ *                    log        all touches, kept -> struct access_log, one a thread
  *                    partition  of the graph      -> struct divide or struct levels
  *                    join       without stealable blocks after all
  *                    plan       who executes what -> struct plan                  plan/

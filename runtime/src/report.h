@@ -32,7 +32,7 @@ enum mode {
 enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
 /** A text with names of the user's, and how often it applied. */
-struct told_text {
+struct counted_text {
     char text[REDCC_TEXT];
     long count;
 };
@@ -80,7 +80,7 @@ struct lost_plans {
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
-    struct told_text overlap[REDCC_TEXTS]; /* of REASON_OVERLAP */
+    struct counted_text overlap[REDCC_TEXTS]; /* of REASON_OVERLAP */
     atomic_int rule;             /* enum rule: the row of auto's table that decided last */
     const struct method *method; /* the last one used; NULL: none yet */
     int parameter;
@@ -139,8 +139,8 @@ void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 void redcc_report_begin(void);
 
 /** Should a program whose cores were preempted `lost` times in this many seconds wait asleep?
- *  policy: OMP_WAIT_POLICY, NULL if unset; told: another variable sets the spin time. */
-bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told);
+ *  policy: OMP_WAIT_POLICY, NULL if unset; has_spin_time: another variable sets it. */
+bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time);
 
 /** Writes the rest of the object: data common to all loops, and "loops". */
 void redcc_report_body(FILE *out);

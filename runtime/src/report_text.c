@@ -249,18 +249,18 @@ static void write_notes(FILE *out, const struct statistics *it) {
 
 /* With busy neighbours cores are preempted some 50 to 200 times a second (docs/report.md), on a
  * quiet machine rarely. */
-bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told) {
+bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time) {
     const long many = 10, a_second = 20;
     const bool sleeps = policy && (policy[0] == 'p' || policy[0] == 'P');
-    return !sleeps && !told && lost >= many && (double)lost >= (double)a_second * seconds;
+    return !sleeps && !has_spin_time && lost >= many && (double)lost >= (double)a_second * seconds;
 }
 
 static void write_advice(FILE *out) {
     const long lost = redcc_system_cores_lost() - lost_before;
     const double seconds = redcc_seconds() - began_at;
-    const bool told = redcc_region_is_own() || redcc_environment("GOMP_SPINCOUNT") ||
-                      redcc_environment("KMP_BLOCKTIME");
-    if (redcc_advises_sleep(lost, seconds, redcc_environment("OMP_WAIT_POLICY"), told))
+    const bool has_spin_time = redcc_region_is_own() || redcc_environment("GOMP_SPINCOUNT") ||
+                               redcc_environment("KMP_BLOCKTIME");
+    if (redcc_advises_sleep(lost, seconds, redcc_environment("OMP_WAIT_POLICY"), has_spin_time))
         fprintf(
             out,
             "redcc: other programs took this one's cores %ld times in %.1f s. Its waiting threads "

@@ -42,7 +42,7 @@ static const char *const advice[REASON_COUNT] = {
     [REASON_UNLINKED] = "compile both files again, together",
     [REASON_SPREAD] = "name a method with a plan, as localwrite",
     [REASON_TWO_ADDRESSES] = "map the memory once",
-    [REASON_OVERLAP] = "keep what the loop reads apart from what it updates"};
+    [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
 static enum reason commonest(const struct statistics *it, long *sequential) {
     enum reason most = REASON_NONE;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The element is found by a function that returns its address: by its parameters, members, rows,
-// variables of the file and other such functions; in updates, beside them, and in their operands.
+// The element is found by a function that returns its address, from its parameters, members, rows,
+// variables of the file and other such functions; in updates, in other statements, and in operands.
 // covers: row 92
 #include "case.h"
 #include <stddef.h>
@@ -156,7 +156,7 @@ static void of_the_file(int n) {
         *in_shifted_field(edge[i][0]) += 2;
 }
 
-/* What is read by one: `field` stays the file's where the loop has another name for `h`. */
+/* Reads through an accessor: `field` denotes the file's even if the loop has another name for `h`. */
 static void in_operands(struct table *t, int n) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         h[edge[i][0]] += *in_field(i % M) * *weight(i);

@@ -45,7 +45,7 @@ static void bytes(struct image *i) {
         i->pixel[i->at[t]] += 3;
 }
 
-/* The counts and the subscripts are both int: the loop may change what it will read. */
+/* The counts and the subscripts are both int: the loop may change its later reads. */
 static void own_subscripts(int *count, const int *s, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         count[s[t]] += 1;
@@ -72,7 +72,7 @@ int main(void) {
         case_subscripts(s, N, M);
         case_subscripts(r, N, M);
         case_values(memory, 3 * M);
-        gather_scatter(memory, memory + M, s, r, N); /* apart */
+        gather_scatter(memory, memory + M, s, r, N); /* disjoint */
         show();
         gather_scatter(memory, memory, s, r, N); /* the same array */
         show();
@@ -80,7 +80,7 @@ int main(void) {
         show();
         for (int i = 0; i < 3 * M; i++)
             memory[i] = case_value();
-        affine_source(memory, memory + M, s, M); /* apart */
+        affine_source(memory, memory + M, s, M); /* disjoint */
         show();
         affine_source(memory, memory + M - 1, s, M); /* one element */
         show();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays that a function gave, its result converted to their type.
-// MAY-RUN-SERIALLY: where what is given back is what is read
+// Arrays returned by a function, with its result converted to their type.
+// MAY-RUN-SERIALLY: if the returned array is the one read
 // covers: row 50
 #include "case.h"
 
@@ -38,7 +38,7 @@ static void allocated(int n) {
     free(later);
 }
 
-/* What it gives is the local array itself. */
+/* It returns the local array itself. */
 static void given_back(int n) {
     double local[M];
     case_values(local, M);

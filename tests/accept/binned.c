@@ -1,4 +1,4 @@
-// The forms of updates that binning takes apart, and loops that have no form for it.
+// The forms of updates that binning can split, and loops that have no form for it.
 // INTEGERS: no
 #include <math.h>
 #include <stdio.h>

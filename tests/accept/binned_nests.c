@@ -1,5 +1,5 @@
-// Loops over constants around updates of the parts of a row: one record, in front of the loop, for all that
-// they add. What is no such loop gets a record for each element.
+// Loops over constants around updates of the parts of a row: one record before the loop holds all operands.
+// Other loops get a record for each element.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
-// Pairs of points: reads and updates are of one type and lie behind pointers, a helper repeats until its
-// value is in range, and sums are made in the loop inside. What is read may overlap what is updated.
+// Pairs of points: reads and updates have one type and are behind pointers, a helper repeats until its value
+// is in range, and sums are made in the inner loop. Reads may overlap updates.
 // INTEGERS: no
 #include "case.h"
 

@@ -153,7 +153,7 @@ static void by_functions(int n) {
         h[k[t]] = h[k[t]] * 0.5 + (fabs(w[t]) + twice(u[t]));
 } // BINNED: 152
 
-// Where what is read turns out to be what is written, all is thrown away: the loop runs in order.
+// If reads turn out to overlap writes, all results are discarded: the loop runs in order.
 static void read_far_away(int n, const int *at, const int *deep, const double *from, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += from[deep[t]] * 0.5;

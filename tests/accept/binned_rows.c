@@ -1,6 +1,6 @@
-// Several elements of an array that lie side by side, updated by one record: members of structures,
-// components of arrays, both nested; rows among other things; the order of updates of rows that may
-// be the same; rows beyond what a record takes, of two sizes, or with one element updated only.
+// Several adjacent elements of an array, updated by one record: members of structures, components of arrays,
+// both nested; rows among other data; the order of updates of rows that may be equal; rows too large for a
+// record, of two sizes, or with only one element updated.
 // INTEGERS: no
 #include <math.h>
 #include <stdint.h>

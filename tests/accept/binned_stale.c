@@ -1,5 +1,5 @@
-// Binning executes a body before what it reads is compared with what the loop writes; where stale values
-// could do harm, it is compared before. `w` may overlap `to`; int is no long.
+// Binning executes a body before its reads are compared with its writes; if stale values could be harmful, they
+// are compared before. `w` may overlap `to`; int is no long.
 // INTEGERS: no
 #include <stdio.h>
 
@@ -151,7 +151,7 @@ int main(void) {
         numbers[t % 8] = t;
     }
     for (int round = 0; round < 3; round++) {
-        /* in the second round they overlap: the last of what is written is the first that is read */
+        /* in the second round they overlap: the last element written is the first one read */
         const long *w = round == 1 ? to + M - 1 : values;
         for (int i = 0; i < M + N; i++)
             to[i] = i % 50;

@@ -1,6 +1,6 @@
-// Several arrays updated at one subscript: one record for all of them, where each is updated nowhere
-// without the others; sums, counts, minima, functions of the element; arrays of other types; places
-// that only look the same; more arrays, and more operands, than a record has.
+// Several arrays updated at one subscript: one record for all of them, if each is updated only together with
+// the others; sums, counts, minima, functions of the element; arrays of other types; subscripts that only look
+// equal; more arrays, and more operands, than fit in a record.
 // INTEGERS: no
 // CFLAGS: -Wno-implicit-fallthrough
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Bit-fields have no address: where one is read, the structure around it is told.
+// Bit-fields have no address: if one is read, the enclosing structure is recorded.
 // covers: row 43
 #include "case.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops over pairs of blocks: rows are told block by block, and pairs of others' blocks are left out.
+// Loops over pairs of blocks: rows are recorded block by block, and pairs of others' blocks are skipped.
 // covers: row 47, row 48
 // INTEGERS: no
 #include "case.h"
@@ -57,7 +57,7 @@ static void with_the_bound(int blocks) {
     }
 }
 
-/* What goes along is asked for behind the loop: its value is the next subscript. */
+/* The secondary counter is used after the loop: its value is the next subscript. */
 static void asked_afterwards(int blocks) {
     int q, j;
     for (int b = 0; b < blocks; b++) // EXPECT: transformed

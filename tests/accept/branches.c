@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Conditional directives in a loop's text, and groups of them directly above it: what is written is
-// made of the branches that are compiled here. (Other compilations: attack 47.)
+// Conditional directives in a loop's text, and groups of them directly above it: the written text consists of
+// the branches compiled here. (Other compilations: attack 47.)
 // covers: row 3
 #include "case.h"
 
@@ -160,7 +160,7 @@ static void floating_subscript(int n) {
     }
 }
 
-/* Hints for a compiler, of which the copy has no need. */
+/* Hints for a compiler, which the copy omits. */
 static void hints(int n) {
     for (int t = 0; t < n; t += 2) { // EXPECT: transformed
 #pragma GCC ivdep

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What the programs of tests/accept share: input values from a fixed generator, and hashes of all
- * the bytes a program computed. CASE_INTEGERS=1 in the environment makes all values small integers,
- * so that sums do not depend on the order in which they are made.
+ * Shared by the programs of tests/accept: input values from a fixed generator, and hashes of all the bytes a program computed.
+ * CASE_INTEGERS=1 in the environment makes all values small integers, so that sums do not depend on the order in which they are
+ * made.
  */
 #ifndef CASE_H
 #define CASE_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What the header compares with the bound is the counter and a constant: i + 1 < n. Bounds of 0 and
-// less than the constant, of the largest numbers of their types, first values behind the bound.
+// The header compares the counter plus a constant with the bound: i + 1 < n. Bounds of 0 and less than the
+// constant, of the largest numbers of their types, first values beyond the bound.
 // covers: row 8
 // covers: row 10
 #include "case.h"

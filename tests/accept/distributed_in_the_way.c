@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Stores of the iteration's own element, where updated array and source are one, or overlap by a
-// part: the loop stays sequential.
+// Stores of the iteration's own element, when updated array and source are equal, or overlap in part: the loop
+// stays sequential.
 // covers: row 93
 // MAY-RUN-SERIALLY: it must
 #include "case.h"

@@ -63,7 +63,7 @@ static void under_conditions(int n, const int *r, double *y, double *t, int limi
     }
 }
 
-/* What is stored decides the subscripts of the next execution. */
+/* The stored values are the subscripts of the next execution. */
 static void of_marks(int n, int *restrict m, int *restrict c) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         c[m[i]]++;

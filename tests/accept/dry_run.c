@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What decides where the slice reads may be an array that the loop updates, as far as the analysis
-// knows: all iterations are told in order before they are inspected. Apart, and not.
-// MAY-RUN-SERIALLY: that is what is asked for where they are not
+// The slice's reads may go through an array that the loop updates, according to the analysis: all iterations
+// are recorded in order before they are inspected. With disjoint arrays, and with overlapping ones.
+// MAY-RUN-SERIALLY: expected for the overlapping ones
 #include "case.h"
 
 #include <string.h>
@@ -40,7 +40,7 @@ static void one_by_another(int n, int *count, const int *s, const int *add, cons
     }
 }
 
-/* The slice stands in place: the loop leaves a value. */
+/* The slice is in place: the loop leaves a value. */
 static int in_place(int n, int *count, const int *m, const int *at, int one) {
     int last = -1;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -73,7 +73,7 @@ static void apart(void) {
     CASE_PRINT(to);
 }
 
-/* What an iteration reads is made valid by the one before. */
+/* Each iteration makes the next one's read valid. */
 static void not_apart(void) {
     const int far = 1000000000;
     for (int t = 0; t < N; t++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that may leave the loop: by return, break, goto, exit, an assertion, from the loop itself and
-// from one inside. Where none does the loop runs in parallel; where one does, at the first iteration, in
-// the middle, at the last, all is as the sequential loop leaves it, and messages stand where they did.
+// Iterations that may leave the loop: by return, break, goto, exit, an assertion, from the loop itself and from
+// an inner one. If none does the loop runs in parallel; if one does, at the first iteration, in the middle, at
+// the last, the result is that of the sequential loop, and messages appear in their places.
 // INTEGERS: no
 #include <assert.h>
 #include <signal.h>

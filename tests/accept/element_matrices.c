@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Element matrices added into a sparse matrix: where an entry stands is searched for in its row,
-// which a table leads to.
+// Element matrices added into a sparse matrix: the position of an entry is searched for in its row, which is
+// found through a table.
 // covers: row 5, row 7
 #include "case.h"
 

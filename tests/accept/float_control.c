@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rounding upwards, and subnormal numbers taken as zeros, asked for when OpenMP's threads exist
-// already: they round as the thread that enters the loop does, and as they did before behind it.
+// Rounding upwards, and flushing subnormal numbers, set when OpenMP's threads exist already: they round as the
+// thread that enters the loop does, and as before after it.
 // INTEGERS: no
 #include "case.h"
 

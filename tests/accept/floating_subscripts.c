@@ -83,7 +83,7 @@ static void near_ones(int n, double limit) {
     }
 }
 
-/* limit[c], of a type that is const, is part of what a plan depends on. */
+/* limit[c], of a const type, is part of a plan's key. */
 static void by_limits(int n, const double *limit) {
     for (int c = 0; c < 3; c++)
         for (int t = 0; t < n; t++) // EXPECT: transformed

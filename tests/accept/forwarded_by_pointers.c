@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements that an iteration stores and reads again, by pointers of which nothing is promised:
-// between store and read nothing else is written, so the value is the stored one, even where the
-// arrays overlap.
+// Elements that an iteration stores and reads again, by pointers without any promise: nothing else is written
+// between store and read, so the value is the stored one, even if the arrays overlap.
 // covers: row 31
 // covers: row 59
 // INTEGERS: no
-// MAY-RUN-SERIALLY: where arrays overlap
+// MAY-RUN-SERIALLY: if arrays overlap
 #include "case.h"
 
 enum { N = 9000, CELLS = 30 };
@@ -46,7 +45,7 @@ int main(void) {
         CASE_PRINT(sums);
         if (round < 3)
             continue;
-        /* coarse cells: what is counted lies in what is stored, or next to it */
+        /* coarse cells: the counts lie within the stored array, or next to it */
         count_cells(N / 2, (const double(*)[3])x, 0.9, pool, pool + 100 * round);
         count_cells(N / 2, (const double(*)[3])x, 0.9, pool + 900, pool);
         several(N / 2, pool, length, length + 7, pool + N, mass);

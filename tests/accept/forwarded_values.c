@@ -108,7 +108,7 @@ static void macros(int n) {
     case_print("sum", &sum, sizeof sum);
 }
 
-/* Different types: apart by C's rule of effective types. */
+/* Different types: disjoint by C's rule of effective types. */
 static void __attribute__((noinline)) pointers(int n, int *bin, double *a, float *b) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         bin[t] = key[t];

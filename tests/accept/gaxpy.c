@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A sparse matrix in compressed columns times a vector, as CSparse's cs_gaxpy has it, with vectors
-// that lie apart, are one, or overlap each other or the matrix's values.
+// A sparse matrix in compressed columns times a vector, as in CSparse's cs_gaxpy, with vectors that are
+// disjoint, equal, or overlap each other or the matrix's values.
 // MAY-RUN-SERIALLY: the overlapping calls have to
 #include "case.h"
 #include <stddef.h>
@@ -64,7 +64,7 @@ int main(void) {
         starts[j] = j * PER_COLUMN;
     for (int pattern = 0; pattern < 2; pattern++) {
         patterns[pattern]();
-        product(2 * N, 0, N);            /* apart */
+        product(2 * N, 0, N);            /* disjoint */
         product(2 * N, N, N);            /* x is y */
         product(2 * N, N - 1, N);        /* x ends one element before y does */
         product(2 * N, N, N - 1);        /* and the other way round */

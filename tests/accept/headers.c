@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What a header sets beside the counter: in a chain, one after the other, declared there; counters
-// that go along, values that no iteration asks for, sums, minima.
+// Variables other than the counter that a header sets: in a chain, one after the other, declared there;
+// secondary counters, values that no iteration uses, sums, minima.
 // covers: row 94
 #include "case.h"
 

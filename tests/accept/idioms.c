@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops as programs spell them: *p for p[0], bounds set in the header or asked of a function, a
-// counter whose address was given away, arrays and subscripts handed over apart.
+// Loops as programs spell them: *p for p[0], bounds set in the header or returned by a function, a counter
+// whose address was passed on, arrays and subscripts passed separately.
 // covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84, row 62
 #include <assert.h>
 
@@ -103,7 +103,7 @@ static void counter_given_away(int n) {
     last_seen = last_seen * 3 + *kept;
 }
 
-/* ---- array and subscript apart ---- */
+/* ---- array and subscript separate ---- */
 
 static void add_at(double *to, int k, double value) {
     to[k] += value;
@@ -139,7 +139,7 @@ static void apart(int n, double *to) {
         count_at(counted, s[t] + 256 * t);
 }
 
-/* ---- one element beside the others ---- */
+/* ---- one element in addition to the others ---- */
 
 static void beside(int n, long *to, int m) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -161,7 +161,7 @@ static void by_constants(int n) {
     }
 }
 
-/* ---- assert beside the loop: with gcc a statement expression ---- */
+/* ---- assert in the loop: with gcc a statement expression ---- */
 
 static int beside_assertions(int n, const int *first, const int *to, double *restrict out) {
     int i, j, last = -1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Directives of OpenMP under macros that are not set, above loops, in them and elsewhere in the
-// function: what is compiled is looked at. A macro's name may end in _OPENMP.
+// OpenMP directives under macros that are not set, above loops, in them and elsewhere in the function: the
+// compiled text is analysed. A macro's name may end in _OPENMP.
 // covers: row 3
 // covers: row 55
 #include "case.h"

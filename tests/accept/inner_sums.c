@@ -56,7 +56,7 @@ static double energy(int n) {
     return sum;
 }
 
-/* Of one scalar in the order of the text, also outside of the loops inside; of others apart. */
+/* One scalar in textual order, also outside of the inner loops; others separately. */
 struct state {
     int step;
     double virial[3], potential;
@@ -112,7 +112,7 @@ static double product_of_all(int n, double *restrict f) {
     return whole;
 }
 
-/* No iteration comes to the sum: what the pointer leads to is not touched. */
+/* No iteration reaches the sum: the pointer's target is not touched. */
 static void never(int n, struct state *restrict s, double limit) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
         for (int p = first[i]; p < first[i + 1]; p++) {
@@ -122,7 +122,7 @@ static void never(int n, struct state *restrict s, double limit) {
         }
 }
 
-/* + and - are two operations: of what is no number they differ in the sign. */
+/* + and - are two operations: for NaNs they differ in the sign. */
 static double two_signs(int n) {
     double sum = 0.0;
     for (int i = 0; i < n; i++) // EXPECT: refuse scalar-carried
@@ -182,7 +182,7 @@ static void by_pointer(int n, double *sum, double *f) {
         }
 }
 
-/* (s + a) * b + c: not what the iterations put together. */
+/* (s + a) * b + c: the iterations' operands cannot be combined. */
 static unsigned two_operators(int n) {
     unsigned s = 1;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
@@ -195,7 +195,7 @@ static unsigned two_operators(int n) {
     return s;
 }
 
-/* What it has come to is the next inner loop's bound. */
+/* The running value is the next inner loop's bound. */
 static int read_as_a_bound(int n) {
     int s = 0;
     for (int i = 0; i < n; i++)

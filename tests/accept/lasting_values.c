@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Private variables that only some iterations assign, and what they hold after the loop.
+// Private variables that only some iterations assign, and their values after the loop.
 // covers: row 59
 // COMPILERS: gcc clang-19
 #include "case.h"

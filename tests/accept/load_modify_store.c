@@ -94,7 +94,7 @@ int main(void) {
         case_values(w, N);
         case_subscripts(k, N, ROWS);
         case_near_subscripts(second, N, ROWS);
-        plain(50, h + 3, h); /* what is read overlaps */
+        plain(50, h + 3, h); /* reads overlap */
         plain(N, w, h);
         sum = 0.5 * sum + with_conditions(N, h, &limit);
         members(N - round);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays behind pointers in records that a loop reads under conditions only: nothing of the record is
-// there where no condition holds. Sums in a loop inside beside blocks that a thread may leave out.
+// Arrays behind pointers in records that a loop reads only under conditions: the record does not exist if no
+// condition holds. Sums in an inner loop together with blocks that a thread may skip.
 // INTEGERS: no
 #include <stdlib.h>
 #include <sys/mman.h>

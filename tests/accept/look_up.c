@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Subscripts through pure look-up functions; what they look up changes between calls, at the same
-// addresses, so that a plan kept too long would show.
+// Subscripts through pure look-up functions; the table changes between calls, at the same addresses, so that a
+// stale plan would be noticed.
 // covers: row 17, row 71
 #include "case.h"
 
@@ -13,7 +13,7 @@ struct matrix {
 static int pair[N][2], permuted[N][1], start[ROWS + 1], column[ROWS * WIDTH];
 static double weight[N], value[ROWS * WIDTH][2];
 
-/* Reads from the row's start up to what it finds. */
+/* Reads from the row's start up to the element it finds. */
 static int walk(const struct matrix *A, int row, int wanted) {
     int k = A->start[row];
     while (A->column[k] < wanted)
@@ -21,7 +21,7 @@ static int walk(const struct matrix *A, int row, int wanted) {
     return k;
 }
 
-/* Stops in the middle: how far it reads is not told by its result. */
+/* Stops in the middle: its result does not show how far it reads. */
 static int scan(const struct matrix *A, int row, int wanted) {
     for (int k = A->start[row]; k < A->start[row + 1]; k++)
         if (A->column[k] >= wanted)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that are reached again, in a loop around them or by a jump, and go on with their counter
-// where it was, although nothing else uses it.
+// Loops that are reached again, in an enclosing loop or by a jump, and continue with their counter's value,
+// although nothing else uses it.
 // covers: row 4, row 7, row 9
 #include "case.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Minima and maxima in all spellings, with NaN and zeros of both signs among the values: which of
-// them stays is what the program's own comparison says.
+// Minima and maxima in all spellings, with NaN and zeros of both signs among the values: the program's own
+// comparison decides which of them remains.
 // covers: row 37, row 2
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops that look like what is refused, and are not.
+// Loops that resemble refused ones, but are accepted.
 // covers: row 11, row 22, row 26, row 59
 #include "case.h"
 

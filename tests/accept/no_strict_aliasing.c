@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Integers are read from the doubles that the loop adds to, as the compiler is told that they may be.
+// Integers are read from the doubles that the loop adds to, with the option that permits it.
 // CFLAGS: -fno-strict-aliasing
 // INTEGERS: no
-// MAY-RUN-SERIALLY: what the second loop reads is what it writes
+// MAY-RUN-SERIALLY: the second loop reads the memory that it writes
 #include "case.h"
 
 enum { N = 6000, M = 3000 };

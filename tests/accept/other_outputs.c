@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Beside the updates an output that each iteration has its own element of, and a plain sum.
+// In addition to the updates, an output with a separate element per iteration, and a plain sum.
 // covers: row 59
 #include "case.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What is updated holds the pointer to it. The loop is so light, and its elements lie so mixed,
-// that an inspection waits: one thread executes it to be timed, but not before the guard.
+// The updated array contains the pointer to itself. The loop is so light, and its elements so mixed, that an
+// inspection is postponed: one thread executes it to be timed, but not before the guard.
 // covers: row 29
 // MAY-RUN-SERIALLY: they overlap
 #include <string.h>

@@ -81,7 +81,7 @@ static void read_behind_in_a_row(int n, double *f, const double *x,
         }
 }
 
-/* What is counted by the condition goes on to the next round of the inner loop. */
+/* The condition's counter keeps its value in the next round of the inner loop. */
 static void counted_in_a_row(int n, double *f, const double *x,
                       const int *start, double cut) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed

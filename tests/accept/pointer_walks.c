@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Pointers that go through arrays: as the loop's counter, beside it, and stepped where they are
-// followed; integers stepped where they are used.
+// Pointers that step through arrays: as the loop's counter, as secondary ones, and stepped where they are
+// dereferenced; integers stepped where they are used.
 // covers: row 89, row 90
 #include "case.h"
 
@@ -141,7 +141,7 @@ static void reads_what_it_updates(int n, const int *p) {
         counted[(unsigned)*p++ % ROWS]++;
 }
 
-/* Where it reads is told by what q walks over: beside the elements, and then among them. */
+/* The elements that q steps over are the addresses of its reads: outside of the updated elements, and then among them. */
 static void looked_up(int n, const int *q, const int *other, int *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[s[t]] += other[*q++] & 63;

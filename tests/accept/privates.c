@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Scalars and arrays of an iteration, and what they hold after the loop.
+// Private scalars and arrays of an iteration, and their values after the loop.
 // covers: row 58, row 59, row 5, row 6, row 7
 #include "case.h"
 #include <math.h>
@@ -80,7 +80,7 @@ static void values_decide(int n) {
     }
 }
 
-/* Places around one, by a function that fills a list: as many as bounds with one unknown tell. */
+/* Neighbouring places, by a function that fills a list: their number follows from bounds with one unknown. */
 static void row_and_column(int place, int *row, int *column) {
     *row = place / 20;
     *column = place % 20;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Functions that read through their parameters, in loops of their own, at elements found through
-// tables: the natural form of a finite-element assembly. What they read may overlap what is updated.
+// Functions that read through their parameters, in loops of their own, at elements found through tables: the
+// natural form of a finite-element assembly. Their reads may overlap updates.
 // covers: row 80, row 81
 #include <stddef.h>
 #include "case.h"
@@ -169,7 +169,7 @@ static void first_ones(int n, const double *x, const int *to, double *y) {
         y[to[i]] += first_above(x, to[i], to[i] + 40, 0.5);
 }
 
-/* ---- a plan, and what is looked up on the way ---- */
+/* ---- a plan, and tables read for its addresses ---- */
 
 static double in_row(const double *x, const int *list) {
     double s = 0;
@@ -183,7 +183,7 @@ static void kept_apart(int n, const int (*list)[4], const double *x, const int *
         y[to[i]] += 0.25 * in_row(x, list[i]);
 }
 
-/* Nothing but the lists changes: once they lead to what is updated. */
+/* Only the lists change: once they lead to updated elements. */
 static void change_lists(void) {
     static double both[2 * NODES];
     static int list[N][4];
@@ -236,7 +236,7 @@ int main(void) {
     for (int round = 0; round < 5; round++) {
         const int overlap = round == 1 ? 1 : round == 3 ? 2 : 0;
         fill(round);
-        /* in some rounds the positions overlap what is updated, by all or by the last of it */
+        /* in some rounds the positions overlap the updated array, entirely or in its last element */
         double(*b)[3] = memory + 20;
         const int apart = overlap == 0 ? NODES + 20 : overlap == 1 ? 1 : NODES - 1;
         const double(*x)[3] = (const double(*)[3])(b + apart);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A matrix in a record, whose entries a function finds by bisection: the entries are updated where
-// one was found, and the pointer to them is known to be valid by what the function reads beside it.
+// A matrix in a record, whose entries a function finds by bisection: the entries are updated if one was found,
+// and the function's other reads show that the pointer to them is valid.
 // covers: row 46
 // INTEGERS: no
 #include "case.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Elements that pointers in memory lead to: who owns one is asked by its address.
+// Elements reached through pointers in memory: the owner of one is determined by its address.
 // INTEGERS: no
 // covers: row 48, row 49
 #include "case.h"

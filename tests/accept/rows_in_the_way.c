@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Rows among which something lies that the loop reads: the guard of the run time sees it, and the
-// original loop runs.
-// MAY-RUN-SERIALLY: that is what is asked for
+// Rows among which the loop reads other data: the run-time guard detects it, and the original loop runs.
+// MAY-RUN-SERIALLY: expected
 // covers: row 48
 #include "case.h"
 
@@ -21,7 +20,7 @@ static void rows_among_rows(int n, double **rows, double **others) {
         rows[s[t]][1] += others[t][0] * 0.5;
 }
 
-/* Of a row that is read, only what lies between its first and its last element is updated. */
+/* In a row that is read, only elements between its first and its last one are updated. */
 static void within_a_row(int n, double *out, double **others) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int c = 0; c < WIDTH; c++)
@@ -51,7 +50,7 @@ int main(void) {
     CASE_PRINT(block);
     for (int t = 0; t < N; t++)
         from[t] = &e[t];
-    rows_among_rows(N, to, from); /* apart: in parallel */
+    rows_among_rows(N, to, from); /* disjoint: in parallel */
     rows_among_rows(N, to, from);
     from[N / 2] = to[3]; /* no longer */
     rows_among_rows(N, to, from);
@@ -62,13 +61,13 @@ int main(void) {
     CASE_PRINT(e);
     for (int t = 0; t < N; t++)
         from[t] = block[2 * (t % ROWS)];
-    within_a_row(N, &block[11][3], from); /* apart */
+    within_a_row(N, &block[11][3], from); /* disjoint */
     within_a_row(N, &block[11][3], from);
     from[N / 2] = block[11];
     within_a_row(N, &block[11][3], from);
     CASE_PRINT(block);
-    /* The table stands among its rows, and row 3 is where the pointer to row 0 stands: each time
-     * its first byte is counted up, row 0 is another. */
+    /* The table lies among its rows, and row 3 is the location of the pointer to row 0: each time its first byte is counted up,
+     * row 0 is another. */
     char *const bytes = memset(aligned_alloc(4096, 4096), 0, 4096);
     char **const table = (char **)(void *)(bytes + 2048);
     for (int i = 0; i < ROWS; i++)

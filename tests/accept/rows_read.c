@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What is read through pointers in memory: where it lies is told row by row.
+// Reads through pointers in memory: their addresses are recorded row by row.
 // covers: row 48
 #include "case.h"
 

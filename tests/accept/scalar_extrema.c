@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Minima and maxima of scalars beside the array, with the place where they were found: by each
-// comparison and in each spelling, of equal values, zeros of either sign and what is no number.
+// Minima and maxima of scalars in addition to the array, with the iteration that gave them: by each comparison
+// and in each spelling, with equal values, zeros of either sign and NaNs.
 // covers: row 88
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Scalars that a loop accumulates into beside its arrays, in the order of the loop.
+// Scalars that a loop accumulates into in addition to its arrays, in the order of the loop.
 // covers: row 59, row 41
 #include "case.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Sums beside the array that are no variables: members of records, elements of small arrays, what a
-// pointer leads to; of the function's own, of the file, and of the caller.
+// Sums in addition to the array that are not variables: members of records, elements of small arrays, targets
+// of pointers; of the function, of the file, and of the caller.
 // covers: row 59
 #include "case.h"
 
@@ -62,7 +62,7 @@ static void of_the_caller(int n, const int *restrict k, double *restrict to, dou
     }
 }
 
-/* By type alone nothing else of the loop is what the pointer leads to. */
+/* By type alone nothing else in the loop aliases the pointer's target. */
 static void of_another_type(int n, const int *k, double *to, long *count) {
     struct moments own = {.n = 7};
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -74,7 +74,7 @@ static void of_another_type(int n, const int *k, double *to, long *count) {
     *count -= own.n;
 }
 
-/* Only where an iteration comes to the update is the pointer followed. */
+/* The pointer is dereferenced only if an iteration reaches the update. */
 static void perhaps_never(int n, int from, const int *restrict k, double *restrict to,
                           double *restrict sum, struct body *restrict b) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -86,7 +86,7 @@ static void perhaps_never(int n, int from, const int *restrict k, double *restri
     }
 }
 
-/* What may be the sum, as far as is known: the arrays, what is read, other sums. It is compared. */
+/* Possible aliases of the sum, according to the analysis: the arrays, the reads, other sums. They are compared at run time. */
 struct sums {
     double energy, virial, *force;
     const double *place;

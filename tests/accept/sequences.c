@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Comma expressions as statements: each part is a statement of its own, in macros too.
+// Comma expressions as statements: each part is a separate statement, in macros too.
 // covers: row 96
 // INTEGERS: no
 #include "case.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Short loops inside a body are unrolled by a pragma in front of them, which must not stand beside
-// another one, an attribute or a label.
+// Short loops inside a body are unrolled by a pragma before them, which must not be next to another one, an
+// attribute or a label.
 // CFLAGS: -Wno-unknown-pragmas -Wno-attributes
 #include "case.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Inner loops that run along rows: the inspector is told the first and the last element at once.
+// Inner loops that step through rows: the inspector records the first and the last element at once.
 // covers: row 47, row 48
 #include "case.h"
 #include <stddef.h>
@@ -19,7 +19,7 @@ static void k_means(int n, int m, float **rows, float (*c)[W], int *length) {
     }
 }
 
-/* The counter is declared before, and what the loop leaves in it is a subscript. */
+/* The counter is declared before, and its value after the loop is a subscript. */
 static void counter_used_after(int n, int m, float *restrict c, const float *restrict f) {
     int i, j;
     for (i = 0; i < n; i++) { // EXPECT: transformed

@@ -94,8 +94,7 @@ static void in_rows(int n, int stride, int width) {
             h[s[j] / 2 + c] += w[j] * (c + 1);
 }
 
-/* No memory tells of these subscripts: with the same first value and number of iterations it is the
- * stride alone that makes another plan. */
+/* No memory determines these subscripts: with the same first value and number of iterations only the stride changes the plan. */
 static void computed(int n, int stride) {
     for (int j = 0; j < n; j += stride) // EXPECT: transformed
         h[(j * 7 + j / 11) % M] += w[j];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Where a loop may stand: after if and else, under a label, in a loop, in a switch, in a macro's
-// neighbourhood, nested blocks, names that shadow, two on one line.
+// Places of a loop: after if and else, under a label, in a loop, in a switch, in a macro's neighbourhood,
+// nested blocks, names that shadow, two on one line.
 // covers: row 4, row 67, row 68, row 2
 #include "case.h"
 

@@ -1,5 +1,5 @@
-// Turns of inner loops: in the guarded form a thread leaves out those none of whose rows it owns, where
-// the rest of the turn is nothing but updates and what they need. TURN: a question stands here.
+// Iterations of inner loops: in the owner-checked form a thread skips those in which it owns no row, if the
+// rest of the iteration has only updates and their operands. TURN: an ownership check is expected here.
 // INTEGERS: no
 #include <stdio.h>
 
@@ -87,7 +87,7 @@ static void of_several_arrays(int n) {
     }
 }
 
-// No array element is there where the question is asked: the condition says so.
+// At the check no array element may exist: the condition decides.
 static void under_condition(int n, int last) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -104,7 +104,7 @@ static void under_condition(int n, int last) {
     }
 }
 
-// Of loops inside of one another the inner one, where a row is known there only.
+// In nested loops the inner one, if a row is known only there.
 static void of_cells(int n, double *t) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -118,7 +118,7 @@ static void of_cells(int n, double *t) {
     }
 }
 
-// What is stored is read again below, in the same turn.
+// A stored value is read again later, in the same inner iteration.
 static void of_stored_values(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -131,7 +131,7 @@ static void of_stored_values(int n) {
     }
 }
 
-// What the turns add up goes to a row that is known before them.
+// The inner iterations' sum goes to a row that is known before them.
 static void of_sums(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Conditions that keep the subscripts' own computation from harm: loads out of bounds, division by
-// zero, null pointers, far addresses. An inspector must not do what the program does not do.
+// Conditions that make the subscripts' computation safe: loads out of bounds, division by zero, null pointers,
+// far addresses. An inspector must not execute what the program does not.
 // covers: row 52
 #include "case.h"
 

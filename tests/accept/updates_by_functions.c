@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The update stands in a function that gets the element's or the row's address.
+// The update is in a function that gets the element's or the row's address.
 // covers: row 18, row 20, row 37, row 87
 #include "case.h"
 

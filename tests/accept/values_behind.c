@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What private variables hold behind the loop, where it is asked for on one of several ways only.
+// Values of private variables after the loop, if only one of several paths uses them.
 #include "case.h"
 
 enum { N = 5000, M = 400 };

@@ -107,7 +107,7 @@ static void another_function(changed *c) {
     c->facts.function = NULL;
 }
 
-/* In a process of its own. */
+/* In a child process. */
 static bool survives(change *make) {
     changed c = {.verdict = verdict, .facts = *verdict.facts};
     memcpy(c.arrays, c.facts.arrays, sizeof c.arrays);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * The must-write proof against execution: random loop bodies over an array f of four doubles are
- * judged, then executed many times with random data and every order of operands that C leaves
- * open. What was proved must hold in every execution.
+ * analysed, then executed many times with random data and every order of operands that C leaves
+ * open. Every proved property must hold in every execution.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -424,7 +424,7 @@ static number run_unary(machine *m, const ir_node *node) {
     }
 }
 
-/* An lvalue whose value nobody wants is not read. */
+/* An lvalue whose value is discarded is not read. */
 static void run_discarded(machine *m, const ir_node *node) {
     if (node->kind == IR_INDEX)
         address(m, node);

@@ -125,7 +125,7 @@ static void test_cases(void **context) {
     assert_int_equal(wrong, 0);
 }
 
-/* What was learnt for one query must not change another's answer. */
+/* Results of one query must not change another's answer. */
 static void test_order_of_queries(void **context) {
     (void)context;
     must_write *prover = must_write_new(memory, unit, NULL);

@@ -212,7 +212,7 @@ static void library_finds_all_of_its_kind(void **state) {
             fail_msg("%s", others[i]);
 }
 
-/* Whose name it is depends on the standard, and on who declares it. */
+/* The owner of a name depends on the standard, and on its declaration. */
 static void library_names_are_reserved(void **state) {
     (void)state;
     const ir_unit old = {.dialect.is_c89 = true}, new = {0};

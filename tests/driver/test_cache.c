@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the cache of translations rests on: the digest, and which headers a text may name. */
+/* Foundations of the cache of translations: the digest, and the headers that a text may name. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

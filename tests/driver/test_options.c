@@ -143,7 +143,8 @@ static void response_files_come_back(void **state) {
     assert_int_equal(back.count, words.count);
     for (unsigned i = 0; i < back.count; i++)
         assert_string_equal(back.items[i], words.items[i]);
-    write_text(path, arena_format(a, "@%s", path)); /* a file that names itself comes to an end */
+    write_text(path, arena_format(a, "@%s", path)); /* a file that names itself is not read
+                                                     * endlessly */
     back.count = 0;
     words_expand(a, 1, given, &back);
     assert_int_equal(back.count, 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each construct that is written for vectors, in a loop of its own, and what is left alone; on
- * random data with NaN, infinities, zeros of both signs and subnormals. */
+/* Each construct with a vector form, in a separate loop, and constructs without one; on random data
+ * with NaN, infinities, zeros of both signs and subnormals. */
 #include "data.h"
 
 static double scale[COUNT], block[NODES][3][3];
@@ -410,7 +410,7 @@ static void lifted_calls_that_fail_alike(int n, const struct element *restrict e
     }
 }
 
-/* ---- what is left alone ---- */
+/* ---- constructs without a vector form ---- */
 
 static void plain_calls_that_fail_in_two_ways(int n, const struct element *restrict e,
                                               const double (*restrict p)[3], double *restrict b) {
@@ -550,7 +550,7 @@ static void lifted_counter_set_by_all(int n, int often, const struct element *re
     }
 }
 
-/* ---- beside updates: each lane by itself ---- */
+/* ---- in update statements: each lane separately ---- */
 
 static double weight(double v) {
     return v < 0 ? -v : v * 0.75;
@@ -599,7 +599,8 @@ static void lifted_searches_between_updates(int n, const struct element *restric
     }
 }
 
-/* What updates change is not for the next iteration, nor for what is computed for all lanes. */
+/* Changes made in update statements concern neither the next iteration nor the computations of all
+ * lanes. */
 static void lifted_changed_beside_updates(int n, const struct element *restrict e,
                                           const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {

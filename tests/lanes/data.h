@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the programs of this folder compute with: random elements and points, with NaN, infinities,
- * zeros of both signs and subnormals, and hashes of what comes of them. */
+/* Shared data of the programs in this folder: random elements and points, with NaN, infinities,
+ * zeros of both signs and subnormals, and hashes of results. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Enough iterations for a trial to cut them into parts (execute/manner.h). */
+/* Enough iterations for a trial to slice them (execute/manner.h). */
 enum { NODES = 300, COUNT = 2503 };
 
 struct element {

@@ -35,8 +35,7 @@ static void lifted_floats_read(int n, elements e, const float *restrict s, const
     }
 }
 
-/* What is computed as a double is rounded to a float once, what is computed as a float each time.
- */
+/* A double result is rounded to a float once, a float computation at each step. */
 static void lifted_roundings(int n, elements e, points q, const double (*restrict o)[3],
                              float *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -245,7 +244,7 @@ static void lifted_functions_of_some(int n, elements e, points q, float (*restri
     }
 }
 
-/* ---- what is left alone ---- */
+/* ---- constructs without a vector form ---- */
 
 static void plain_subscript_from_float(int n, elements e, points q, float *restrict b) {
     for (int t = 0; t < n; t++) {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Loops, and what tool/plan decides about them: see plan_test.c. */
-/* What is decided stands on the line of the loop. */
+/* The decision is on the line of the loop. */
 /* clang-format off */
 
 struct vector {
     double x, y, z;
 };
 
-/* Each row has a record of its own, one adds and one subtracts. */
+/* Each row has a separate record; one adds and one subtracts. */
 void springs(int n, const int (*edge)[2], const double (*restrict x)[3], double k,
              double (*restrict b)[3]) {
     for (int t = 0; t < n; t++) { // PLAN: bins: 2 records of 1 values, 2 tags in 1 streams; prefetch: 16 if light; gathers: 2; lanes: yes
@@ -49,7 +49,7 @@ void decided(int n, const int *restrict s, const double *w, double *h) {
             h[s[t]] += w[t];
 }
 
-/* Or repeat without end; and the sum beside keeps what it is given. Its reads are compared before. */
+/* Or repeat endlessly; and the other sum keeps its operand. Its reads are compared before. */
 void repeated(int n, const int *restrict s, const double *w, double *h) {
     for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared before
         double d = w[t];
@@ -74,7 +74,7 @@ void unsummed(int n, const int *restrict s, const double *w, double *h) {
         h[s[t]] += w[t];
 }
 
-/* The same, where w is no part of h. */
+/* The same, with w disjoint from h. */
 void decided_apart(int n, const int *restrict s, const double *restrict w, double *restrict h) {
     for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; precheck: none
         if (w[t] > 0)
@@ -115,7 +115,7 @@ void light_neighbours(int n, const int *restrict begin, const int *restrict list
 /* A sum that is read for something else than an update. */
 void sums(int n, const int *restrict begin, const int *restrict list, const double *restrict x,
           double *restrict f) {
-    for (int i = 0; i < n; i++) { // PLAN: no skip: a sum that it adds to is read by something else than an update
+    for (int i = 0; i < n; i++) { // PLAN: no skip: a sum that it adds to is read other than by an update
         double sum = 0;
         for (int k = begin[i]; k < begin[i + 1]; k++) {
             int j = list[k];
@@ -134,7 +134,7 @@ void pointers(const int *begin, const int *end, double *restrict h) {
         h[*p] += 1;
 }
 
-/* The body stands twice: a static variable cannot. */
+/* The body exists twice: a static variable cannot. */
 void statics(int n, const int *restrict s, double *restrict h) {
     for (int t = 0; t < n; t++) { // PLAN: obstacle: its body declares 'table' static
         static int table[2] = {1, 2};

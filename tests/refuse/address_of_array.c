@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The address of an array as a whole points to an array; what stands for the array in the parallel
-// form is a pointer to its elements.
+// The address of an array as a whole points to an array; its replacement in the parallel form is a pointer to its elements.
 enum { N = 4000 };
 static double h[N], rows[40][100];
 struct holder {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What a compiler answers to __has_builtin decides the type.
+// A compiler's answer to __has_builtin decides the type.
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_assume)
 typedef float element;

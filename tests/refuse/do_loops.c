@@ -111,7 +111,7 @@ void pointer_behind_its_end(const int *p, const int *end) {
     } while (p++ < end);
 }
 
-/* What is asked after an iteration may have no meaning before: m may be updated, and 0 until then. */
+/* The condition after an iteration may be undefined before: m may be updated, and 0 until then. */
 void divides(int *c, const int *d, int n) {
     int i = 0;
     do { // EXPECT: refuse trip-count
@@ -152,7 +152,7 @@ void calls(int n) {
     } while (--n > count());
 }
 
-/* What the loop's text is depends on a directive that stands partly in it, or on a macro. */
+/* The loop's text depends on a directive that is partly in it, or on a macro. */
 void ends_in_a_branch(int n) {
     do { // EXPECT: refuse directive-in-range
         h[s[n]] += e[n];

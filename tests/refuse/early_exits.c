@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that leave the loop where that cannot be found out before: by what the loop updates, by a
-// condition with effects, by a message that is no end, by a sum.
+// Iterations that leave the loop in ways that cannot be found before: by updated data, by a condition with effects, by a message
+// that does not end the program, by a sum.
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What an iteration stores is read again, but not for certain as what it has stored.
+// A stored value is read again, but not certainly as the stored one.
 // covers: row 31, row 59
 #include <math.h>
 

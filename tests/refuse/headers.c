@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which what the headers of accept/headers.c set is not what the text of
-// the copies would have, or carries a value.
+// The smallest changes after which the variables set in the headers of accept/headers.c have other values in the copies, or carry one.
 // covers: row 94
 enum { N = 4000 };
 extern int s[N];

@@ -138,7 +138,7 @@ void counter_given_away_inside(int n, double *h) {
     }
 }
 
-/* ---- array and subscript apart ---- */
+/* ---- array and subscript separate ---- */
 
 static void add_both(double *to, int k, double value) {
     to[k] += value;
@@ -235,7 +235,7 @@ void address_in_assembly(int n, double *restrict h) {
     }
 }
 
-/* ---- one element beside the others ---- */
+/* ---- one element in addition to the others ---- */
 
 void one_alone(int n, int *h, const int *other) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing

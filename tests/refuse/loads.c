@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Arrays behind pointers that are read under conditions only, where the pointer may be another one in
-// another iteration, or is more than a value.
+// Arrays behind pointers that are read only under conditions, when the pointer may differ between iterations, or is used for more
+// than its value.
 #include <string.h>
 
 struct target { int n; double *h; double *volatile v; char name[8]; };

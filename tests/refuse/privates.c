@@ -160,7 +160,7 @@ void static_array(int n, const int *k, double *h, const double *v) {
     }
 }
 
-/* ---- a list of places around one, of which some may not be written: which the bounds do not tell ---- */
+/* ---- a list of neighbouring places, some of which may not be written: the bounds do not show it ---- */
 
 static int *keep(int *to, int value) {
     *to = value;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which it can no longer be told where the functions of
-// accept/reads_in_functions.c read.
+// The smallest changes after which the reads of the functions of accept/reads_in_functions.c are no longer known.
 // covers: row 80, row 81
 
 /* The element of the iteration before. */
@@ -116,7 +115,7 @@ struct part {
     int from, end;
 };
 
-/* The bounds are there in some iterations only. */
+/* The bounds exist in some iterations only. */
 static double of_part(const double *x, const struct part *p) {
     double sum = 0;
     if (p)
@@ -146,7 +145,7 @@ void returns_before(int n, const int *const *count, const int *to, const int *li
         b[to[e]] += returned_before(x, list, count[e]);
 }
 
-/* What is updated, by its name. */
+/* The updated array, by its name. */
 static double dot(const int *ptr, const int *col, const double *x, int i) {
     double s = 0;
     for (int k = ptr[i]; k < ptr[i + 1]; k++)
@@ -186,7 +185,7 @@ void into_the_loop(int n, const int *count, const int *to, const int *list, cons
         b[to[e]] += entered(x, list, count[e], 2);
 }
 
-/* It stores what it looks up next. */
+/* It stores the next look-up's input. */
 static void renumber(const double *x, int *list, double *out) {
     for (int k = 0; k < 4; k++) {
         list[k] = k;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Members that are updated in some iterations only, of a record that need not be there in others:
- * no read of it, in the loop or in what it calls, is certain. */
+/* Members that are updated in some iterations only, of a record that need not exist in others: no read of it, in the loop or its
+ * callees, is certain. */
 // covers: row 46
 struct matrix {
     int *column;

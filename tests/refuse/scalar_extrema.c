@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The smallest changes by which the extrema of accept/scalar_extrema.c carry more from one
-// iteration to the next than what they are compared with.
+// The smallest changes after which the extrema of accept/scalar_extrema.c carry more between iterations than the compared value.
 // covers: row 88
 #include <math.h>
 

@@ -88,7 +88,7 @@ static int both(int of, int *p) {
     return of / 8;
 }
 
-/* What a call fills decides the subscripts: the inspector would have to add as well. */
+/* The values that a call stores are subscripts: the inspector would have to add as well. */
 long filled_subscript(int n, const int *k, double *restrict h) {
     long sum = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
@@ -99,7 +99,7 @@ long filled_subscript(int n, const int *k, double *restrict h) {
     return sum;
 }
 
-/* It fills what the next iteration finds. */
+/* It stores the next iteration's input. */
 long filled_outside(int n, const int *k, double *restrict h) {
     long sum = 0;
     int p[1] = {0};

@@ -38,7 +38,7 @@ double seen_by_a_call(int n, const int *restrict k, double *restrict h, const do
     return m.x;
 }
 
-/* Where the subscripts are may be what is counted: they are read before the loop. */
+/* The subscripts may be among the counts: they are read before the loop. */
 void perhaps_a_subscript(int n, const int *k, double *restrict h, int *count) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         h[k[i]] += 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A file that includes itself: one text stands for several loops, which are not alike.
+// A file that includes itself: one text is several different loops.
 #ifndef TYPE
 #define TYPE double
 #define NAME add_double

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// What stands in the way of rewriting the text.
+// Obstacles to rewriting the text.
 // covers: row 1, row 55, row 56, row 61, row 62, row 65, row 68
 #include <assert.h>
 #include <fenv.h>

@@ -24,7 +24,7 @@ struct binned_problem {
     const void *value; /* [trip] */
     void *rows;        /* of subscript 0 */
     const double *by;
-    redcc_int slow; /* the first iterations take longer, so many; or where < 0 the last ones */
+    redcc_int slow; /* the first iterations take longer, this many; or, if < 0, the last ones */
 };
 
 static inline void binned_delay(const struct binned_problem *p, redcc_int t) {

@@ -34,20 +34,20 @@ struct work {
 
 enum { ROWS = 3000, TRIP = 4000, MOST = 16 * TRIP, X = 50 };
 
-/** What the loop works on: one block, so that all may overlap. x is `other` from ROWS on. */
+/** The loop's data: one block, so that all parts may overlap. x is `other` from ROWS on. */
 struct memory {
     long count[ROWS];
     double sum[ROWS];
     double other[ROWS + X];
 };
 
-/** What it is now, and what each work_compare begins with. */
+/** The current data, and the initial data of each work_compare. */
 extern struct memory now, before;
 
 /** The loop's descriptor; its second stream has a tag. */
 extern redcc_binned work_loop;
 
-/** Threads that OpenMP is made to give; 0: as many as asked for. */
+/** Number of threads that OpenMP is made to give; 0: the requested number. */
 extern int fewer;
 
 /** Random work of at most `most_inside` iterations of the loop inside; to be given to work_free. */

@@ -33,7 +33,7 @@ struct problem {
     long doubles; /* that `first` holds */
 };
 
-/** A loop's description, of its own for each problem. */
+/** A loop's description, separate for each problem. */
 struct described {
     redcc_array arrays[2];
     redcc_source sources[4];
@@ -48,16 +48,16 @@ struct problem problem_new(int number, bool exact);
 /** Gives back its memory. */
 void problem_free(struct problem *problem);
 
-/** Sets the arrays to what they are before the loop. */
+/** Sets the arrays to their initial contents. */
 void problem_reset(struct problem *problem);
 
-/** As if each iteration of the original loop took so many seconds, in very many calls before, and
- *  each set-up as long as ten of these: then auto comes to a plan in the calls that follow,
- * whatever else the machine does. The loop must have been executed once. */
+/** Pretends that each iteration of the original loop took `seconds` in very many earlier calls, and
+ *  each plan construction ten times as long: then auto comes to a plan in the following calls,
+ *  whatever the machine's load. The loop must have been executed once. */
 void problem_tell_slow(redcc_loop *loop, long trip, double seconds);
 
-/** Does problem_run do that after a call that ran serially, where no method is named? At first it
- *  does. */
+/** Does problem_run do that after a call that ran serially, if no method is named? True
+ *  initially. */
 extern bool problem_run_tells;
 
 /** The loop as redcc translates it. Returns 1 where it was done in parallel (0: serially). *last

@@ -87,7 +87,7 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
     const redcc_word key[] = {(redcc_size)start, (redcc_size)row, (redcc_size)other};
     set_known(problem, known);
     redcc_call call;
-    redcc_loop_make(&described->loop); /* however short it is: tests look at it */
+    redcc_loop_make(&described->loop); /* even if it is short: tests inspect it */
     if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {
 #pragma omp parallel num_threads(given < call.threads ? given : call.threads)                      \
     firstprivate(start, row, other, value, first, second, width, second_width)

@@ -221,7 +221,7 @@ static void lines_of_the_text(void **unused) {
         assert_false(redcc_maps_parse(bad[b], &mapping));
 }
 
-/* --price: how long a look takes, with so many mappings. */
+/* --price: the duration of a query, with this many mappings. */
 static void print_prices(void) {
     static const int counts[] = {0, 200, 2000};
     const struct range written = {(uintptr_t)area, (uintptr_t)area + PAGES * PAGE};

@@ -119,7 +119,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
     return true;
 }
 
-/* In a process of its own: does the loop come to its end? */
+/* In a child process: does the loop end normally? */
 static bool survives(const struct method *method, enum change to_make) {
     const pid_t child = fork();
     assert_true(child >= 0);

@@ -259,7 +259,7 @@ static void random_problems(void **unused) {
         redcc_bins_tuning.round = n % 3 ? INT64_MAX : 1 + trip / 3;
         redcc_bins_tuning.least_budget = (size_t)1 << (small ? 32 : 20 + n % 5);
         redcc_bins_tuning.trial = n % 7 ? 0 : n % 2 ? INFINITY : -INFINITY;
-        for (int call = 0; call < 3; call++) /* what is known stays, for other threads, too */
+        for (int call = 0; call < 3; call++) /* known properties are kept, for other threads, too */
             compare(&data, thread_counts[1 + (n + call) % (COUNTS - 2)]);
         free_data(&data);
     }
@@ -386,7 +386,7 @@ static void floats_are_never_copied(void **unused) {
     free_data(&data);
 }
 
-/* Who executes the last iteration to measure does not keep it from who executes it for good. */
+/* Measuring the last iteration does not prevent the thread that executes it from claiming it. */
 static void the_last_iteration_is_claimed(void **unused) {
     (void)unused;
     struct data data = new_data(&double_sum, 500, 2000, UNIFORM, 8);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What binning has to give up, or to do again, in the middle of a loop: reads that overlap what a
- * round writes, streams that overlap, rows far apart. And several arrays in a record, several
- * updates of an array, loops inside. */
+/* Cases in which binning gives up, or repeats a round, during a loop: reads that overlap a round's
+ * writes, streams that overlap, rows over a large range. Also several arrays in a record, several
+ * updates of an array, inner loops. */
 #include "base/memory.h"
 #include "binned_work.h"
 #include "settings.h"
@@ -29,7 +29,7 @@ static void records_of_several_arrays_and_updates(void **unused) {
         assert_true(work_compare(&w, threads[n % 6]));
         assert_true(work_compare(&w, threads[(n + 3) % 6]));
         assert_int_equal(work_state()->binning.reason,
-                         REASON_NONE); /* x lies beside what is written */
+                         REASON_NONE); /* x lies next to the written rows */
         assert_int_equal(work_validated(), redcc_settings()->validate ? 2 : 0);
         work_free(&w);
     }
@@ -102,7 +102,7 @@ static void the_guard_is_exact(void **unused) {
     redcc_bins_tuning = usual;
 }
 
-/* What is read in earlier rounds may be written in later ones: in the loop it is so as well. */
+/* Reads of earlier rounds may be written in later ones: as in the loop. */
 static void reads_before_writes(void **unused) {
     (void)unused;
     struct work w = work_new(19, 3);
@@ -165,7 +165,7 @@ static void errors_of_functions(void **unused) {
     work_free(&w);
 }
 
-/* A value is wrong only as long as what was to be written before is not. */
+/* A value is wrong only until an earlier update is made. */
 static void errors_of_rounds_thrown_away(void **unused) {
     (void)unused;
     struct work w = work_new(8, 3);
@@ -193,7 +193,7 @@ static void errors_of_rounds_thrown_away(void **unused) {
     work_free(&w);
 }
 
-/* One row far below the others: the loop itself, in memory of which hardly anything is there. */
+/* One row far below the others: the loop itself, in sparse memory. */
 static void rows_far_apart(void **unused) {
     (void)unused;
     const size_t distance = (size_t)1 << 38, room = 1 << 16;

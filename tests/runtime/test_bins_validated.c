@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* REDCC_VALIDATE=1 with loops that are binned: what is right is compared and found right; a record
- * that is applied wrongly is found, in whatever round, and the results stay as they are. */
+/* REDCC_VALIDATE=1 with binned loops: correct executions pass; a wrongly applied record is detected
+ * in any round, and the results are kept. */
 #include "base/memory.h"
 #include "binned.h"
 #include "bins/window.h"
@@ -43,7 +43,7 @@ static const struct statistics *statistics_of(const struct binned_loop *loop) {
 static const redcc_stream *right;
 static long applied_before_fault;
 
-/* Of the records that are applied after some others the first is applied once too often. */
+/* The first of the records applied after the given number is applied once too often. */
 static void apply_wrongly(const redcc_applied *applied) {
     right->apply(applied);
     if (applied->count == 0 || __atomic_fetch_sub(&applied_before_fault, 1, __ATOMIC_RELAXED) != 0)
@@ -54,7 +54,7 @@ static void apply_wrongly(const redcc_applied *applied) {
     right->apply(&again);
 }
 
-/* Runs the loop with the fault after so many calls of its apply function. */
+/* Runs the loop with the fault after this number of calls of its apply function. */
 static void run_wrongly(const struct binned_loop *loop, const struct binned_problem *problem,
                         long after) {
     redcc_stream wrong = loop->descriptor->streams[0];

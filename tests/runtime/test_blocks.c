@@ -95,8 +95,8 @@ static void blocks_of_a_child(void **unused) {
     redcc_block_give(block, bytes, true);
 }
 
-/* Only the system orders the second thread after the first: what looks for data races must be told.
- * The flag orders nothing. */
+/* Only the system orders the second thread after the first, which race detectors cannot see. The
+ * flag orders nothing. */
 static void the_place_of_another_thread(void **unused) {
     (void)unused;
     atomic_bool is_given = false;

@@ -69,8 +69,8 @@ static void make_random(struct touched *it) {
     }
 }
 
-static void tell(const struct touched *it, struct told *told, int threads) {
-    memset(told, 0, (size_t)threads * sizeof *told);
+static void tell(const struct touched *it, struct access_log *logged, int threads) {
+    memset(logged, 0, (size_t)threads * sizeof *logged);
     for (int thread = 0; thread < threads; thread++)
         for (int i = it->iterations * thread / threads; i < it->iterations * (thread + 1) / threads;
              i++) {
@@ -78,7 +78,7 @@ static void tell(const struct touched *it, struct told *told, int threads) {
             const uint32_t count = it->count[i] ? it->count[i] : 1;
             memcpy(unit, it->unit[i], it->count[i] * sizeof *unit);
             unit[count - 1] |= REDCC_LAST;
-            assert_true(redcc_unit_list_add(&told[thread].leading, unit, count));
+            assert_true(redcc_unit_list_add(&logged[thread].leading, unit, count));
         }
 }
 
@@ -109,7 +109,7 @@ static void check_connected(const struct touched *it, const struct clusters *clu
     free(root);
 }
 
-/* Of how many units each is, and what they weigh. */
+/* The number of units in each, and the weights. */
 static void check_counts(const struct touched *it, const struct clusters *clusters) {
     uint32_t *size = calloc(clusters->count, sizeof *size);
     uint32_t *weight = calloc(clusters->count, sizeof *weight);
@@ -157,10 +157,10 @@ static void check_lists(const struct touched *it, const struct clusters *cluster
 /* Joins until there are few enough; returns after how many rounds, and `of` [UNITS]. */
 static int cluster(const struct touched *it, uint32_t most, int threads, uint32_t *of,
                    uint32_t *count) {
-    static struct told told[THREADS_MOST];
+    static struct access_log logged[THREADS_MOST];
     struct clusters clusters;
-    tell(it, told, threads);
-    assert_true(redcc_clusters_begin(&clusters, UNITS, most, told, threads));
+    tell(it, logged, threads);
+    assert_true(redcc_clusters_begin(&clusters, UNITS, most, logged, threads));
     for (int thread = 0; thread < threads; thread++)
         redcc_clusters_choose(&clusters, thread);
     redcc_clusters_agree(&clusters, 0, UNITS);
@@ -180,12 +180,13 @@ static int cluster(const struct touched *it, uint32_t most, int threads, uint32_
     *count = clusters.count;
     redcc_clusters_end(&clusters);
     for (int thread = 0; thread < threads; thread++)
-        redcc_unit_list_end(&told[thread].leading);
+        redcc_unit_list_end(&logged[thread].leading);
     assert_int_equal(redcc_memory_live(), 0);
     return rounds;
 }
 
-/* The same by any number of threads; so many clusters at the most, after no fewer rounds. */
+/* The same with any number of threads; at most `most` clusters, after at least this number of
+ * rounds. */
 static void check_all(void (*make)(struct touched *), uint32_t most, uint32_t count_most,
                       int rounds_least) {
     struct touched *it = calloc(1, sizeof *it);
@@ -225,7 +226,7 @@ static void random_iterations(void **unused) {
     check_all(make_random, 64, 120, 1);
 }
 
-/* Lists take whatever is added; what is told is kept up to a limit. */
+/* Lists accept any number of items; logging stops at a limit. */
 static void lists_grow(void **unused) {
     (void)unused;
     struct unit_list list = {0};
@@ -241,7 +242,7 @@ static void lists_grow(void **unused) {
 enum { ROWS = 4000, MOST_KEPT = 1000 };
 static char row[8 * ROWS];
 
-static void begin_told(struct told *told, struct units *units, struct partition *partition,
+static void begin_told(struct access_log *logged, struct units *units, struct partition *partition,
                        struct range *seen) {
     static const redcc_array arrays[] = {{"row", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
     static const redcc_loop loop = {.arrays = arrays, .array_count = 1};
@@ -250,25 +251,25 @@ static void begin_told(struct told *told, struct units *units, struct partition 
     *seen = redcc_nowhere;
     assert_true(redcc_partition_begin(partition, &loop, bases, 2));
     assert_true(redcc_units_begin(units, partition, &touched));
-    assert_true(
-        redcc_told_begin(told, units, partition, seen, 0, (const size_t[]){0, 0}, MOST_KEPT));
+    assert_true(redcc_access_log_begin(logged, units, partition, seen, 0, (const size_t[]){0, 0},
+                                       MOST_KEPT));
 }
 
-static void end_told(struct told *told, struct units *units, struct partition *partition) {
-    redcc_told_end(told);
+static void end_told(struct access_log *logged, struct units *units, struct partition *partition) {
+    redcc_access_log_end(logged);
     redcc_units_end(units);
     redcc_partition_end(partition);
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Two rows an iteration, of which the one before has touched the first. */
-static void tell_rows(struct told *told, uint32_t first, uint32_t end) {
+/* Two rows per iteration; the preceding iteration has touched the first. */
+static void tell_rows(struct access_log *logged, uint32_t first, uint32_t end) {
     for (uint32_t r = first; r < end; r++) {
         const redcc_entry entries[] = {{row + 8 * r, 0, 8},
                                        {row + 8 * (r + 1), 0, 8},
                                        {row + 8 * r, 0, 8},
                                        {0, REDCC_END_OF_ITERATION, 0}};
-        redcc_told_take(told, entries, entries + 4);
+        redcc_access_log_take(logged, entries, entries + 4);
     }
 }
 
@@ -276,27 +277,27 @@ static void touches_are_kept_up_to_a_limit(void **unused) {
     (void)unused;
     struct partition partition;
     struct units units;
-    struct told told;
+    struct access_log logged;
     struct range seen;
-    begin_told(&told, &units, &partition, &seen);
-    tell_rows(&told, 0, 400);
-    assert_false(told.too_much || told.failed || told.beyond);
-    assert_int_equal(told.leading.count, 800);
+    begin_told(&logged, &units, &partition, &seen);
+    tell_rows(&logged, 0, 400);
+    assert_false(logged.too_much || logged.failed || logged.beyond);
+    assert_int_equal(logged.leading.count, 800);
     for (uint32_t r = 0; r < 400; r++) {
-        assert_int_equal(told.leading.item[2 * r], r);
-        assert_int_equal(told.leading.item[2 * r + 1], (r + 1) | REDCC_LAST);
+        assert_int_equal(logged.leading.item[2 * r], r);
+        assert_int_equal(logged.leading.item[2 * r + 1], (r + 1) | REDCC_LAST);
     }
-    tell_rows(&told, 400, 1200);
-    assert_true(told.too_much && !told.failed);
-    assert_in_range(told.leading.count, MOST_KEPT, 2 * MOST_KEPT + 64);
-    assert_int_equal(told.iterations, 1200);
-    end_told(&told, &units, &partition);
-    begin_told(&told, &units, &partition, &seen);
+    tell_rows(&logged, 400, 1200);
+    assert_true(logged.too_much && !logged.failed);
+    assert_in_range(logged.leading.count, MOST_KEPT, 2 * MOST_KEPT + 64);
+    assert_int_equal(logged.iterations, 1200);
+    end_told(&logged, &units, &partition);
+    begin_told(&logged, &units, &partition, &seen);
     redcc_memory_fail_after(0);
-    tell_rows(&told, 0, 400);
+    tell_rows(&logged, 0, 400);
     redcc_memory_fail_after(-1);
-    assert_true(told.failed && !told.too_much);
-    end_told(&told, &units, &partition);
+    assert_true(logged.failed && !logged.too_much);
+    end_told(&logged, &units, &partition);
 }
 
 int main(void) {

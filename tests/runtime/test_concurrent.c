@@ -33,8 +33,8 @@ struct user {
     long parallel;
 };
 
-/* Exact values, or, where the method gives the same bits everywhere, others: what is expected is
- * then what three threads make of them. */
+/* Exact values or, if the method always gives the same bits, others: the expected result is then
+ * that of three threads. */
 static void user_begin(struct user *user, int number, struct described *described) {
     user->problem = problem_new(number, !always_plans());
     user->described = described;
@@ -117,7 +117,7 @@ static void inside_a_region(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* OpenMP gives fewer threads than asked for. */
+/* OpenMP gives fewer threads than requested. */
 static void fewer_threads_than_asked_for(void **unused) {
     (void)unused;
     struct user user;

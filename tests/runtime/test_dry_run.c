@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Dry runs: no read that the runtime lets pass is of what was updated before, and none ends a run
- * where what is read lies apart from what is updated. The loop, which is not executed:
+/* Dry runs: no read that the runtime passes is of an element updated before, and no run ends if
+ * reads and updates are disjoint. The loop, which is not executed:
  *
  *     for (t = 0; t < TRIP; t++) {
  *         pool[at[0][t]] is read;  pool[at[1][t]] is updated
  *         pool[at[2][t]] is read;  pool[at[3][t]] is updated
- *     }
- */
+ *     } */
 #include "loop.h"
 
 #include <omp.h>
@@ -113,7 +112,7 @@ static void fill(int *place, int first, int length) {
     }
 }
 
-/* Next to each other, in any order, some of them a little apart. */
+/* Next to each other, in any order, some of them at a small distance. */
 static void fill_apart(void) {
     int order[PLACES] = {0, 1, 2, 3}, first = below(100);
     for (int i = PLACES - 1; i > 0; i--) {
@@ -141,7 +140,7 @@ static void nothing_ends_what_is_apart(void **unused) {
     assert_true(dry_runs < 2 * TRIALS);
 }
 
-/* One or more reads of what is updated, somewhere. */
+/* One or more reads of updated elements, somewhere. */
 static void no_stale_read_passes(void **unused) {
     (void)unused;
     stale_reads = 0;

@@ -135,7 +135,7 @@ static int row[TRIP];
     }
 ALL(KERNEL)
 
-/* What an element gets from a copy in which nothing was added: exactly itself. */
+/* Merging a copy to which nothing was added leaves each element exactly unchanged. */
 static void neutral_elements_change_nothing(void **unused) {
     (void)unused;
     for (int type = 0; type < REDCC_OTHER_TYPE; type++)

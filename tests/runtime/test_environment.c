@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the variables REDCC_... do to a program: the example of docs/generated-code.md. Arguments:
- * the same program without OpenMP, one whose guarded form writes nothing, then the
+/* Effects of the variables REDCC_... on a program: the example of docs/generated-code.md.
+ * Arguments: the same program without OpenMP, one whose owner-checked form writes nothing, then the
  * program with OpenMP, by each compiler. */
 #include <jansson.h>
 #include <setjmp.h>
@@ -274,7 +274,7 @@ static void validation_is_failed(void **unused) {
     const char *variables = "REDCC_VALIDATE=1 OMP_NUM_THREADS=3 REDCC_METHOD=localwrite";
     const struct outcome found = run(variables, broken, "2000 4");
     assert_int_equal(found.status, 3);
-    assert_int_equal(strlen(found.text), 17); /* what the program prints is all there */
+    assert_int_equal(strlen(found.text), 17); /* the program's output is complete */
     assert_non_null(strstr(found.errors, "the promise of order serial is BROKEN in 4 of them"));
     assert_non_null(strstr(found.errors, "of s->b"));
     assert_int_equal(run("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", broken, "2000 4").status, 0);
@@ -381,8 +381,8 @@ static int threads_of(const char *variables, const char *arguments) {
     return threads;
 }
 
-/* Few iterations are not worth waking threads for; the first call has no times to go by. A method
- * that is named does as it is told. */
+/* Few iterations are not worth waking threads for; the first call has no earlier times. A named
+ * method always runs. */
 static void compensated_sums_of_few_iterations(void **unused) {
     (void)unused;
     assert_int_equal(threads_of("REDCC_SUM=compensated OMP_NUM_THREADS=2", "20 1"), 1);
@@ -398,7 +398,7 @@ static void expect_least_trip(const char *variables, const char *expected) {
         fail_msg("%s: not '%s': %s", variables, expected, found.text);
 }
 
-/* What is asked for by name is done at any trip count. */
+/* Named settings apply at any trip count. */
 static void few_short_iterations(void **unused) {
     (void)unused;
     expect_least_trip("", "131072 unasked, from 1024\n");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a sample says of an iteration, and what owners cut from the access graph are expected to
- * cost by it. */
+/* Statistics of an iteration from a sample, and the expected cost of owners cut from the access
+ * graph. */
 #include "choose/cost_model.h"
 #include "ownership/cuts.h"
 #include "ownership/estimate.h"
@@ -74,7 +74,7 @@ static const struct cutting measured[] = {
     {651387, 4, 10, 0.120}, /* bending */
 };
 
-/* Rather more than it took: what is expected to take less is begun for nothing. */
+/* Slightly more than it took: an underestimate would begin useless work. */
 static void cutting_is_expected_to_take_as_long_as_it_took(void **unused) {
     (void)unused;
     for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {

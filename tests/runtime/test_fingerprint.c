@@ -72,8 +72,8 @@ static unsigned long splitmix64(unsigned long *state) {
     return mixed ^ mixed >> 31;
 }
 
-/* Contents made for a key that is known, the numbers of splitmix64 from 0: with it all products are
- * 0, and what is left are sums, in which the upper halves of two words may change places. */
+/* Contents constructed for a known key, the numbers of splitmix64 from 0: with it all products are
+ * 0, and only sums remain, in which the upper halves of two words may be swapped. */
 static void a_fingerprint_has_a_secret(void **unused) {
     (void)unused;
     enum { STRIPES = 16, WORDS = 8 };

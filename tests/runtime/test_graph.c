@@ -234,7 +234,7 @@ static void what_is_told_is_kept(void **unused) {
                                     {(uintptr_t)(a + 10), (uintptr_t)(a + 700)}};
     struct partition partition;
     struct units units;
-    struct told told;
+    struct access_log logged;
     assert_true(redcc_partition_begin(&partition, &loop, bases, 2));
     assert_true(redcc_units_begin(&units, &partition, touched));
     assert_int_equal(units.leading, 10);
@@ -242,30 +242,31 @@ static void what_is_told_is_kept(void **unused) {
     for (uint64_t offset = 0; offset < 700; offset++)
         assert_int_equal(redcc_units_in(&units.of[1], offset), offset / 7);
     struct range seen[] = {redcc_nowhere, redcc_nowhere};
-    assert_true(redcc_told_begin(&told, &units, &partition, seen, 0, (const size_t[]){0, 0}, 1000));
+    assert_true(
+        redcc_access_log_begin(&logged, &units, &partition, seen, 0, (const size_t[]){0, 0}, 1000));
     const redcc_entry end = {0, REDCC_END_OF_ITERATION, 0};
     const redcc_entry entries[] = {
         {b + 24, 0, 24}, {a + 13, 1, 2},  {b, 0, 0}, {b + 40, 0, 1}, end, end,
         {a + 699, 1, 1}, {b + 20, 0, 30}, end};
-    redcc_told_take(&told, entries, entries + 5);
-    redcc_told_take(&told, entries + 5, entries + 9);
+    redcc_access_log_take(&logged, entries, entries + 5);
+    redcc_access_log_take(&logged, entries + 5, entries + 9);
     static const uint32_t leading[] = {1 | REDCC_LAST, REDCC_NO_UNIT | REDCC_LAST, 0, 1,
                                        2 | REDCC_LAST};
     static const uint32_t further[] = {10, 11 | REDCC_LAST, REDCC_NO_UNIT | REDCC_LAST,
                                        108 | REDCC_LAST};
-    assert_int_equal(told.iterations, 3);
-    assert_int_equal(told.leading.count, 5);
-    assert_int_equal(told.further.count, 4);
-    assert_memory_equal(told.leading.item, leading, sizeof leading);
-    assert_memory_equal(told.further.item, further, sizeof further);
+    assert_int_equal(logged.iterations, 3);
+    assert_int_equal(logged.leading.count, 5);
+    assert_int_equal(logged.further.count, 4);
+    assert_memory_equal(logged.leading.item, leading, sizeof leading);
+    assert_memory_equal(logged.further.item, further, sizeof further);
     assert_true(seen[0].first == (uintptr_t)(b + 20) && seen[0].end == (uintptr_t)(b + 50));
     assert_true(seen[1].first == (uintptr_t)(a + 13) && seen[1].end == (uintptr_t)(a + 700));
-    assert_false(told.too_much || told.beyond);
+    assert_false(logged.too_much || logged.beyond);
     const redcc_entry beyond = {b + 239, 0, 2};
-    redcc_told_take(&told, &beyond, &beyond + 1);
-    assert_true(told.beyond);
+    redcc_access_log_take(&logged, &beyond, &beyond + 1);
+    assert_true(logged.beyond);
     assert_true(seen[0].end == (uintptr_t)b + 241);
-    redcc_told_end(&told);
+    redcc_access_log_end(&logged);
     redcc_units_end(&units);
     redcc_partition_end(&partition);
     assert_int_equal(redcc_memory_live(), 0);
@@ -319,7 +320,7 @@ static void auto_comes_to_the_graph(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* As if each iteration took so many seconds: the method that auto has come to by the graph. */
+/* Pretends that each iteration took `seconds`: the method that auto has chosen by the graph. */
 static const struct method *method_of_long_iterations(const struct mesh *mesh, double seconds) {
     struct problem problem = mesh_problem(mesh);
     struct described described;
@@ -346,7 +347,7 @@ static void auto_adds_stealable_blocks_where_iterations_are_long(void **unused) 
     assert_ptr_equal(method_of_long_iterations(&mesh, 60e-9), &redcc_method_graph_localwrite);
 }
 
-/* They are there, and one of them takes part in all: they are joined to the others. */
+/* They exist, and one of them takes part in all iterations: they are joined to the others. */
 static void auto_joins_stealable_blocks_that_cost_too_much(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 257, .sheets = 1, .hub = true};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Iterations in levels: against the definition, tried on every pair of iterations; and auto, which
- * takes them where no cut of owners serves. */
+/* Iterations in levels: checked against the definition for every pair of iterations; and auto,
+ * which uses them if no cut of owners is good. */
 #include "base/memory.h"
 #include "loop.h"
 #include "ownership/graph/levels.h"
@@ -54,18 +54,18 @@ static struct touches random_touches(int trip, int units, int most, unsigned lon
 
 /* As `threads` threads tell them. */
 static void tell(const struct touches *it, int threads, const struct units *units,
-                 const struct partition *partition, struct told *told, const char *b) {
+                 const struct partition *partition, struct access_log *logged, const char *b) {
     static struct range seen;
     for (int thread = 0; thread < threads; thread++) {
         const redcc_int begin = redcc_share(it->trip, threads, thread);
-        assert_true(redcc_told_begin(&told[thread], units, partition, &seen, begin,
-                                     (const size_t[]){0, 0}, 1 << 20));
+        assert_true(redcc_access_log_begin(&logged[thread], units, partition, &seen, begin,
+                                           (const size_t[]){0, 0}, 1 << 20));
         for (redcc_int t = begin; t < redcc_share(it->trip, threads, thread + 1); t++) {
             redcc_entry entry[MOST_TOUCHES + 1] = {{0, 0, 0}};
             for (int k = 0; k < it->count[t]; k++)
                 entry[k] = (redcc_entry){b + it->unit[t][k], 0, 1};
             entry[it->count[t]].array = REDCC_END_OF_ITERATION;
-            redcc_told_take(&told[thread], entry, entry + it->count[t] + 1);
+            redcc_access_log_take(&logged[thread], entry, entry + it->count[t] + 1);
         }
     }
 }
@@ -119,18 +119,18 @@ static void try_touches(const struct touches *it, int units_count, int threads, 
     const struct range touched = {(uintptr_t)b, (uintptr_t)(b + units_count)};
     struct partition partition;
     struct units units;
-    struct told told[8];
+    struct access_log logged[8];
     struct levels levels;
     assert_true(redcc_partition_begin(&partition, &loop, &base, 2));
     assert_true(redcc_units_begin(&units, &partition, &touched));
-    tell(it, threads, &units, &partition, told, b);
-    assert_true(redcc_levels_begin(&levels, told, threads, every));
+    tell(it, threads, &units, &partition, logged, b);
+    assert_true(redcc_levels_begin(&levels, logged, threads, every));
     check(it, &levels, every);
     check_shares(&levels, 3);
     assert_true(redcc_levels_length(&levels, 2) >= levels.count / 2.0);
     redcc_levels_end(&levels);
     for (int thread = 0; thread < threads; thread++)
-        redcc_told_end(&told[thread]);
+        redcc_access_log_end(&logged[thread]);
     redcc_units_end(&units);
     redcc_partition_end(&partition);
     assert_int_equal(redcc_memory_live(), 0);
@@ -222,7 +222,7 @@ static void auto_takes_levels_where_no_cut_serves(void **unused) {
  * nothing is lost. */
 static void memory_fails_on_the_way(void **unused) {
     (void)unused;
-    enum { FIRST = 1, STEP = 11 }; /* the call in which auto comes to the graph; to be quick */
+    enum { FIRST = 1, STEP = 11 }; /* the call in which auto comes to the graph; for speed */
     struct problem problem = random_pairs(100000, 60000);
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
     double *expected = malloc(bytes);

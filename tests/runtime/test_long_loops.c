@@ -6,8 +6,8 @@
  *         sum[t / stretch] += t;
  *     }
  *
- * Iterations that are alike are told, and executed, all at once: the runtime hands them out in runs
- * and does not see the difference. With an argument they are told and executed one by one. */
+ * Equal iterations are recorded, and executed, all at once: the runtime hands them out in runs and
+ * does not see the difference. With an argument they are recorded and executed one by one. */
 #include "base/memory.h"
 #include "loop.h"
 
@@ -32,14 +32,14 @@ static redcc_int least(redcc_int a, redcc_int b) {
     return a < b ? a : b;
 }
 
-/* Tells iterations [first, end), all of which touch `element`. */
+/* Records iterations [first, end), all of which touch `element`. */
 static void tell(redcc_worker *worker, struct tally *element, redcc_int first, redcc_int end) {
     while (first < end) {
         redcc_touch(worker, 0, element, sizeof *element);
         const int all_alike = worker->inside && !worker->outside && !one_by_one;
         redcc_iteration_done(worker);
         first++;
-        if (all_alike) { /* as so many calls of the two would */
+        if (all_alike) { /* as this number of calls of the two would */
             worker->alike += end - first;
             first = end;
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* In which manner executions are made: what is tried, what is kept; and how many lanes there are
- * for which settings. */
+/* Variants of executions: which are tried, which is kept; and the number of lanes for given
+ * settings. */
 #include "execute/run.h"
 
 #include <setjmp.h>
@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-/* Of `executions`, of so many iterations a thread each, how many parts were executed without and
- * with prefetches, where an iteration takes seconds[with]; every third part takes half as long
+/* The number of slices executed without and with prefetches in `executions` executions of this many
+ * iterations per thread, if an iteration takes seconds[with]; every third slice takes half as long
  * again. */
 static void execute(struct manners *it, bool open, int executions, redcc_int iterations,
                     const double seconds[MANNERS], int made[MANNERS]) {
@@ -94,7 +94,7 @@ static void executions_in_between_have_some_parts(void **unused) {
     assert_true(redcc_manner_of(&other, true, 0));
 }
 
-/* One execution, whose parts take longer from one to the next, or of which one is interrupted. */
+/* One execution with slices that become slower, or with one interruption. */
 static bool best_where(bool best, double drift, unsigned interrupted) {
     struct manners it = {0};
     double each[MANNER_PARTS];
@@ -133,7 +133,7 @@ static void two_rounds_do_where_the_best_is_evident(void **unused) {
     }
 }
 
-/* Executions with which prefetches make no difference come in between: what is known stays. */
+/* Executions that prefetches do not affect come in between: the result is kept. */
 static void what_is_known_stays(void **unused) {
     (void)unused;
     const double seconds[MANNERS] = {1.0, 0.5};
@@ -147,7 +147,7 @@ static void what_is_known_stays(void **unused) {
     assert_true(redcc_manner_of(&it, true, 0));
 }
 
-/* Parts of 10 iterations of which 33 are executed in four: what is handed out is cut there. */
+/* Slices of 10 iterations out of 33 executed in four: handed out runs are cut there. */
 static void iterations_are_cut_into_parts(void **unused) {
     (void)unused;
     struct parts it;

@@ -49,7 +49,7 @@ static void failing_memory(void **unused) {
     fail_everywhere(11, 2);
 }
 
-/* What the report and the learner know of a loop is there whatever the limit; a plan is not. */
+/* Data of the report and the learner exist under any limit; a plan does not. */
 static void a_limit_is_kept(void **unused) {
     (void)unused;
     struct problem problem = problem_new(3, true);

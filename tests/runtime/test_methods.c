@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 static const int thread_counts[] = {1, 2, 3, 7, 16, 33, 64};
-enum { MANY = 64 }; /* on a third of the shapes: so many threads take their time */
+enum { MANY = 64 }; /* for a third of the shapes: this many threads take their time */
 
 static void copy_arrays(const struct problem *problem, double *to) {
     memcpy(to, problem->first, (size_t)problem->doubles * sizeof *to);
@@ -132,7 +132,7 @@ static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     memcpy(expected, problem.first, (size_t)problem.doubles * sizeof(double));
     problem_reset(&problem);
     assert_false(problem_run(&problem, &described, 2, &last));
-    int done = 0; /* nor is there memory for the graph, as the first set-up finds */
+    int done = 0; /* nor is there memory for the graph, as the first plan construction finds */
     for (int call = 0; call < 10 && !done; call++) {
         problem_reset(&problem);
         done = problem_run(&problem, &described, 2, &last);

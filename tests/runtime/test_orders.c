@@ -28,7 +28,7 @@ typedef long double wide;
 static const int thread_counts[] = {1, 2, 3, 7, 16, 33, 64};
 enum { COUNTS = sizeof thread_counts / sizeof *thread_counts };
 
-/* The order that results have: what the method named keeps, of auto what is asked for. */
+/* The order of results: that of the named method; for auto the requested one. */
 static redcc_order promised(void) {
     const struct settings *settings = redcc_settings();
     if (settings->method)
@@ -43,7 +43,7 @@ static double between(unsigned long *random, double low, double high) {
 /* Contributions, by their number. Bodies multiply them by small integers. */
 typedef double maker(long at, unsigned long *random);
 
-/* Large numbers of both signs, and what is left of them is 1e-16 of their sizes. */
+/* Large numbers of both signs, whose sum is 1e-16 of their sizes. */
 static double cancelling(long at, unsigned long *random) {
     static double last;
     last = at % 2 ? 1e-3 * between(random, 0, 1) - last : between(random, 1e12, 1e13);
@@ -77,7 +77,7 @@ static double ordinary(long at, unsigned long *random) {
     return between(random, -1, 1);
 }
 
-/* What an element may be: its sum exactly, of its absolute values, and how many they are. */
+/* An element's exact sum, the sum of absolute values, and the number of terms. */
 struct exact {
     wide sum;
     wide size;
@@ -335,7 +335,8 @@ static void fill_rows(void) {
         row[t] = (int)(next_random(&random) % BINS);
 }
 
-/* A float counter stops at 2^24, where the sequential loop's does; by other orders it may go on. */
+/* A float counter stops at 2^24, where the sequential loop's does; with other orders it may
+ * continue. */
 static void float_counters_past_2_to_24(void **unused) {
     (void)unused;
     float first[BINS] = {0};
@@ -384,7 +385,7 @@ static void integers_wrap_around(void **unused) {
     }
 }
 
-/* Comparisons with NaN are false: it is never taken, and where it stands it stays. */
+/* Comparisons with NaN are false: it is never stored, and an initial NaN stays. */
 static void minimum_and_maximum_with_nan(void **unused) {
     (void)unused;
     double expected[2][BINS], found[2][BINS];
@@ -487,7 +488,7 @@ static void rows_by_functions(triple *array, int threads) {
     redcc_loop_forget(&loop);
 }
 
-/* What is added to each row, in 64 bits of precision or more: that stands for the exact sums. */
+/* The contributions to each row, in 64 bits of precision or more, as exact sums. */
 static void sum_rows(long double (*sum)[3]) {
     for (int t = 0; t < TRIP; t++) {
         triple part = {0, 0, 0}, rest = {0.3, 0, 0};

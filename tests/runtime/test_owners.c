@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a thread owns: of rows at any place, redcc_owns_part against redcc_owns of each byte. */
+/* Ownership: for rows at any address, redcc_owns_part against redcc_owns of each byte. */
 #include <redcc/runtime.h>
 
 #include <setjmp.h>

@@ -66,7 +66,8 @@ static void sets_are_kept_once(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Of three touches an iteration, in every stretch of iterations as many are kept of each. */
+/* With three touches per iteration, the same number of each is kept in every stretch of
+ * iterations. */
 static void a_thinned_sample_is_even(void **unused) {
     (void)unused;
     enum { ITERATIONS = 20000, STRETCHES = 32, TOUCHES = 3 };
@@ -208,8 +209,8 @@ static void a_sweep_lists_each_owner_once(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* A loop of 5 * 2^30 + 12 iterations, of which a third touches owner 0, the middle both, the rest
- * owner 1; no memory for each of them. */
+/* A loop of 5 * 2^30 + 12 iterations: the first third touches owner 0, the middle both, the rest
+ * owner 1; without memory per iteration. */
 static void more_iterations_than_32_bits_count(void **unused) {
     (void)unused;
     const redcc_int third = (5ll << 30) / 3 + 4, trip = 3 * third;
@@ -287,8 +288,8 @@ static void more_iterations_than_32_bits_count(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Of a schedule that grows by gaps up to `gap` and counts up to `count`, some far above; in chunks
- * of a stage each, with tasks that go back. */
+/* A schedule that grows by gaps up to `gap` and counts up to `count`, some far above; in chunks of
+ * a stage each, with tasks that go back. */
 static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
     enum { RUNS = 5000 };
     static redcc_int begin[RUNS], length[RUNS];

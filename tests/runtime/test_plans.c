@@ -93,7 +93,7 @@ static struct problem long_problem(void) {
     return problem;
 }
 
-/* So long a source is read in pieces, while the iterations are told. */
+/* A source of this length is read in pieces, during the inspection. */
 static void changes_in_every_piece_are_noticed(void **unused) {
     (void)unused;
     struct fixture fixture = {.problem = long_problem()};
@@ -168,7 +168,7 @@ static void shorter_arrays_are_not_read_beyond_their_end(void **unused) {
     memcpy(mapped, row, bytes);
     problem->row = (int *)mapped;
     assert_true(run_right(&fixture));
-    for (long t = 0; t <= problem->trip; t++) /* half as many touches */
+    for (long t = 0; t <= problem->trip; t++) /* half the number of touches */
         problem->start[t] = problem->start[t] / 2;
     problem->touches = problem->start[problem->trip];
     const size_t kept = ((size_t)problem->touches * sizeof(int) + page - 1) / page * page;
@@ -198,7 +198,7 @@ static void a_plan_moves_to_other_arrays(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Other pointers of which one now points into the other's array: the cuts no longer hold. */
+/* Other pointers, one now pointing into the other's array: the cuts no longer hold. */
 static void a_plan_does_not_move_to_arrays_that_overlap(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -232,7 +232,7 @@ static void unverifiable_loops_are_inspected_each_time(void **unused) {
     fixture_end(&fixture);
 }
 
-/* What is read overlaps what is updated: nothing is executed, and the report names the two. */
+/* Reads overlap updates: nothing is executed, and the report names the two. */
 static void an_overlap_is_refused(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -242,7 +242,7 @@ static void an_overlap_is_refused(void **unused) {
     const size_t doubles = (size_t)problem->doubles + (size_t)problem->touches;
     double *both = malloc(doubles * sizeof *both);
     double *expected = malloc(doubles * sizeof *both);
-    for (int by = -1; by <= 1; by++) { /* overlapping by an element, touching, apart */
+    for (int by = -1; by <= 1; by++) { /* overlapping by an element, touching, disjoint */
         long last;
         problem->first = both;
         problem->value = both + problem->doubles - (by == -1) * 7;
@@ -267,7 +267,7 @@ static void an_overlap_is_refused(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A plan is there, and with the same subscripts the arrays now overlap what is read. */
+/* A plan exists, and with the same subscripts the arrays now overlap reads. */
 static void an_overlap_is_refused_with_a_plan_at_hand(void **unused) {
     (void)unused;
     struct fixture fixture;

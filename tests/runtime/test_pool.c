@@ -156,7 +156,7 @@ static void handle(int number) {
     atomic_store(&handled_by, pthread_equal(pthread_self(), first) ? 1 : 2);
 }
 
-/* A signal to the process comes to the program's own thread. */
+/* A signal to the process reaches the program's own thread. */
 static void signals_of_the_program(void **state) {
     (void)state;
     first = pthread_self();

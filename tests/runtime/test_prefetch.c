@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Prefetches: which iteration goes before which, what is asked of a slice then, and where they are
- * of use. */
+/* Prefetches: which iteration goes before which, the slice's output then, and when they are
+ * useful. */
 #include "execute/ahead.h"
 #include "execute/prefetch.h"
 
@@ -46,7 +46,7 @@ static void the_iteration_so_far_ahead_in_the_list(void **unused) {
         try_runs(rand() % (MOST_RUNS + 1), 1 + rand() % 16);
 }
 
-/* Nothing is told of it, and addresses need not be valid. */
+/* It records nothing, and addresses need not be valid. */
 static void a_slice_without_a_worker_tells_nothing(void **unused) {
     (void)unused;
     double *nowhere = (double *)((redcc_size)1 << 20);
@@ -94,7 +94,7 @@ static void rows_of_iterations_lie_at_equal_distances(void **unused) {
     assert_progression(progression_of(element, &element[TRIP - 1], 12, TRIP), element, size,
                        (redcc_size)size); /* all of the structure */
     assert_progression(progression_of(wide, wide[TRIP - 1], 8, TRIP), wide, 320, 8); /* too much */
-    /* members of one structure are asked for once, others by themselves */
+    /* members of one structure are prefetched once, others separately */
     const redcc_progression all[] = {
         {0, 0, 0},
         progression_of(element, &element[TRIP - 1], 12, TRIP),

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Iterations that are probed, not told (redcc_is_settled): what is found must be what is found
- * where all are told. The loop, whose plans are compared, is not executed:
+/* Iterations that are probed instead of recorded (redcc_is_settled): the result must be the same as
+ * if all are recorded. The loop, whose plans are compared, is not executed:
  *
  *     for (t = 0; t < trip; t++)
  *         if (wide[t]) { b[row[t]] ... b[row[t] + wide[t] - 1] are updated, d[other[t]] too, and
- *                        x[read[t]] is read }
- */
+ *                        x[read[t]] is read } */
 #include "loop.h"
 
 #include <omp.h>
@@ -20,7 +19,7 @@ enum { TRIP = 6000, ROWS = 2000, MIDDLE = 700, WIDEST = 8, MOST_THREADS = 7 };
 
 static int row[TRIP], other[TRIP], wide[TRIP], read_at[TRIP];
 static double b[ROWS + WIDEST][3], d[ROWS], x[ROWS];
-static long probed; /* iterations that were not told */
+static long probed; /* iterations that were not recorded */
 
 static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof b[0]},
                                      {"d", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
@@ -124,7 +123,7 @@ static void expect_same_schedule(const struct schedule *one, const struct schedu
     }
 }
 
-/* Returns how many iterations were not told. */
+/* Returns the number of iterations that were not recorded. */
 static long expect_same_plans(void) {
     probed = 0;
     by_number = !by_number;
@@ -203,7 +202,7 @@ static void idle_iterations(void **unused) {
     }
 }
 
-/* Touches that lie on both sides of a cut, or of what was seen, or begin before it. */
+/* Touches on both sides of a cut, or of the range seen, or that begin before it. */
 static void wide_touches(void **unused) {
     (void)unused;
     for (int trial = 0; trial < 8; trial++) {

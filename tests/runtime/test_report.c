@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What is counted for the report, and that its page knows every slug and variable, and no others.
- */
+/* The report's counters, and its page, which must list exactly the existing slugs and variables. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -32,8 +31,8 @@ static const char *read_page(const char *name) {
     return text;
 }
 
-/* The page's table under `heading` begins its rows with these names, in this order, and no others;
- * `rest` is what follows in the row, where it is compared. */
+/* The page's table under `heading` begins its rows with exactly these names, in this order; `rest`
+ * is the rest of the row, if compared. */
 static void expect_table(const char *page, const char *heading, const char *const *names,
                          const char *const *rest, int count) {
     const char *at = strstr(read_page(page), heading);
@@ -85,7 +84,8 @@ static void every_variable_is_documented(void **unused) {
     expect_table(REPORT_PAGE, "\n| variable | values", names, NULL, sizeof names / sizeof *names);
 }
 
-/* ---- what is counted ------------------------------------------------------------------------- */
+/* ---- counters
+ * --------------------------------------------------------------------------------- */
 
 struct fixture {
     struct problem problem;
@@ -140,7 +140,7 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
     assert_int_equal(it->lost.count, 0);
     for (int round = 1; round <= 2; round++) {
         shift_rows(&fixture);
-        problem_run_tells = false; /* auto stays sequential, beside the plan that is lost */
+        problem_run_tells = false; /* auto stays sequential, in addition to the invalidated plan */
         run(&fixture);
         assert_int_equal(it->lost.count, round);
         assert_string_equal(it->lost.array[0].name, "row");

@@ -35,7 +35,7 @@ static void *take_over(void *before) {
     return waits(SIGTERM) && waits(SIGINT) && waits(SIGALRM) && waits(SIGUSR1) ? before : NULL;
 }
 
-/* From before the threads are made on, what ends the process does; what is handled waits. */
+/* From before the creation of threads on, signals that end the process do so; handled ones wait. */
 static void while_threads_are_made(void **unused) {
     (void)unused;
     struct within within;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Stealable blocks: how they are cut, what they cost, who executes them, and when auto takes them.
- * The loop that is executed:
+/* Stealable blocks: how they are cut, their cost, which thread executes them, and when auto uses
+ * them. The executed loop:
  *
- *     for (t = 0; t < trip; t++) { b[row[t]] += 1.0 / (t + 1); b[row[t] + 1] += 0.1 * t; }
- */
+ *     for (t = 0; t < trip; t++) { b[row[t]] += 1.0 / (t + 1); b[row[t] + 1] += 0.1 * t; } */
 #include "base/memory.h"
 #include "loop.h"
 #include "ownership/cuts.h"
@@ -111,7 +110,7 @@ static void sort_rows(void) {
         row[t] = t;
 }
 
-/* Each row in so many iterations. */
+/* Each row in this many iterations. */
 static void repeat_rows(int times) {
     for (int t = 0; t < TRIP; t++)
         row[t] = t / times;
@@ -130,7 +129,8 @@ static int count_of(int thread) {
     return count;
 }
 
-/* Who waits executes what is his own, and nothing else; the other executes all stealable blocks. */
+/* The waiting thread executes its own part, and nothing else; the other executes all stealable
+ * blocks. */
 static void who_finishes_early_takes_the_stealable_blocks(void **unused) {
     (void)unused;
     if (!redcc_settings()->method)
@@ -229,7 +229,8 @@ static void stealable_blocks_are_small_and_joined_again(void **unused) {
         const int at = cut ? (int)((cut - (uintptr_t)b) / sizeof *b) : 0;
         assert_in_range(at + 2, begins[owner], begins[owner] + 4);
     }
-    /* Each of five cuts parts one iteration; one of them is there without stealable blocks, too. */
+    /* Each of five cuts separates one iteration; one of these cuts exists without stealable blocks,
+     * too. */
     assert_true(redcc_estimate(&partition, samples, 1, &estimate));
     const double overhead = estimate.overhead * (double)ROWS;
     assert_true(overhead > 3.9 && overhead < 4.1);
@@ -248,7 +249,8 @@ static void stealable_blocks_are_small_and_joined_again(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Each stealable schedule once, the larger ones first, and the length is that of who has most. */
+/* Each stealable schedule once, the larger ones first; the length is that of the most loaded
+ * thread. */
 static void stealable_schedules_are_claimed_in_turn(void **unused) {
     (void)unused;
     static const uint32_t order[] = {1, 4, 7, 2, 5, 8, UINT32_MAX};

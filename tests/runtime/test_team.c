@@ -55,7 +55,7 @@ static void threads_that_are_there_need_not_be_started(void **state) {
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
     if (begin_region(THREADS) < THREADS)
         skip();
-    /* for who asks first, all the same */
+    /* the same for the thread that asks first */
     assert_int_equal(redcc_team_missing(THREADS), THREADS - 1);
     assert_int_equal(redcc_team_to_start(THREADS), 0);
     const int too_many = count_threads() + 1;

@@ -32,7 +32,7 @@ static redcc_loop loop = {.file = "test_trial.c",
                           .source_count = 2,
                           .sources = sources};
 
-/* Handed out, by manner: iterations, and how often the manner changed. */
+/* Handed out, by variant: iterations, and the number of changes of variant. */
 static long iterations[MANNERS], changes;
 
 static void tell_all(redcc_worker *worker) {
@@ -95,7 +95,7 @@ static void execute(int threads) {
     assert_memory_equal(b, expected, sizeof b);
 }
 
-/* Far apart and near, in short runs and in long ones. */
+/* Large and small distances, in short runs and in long ones. */
 static void draw(int order) {
     for (int t = 0; t < TRIP; t++) {
         row[t] = order == 0 ? rand() % ROWS : (int)((long)t * (ROWS - 8) / TRIP);

@@ -40,7 +40,7 @@ static void nothing_changed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Rewritten with what they held: no other plan is made, and after that they are watched again. */
+/* Rewritten with the same values: no other plan is built, and afterwards they are tracked again. */
 static void the_same_values_again(void **unused) {
     (void)unused;
     need_watching();
@@ -52,14 +52,15 @@ static void the_same_values_again(void **unused) {
     assert_true(run_right(&fixture)); /* start was not read */
     assert_int_equal(sources_watched(&fixture), 1);
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
-    int calls = 0; /* in vain once: twice the patience */
+    int calls = 0; /* one failure: twice the threshold */
     while (sources_watched(&fixture) < 2 && calls++ < 200)
         run_right(&fixture);
     assert_in_range(calls, 70, 90);
     fixture_end(&fixture);
 }
 
-/* Who rewrites his subscripts before each execution has them watched less and less often. */
+/* A program that rewrites its subscripts before each execution has them tracked less and less
+ * often. */
 static void patience_grows(void **unused) {
     (void)unused;
     need_watching();
@@ -183,7 +184,7 @@ static void descriptors_stay_low(void **unused) {
     fixture_end(&fixture);
 }
 
-/* In a process of its own; returns whether it ended well. */
+/* In a child process; returns whether it ended well. */
 static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
     fflush(stdout);
     const pid_t child = fork();
@@ -208,7 +209,7 @@ static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
 static void in_a_child(struct fixture *fixture) {
     const struct range pages = rows_of(fixture);
     CHECK(!redcc_pages_begun());
-    CHECK(redcc_watch_share(pages) == 0); /* what the parent knows is of the parent's memory */
+    CHECK(redcc_watch_share(pages) == 0); /* the parent's knowledge concerns the parent's memory */
     for (uint64_t version = 1; version < 200; version++)
         CHECK(redcc_watch_ask(pages, version) == WATCH_TOUCHED);
     const uint64_t version = redcc_watch_begin(pages);
@@ -363,8 +364,8 @@ static void many_ranges(void **unused) {
     munmap(place, RANGES * 8192);
 }
 
-/* In the memory that brk gives and takes back. Last: malloc gets enough of it for all that it will
- * be asked for, so that the end of it is the test's. */
+/* In the heap that brk grows and shrinks. Last test: malloc gets enough of it for all later
+ * allocations, so that its end belongs to the test. */
 static void subscripts_in_the_heap(void **unused) {
     (void)unused;
     need_watching();
@@ -381,7 +382,7 @@ static void subscripts_in_the_heap(void **unused) {
     struct fixture fixture;
     fixture_begin_at(&fixture, (int *)(void *)begin);
     run_and_share(&fixture);
-    assert_ptr_equal(sbrk(bytes), begin + bytes); /* grows beyond what is watched */
+    assert_ptr_equal(sbrk(bytes), begin + bytes); /* grows beyond the tracked range */
     memset(begin + bytes, 1, (size_t)bytes);
     assert_true(run_right(&fixture));
     assert_ptr_not_equal(sbrk(-bytes - bytes), (void *)-1); /* given back, taken again: zeros */
@@ -391,13 +392,13 @@ static void subscripts_in_the_heap(void **unused) {
     fixture_end_at(&fixture);
 }
 
-/* The chooser has left so many calls to the original loop. */
+/* The chooser has left this many calls to the original loop. */
 static void let_rest(struct fixture *fixture, long calls) {
     struct loop_state *state = fixture->described.loop.state;
     state->chooser.skipped += calls;
 }
 
-/* The plan has saved so many seconds before the next call, beyond what its set-up took. */
+/* The plan has saved this many seconds before the next call, beyond its construction. */
 static void let_earn(struct fixture *fixture, double seconds) {
     struct loop_state *state = fixture->described.loop.state;
     for (int size = 0; size < REDCC_SIZES; size++) {
@@ -437,8 +438,8 @@ static void calls_at_rest_count(void **unused) {
     fixture_end(&fixture);
 }
 
-/* What the plan has saved pays for watching one source after the other, long before comparing has
- * cost as much: of 78 pages each, 1.4 microseconds a page and 250. */
+/* The plan's savings pay for tracking one source after the other, long before comparisons have cost
+ * the same: of 78 pages each, 1.4 microseconds a page and 250. */
 static void savings_pay(void **unused) {
     (void)unused;
     need_watching();

@@ -184,7 +184,7 @@ static void by_writing_while_unprotected_once_more(struct fixture *fixture) {
     by_a_store(fixture);
 }
 
-/* Another loop watches the written page anew, or a range that overlaps: the marks are gone. */
+/* Another loop tracks the written page again, or a range that overlaps: the marks are gone. */
 static void and_another_watches_the_range(struct fixture *fixture) {
     by_a_store(fixture);
     assert_true(redcc_watch_begin(rows_of(fixture)) > 0);

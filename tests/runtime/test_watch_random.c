@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Ranges of pages that overlap are watched and changed at random, in many ways. Whatever the
- * registry calls untouched must hold what it held when its version began; a copy says what that
- * was. */
+/* Overlapping ranges of pages are tracked and changed at random, in many ways. A range that the
+ * registry calls untouched must have the contents from the beginning of its version, which a copy
+ * records. */
 #define _GNU_SOURCE /* mremap */
 #include "reuse/pages/watch.h"
 #include "watched.h"
@@ -66,7 +66,7 @@ static void map_anew(void) {
                          MAP_FAILED);
 }
 
-/* Pages change places: from one end of it to the other, and what is left behind is mapped anew. */
+/* Pages change places: from one end of it to the other; the old range is mapped again. */
 static void move(void) {
     const size_t count = draw(16) + 1, from = draw(PAGES / 2 - count);
     const size_t to = PAGES / 2 + draw(PAGES / 2 - count);
@@ -141,7 +141,7 @@ static void what_is_untouched_is_what_it_was(void **unused) {
         watched += kept[number].version > 0;
         for (size_t changes = draw(3); changes > 0; changes--)
             change();
-        untouched += check(&kept[draw(RANGES)]); /* not all: what is asked once is settled */
+        untouched += check(&kept[draw(RANGES)]); /* not all: a queried version is settled */
     }
     for (int i = 0; i < RANGES; i++)
         untouched += check(&kept[i]);

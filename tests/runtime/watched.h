@@ -67,7 +67,7 @@ void by_a_store(struct fixture *fixture);
 /** Changes all of them. */
 void by_stores_all_over(struct fixture *fixture);
 
-/** Leaves the test, with a message, where the system cannot tell which pages were written. */
+/** Skips the test, with a message, if the system cannot report written pages. */
 void need_watching(void);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** parse_yaml: reads YAML from standard input, prints how many documents it holds, and each key of
- *  their top mappings with its scalar value. Exit status 1, and a message, where it is no YAML. */
+/** parse_yaml: reads YAML from standard input, prints the number of documents, and each key of
+ *  their top mappings with its scalar value. Exit status 1, and a message, if it is no YAML. */
 #include <stdio.h>
 #include <yaml.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* redcc with errors of its own, linked with --wrap=emit_file: in the text of a loop that holds the
- * words below something is spoilt after it was written. */
+/* redcc with planted faults, linked with --wrap=emit_file: the text of a loop that contains the
+ * words below is spoilt after it was written. */
 #define _GNU_SOURCE /* memmem */
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the goldens do not show: bytes under ranges, flags, errors, depth, C printed and parsed
- * again. */
+/* Properties that the goldens do not show: bytes under ranges, flags, errors, depth, C printed and
+ * parsed again. */
 #include "read_ir.h"
 
 #include "frontend/frontend.h"

@@ -120,7 +120,7 @@ static void test_round_trip(void **state) {
     arena_free(a);
 }
 
-/* Most of it is printed as it stands above: what differs are defaults spelled out there. */
+/* Most of it is printed as above: the differences are defaults spelled out there. */
 static void test_canonical_text_is_kept(void **state) {
     (void)state;
     arena *a = arena_new();

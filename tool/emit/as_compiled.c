@@ -6,7 +6,8 @@
 #include "analysis/base/loop_text.h"
 #include "emit/text/origin.h"
 
-/* ---- the text without what is left out ------------------------------------------------------- */
+/* ---- the text without skipped branches
+ * --------------------------------------------------------- */
 
 static bool is_in_loop(const ir_unit *unit, const analysis_result *analysis, uint32_t place) {
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
@@ -18,14 +19,14 @@ static bool is_in_loop(const ir_unit *unit, const analysis_result *analysis, uin
     return false;
 }
 
-/** Line ends stay. */
+/** Line ends are kept. */
 static void blank(char *text, uint32_t begin, uint32_t end) {
     for (uint32_t i = begin; i < end; i++)
         if (text[i] != '\n' && text[i] != '\r')
             text[i] = ' ';
 }
 
-/** Where what the directive leaves out ends. */
+/** The end of the text that the directive excludes. */
 static uint32_t end_of_branch(const ir_unit *unit, unsigned number) {
     const ir_directive *d = &unit->directives[number];
     return d->is_skipped && number + 1 < unit->directive_count ? d[1].range.begin : d->range.end;
@@ -62,16 +63,16 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
 
 /* ---- the conditions -------------------------------------------------------------------------- */
 
-/** But for one, which the text before has. */
+/** Except for one, which the preceding text has. */
 static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32_t end) {
     const char *at = memchr(text + begin, '\n', end - begin);
     for (at = at ? at + 1 : text + end; at < text + end; at++)
         buffer_text(out, *at == '\n' ? "\n" : "");
 }
 
-/** A condition may ask for __LINE__, by a macro perhaps: the copy has the line of the original. A
- *  #line in a branch that is left out says nothing, so that what follows in its group keeps its
- *  distance from what was copied `before`. */
+/** A condition may use __LINE__, perhaps through a macro: the copy has the original's line. A #line
+ *  in a skipped branch has no effect, so that the rest of its group keeps its distance from the
+ *  text copied `before`. */
 static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
                            const ir_directive *before) {
     const char *text = loop->whole->source->text;
@@ -83,7 +84,7 @@ static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
     buffer_byte(out, '\n');
 }
 
-/** From the function's beginning: what stands in front of it is as compiled as the loop. */
+/** From the function's beginning: the text before it is compiled in the same way as the loop. */
 static ir_range looked_at(const loop_text *loop) {
     return (ir_range){loop->facts->function->range.begin, loop->facts->loop->range.end};
 }
@@ -99,15 +100,15 @@ bool has_branches(const loop_text *loop) {
     return false;
 }
 
-/** Of each group of directives those up to the branch that is compiled, one within the other; what
- *  is defined stands in the innermost. */
+/** For each group of directives, copies those up to the compiled branch, nested; the definition is
+ *  in the innermost. */
 void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;
     const ir_unit *whole = loop->whole;
     const ir_range text = looked_at(loop);
     unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
-    bool is_decided = true;           /* of the group that is looked at, a branch is compiled */
+    bool is_decided = true;           /* in the current group, a branch is compiled */
     const ir_directive *before = NULL;
     const bool sleeps = function_sleeps(whole, loop->facts->function);
     buffer_text(out, sleeps ? "#ifndef _OPENMP\n" : "");
@@ -122,7 +123,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
             left_out -= is_end;
         } else if (is_end) {
             buffer_text(out, is_decided ? "" : "#else\n");
-            is_decided = true; /* that of the group around, or it would not have been come to */
+            is_decided = true; /* that of the enclosing group, or it would not be reached */
         } else if (d->kind == IR_DIRECTIVE_IF || !is_decided) {
             depth += d->kind == IR_DIRECTIVE_IF;
             copy_directive(loop, out, d, before);

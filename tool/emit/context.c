@@ -10,7 +10,7 @@
 #include "emit/text/origin.h"
 #include "plan/lookup.h"
 
-/* ---- variables of the user's --------------------------------------------------------------- */
+/* ---- the user's variables -------------------------------------------------------------------- */
 
 const char *pointer_name(loop_text *loop, const ir_variable *variable) {
     return arena_format(loop->arena, "redcc__at_%s", variable->name);
@@ -91,7 +91,7 @@ static void offer_stepped(extras *self, unsigned i) {
                                   .given = names[k]});
 }
 
-/** A last value goes where a pointer in the context leads to. */
+/** A last value is stored through a pointer in the context. */
 static void offer_last(extras *self, unsigned i) {
     loop_text *loop = self->loop;
     const ir_variable *variable = loop->facts->variables.privates[i].variable;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The context: a struct by which what stands in front of a function gets values of it. Each thread
+ * The context: a struct that passes a function's values to the functions before it. Each thread
  * copies them into variables of the same names.
  */
 #ifndef EMIT_CONTEXT_H
@@ -9,20 +9,20 @@
 #include "emit/base/extra.h"
 #include "emit/base/loop.h"
 
-/** Those that the text names, among which `text` holds no words of the user's of such names; calls
- *  `take` for each. */
+/** The values named in the text, in which `text` contains no such names of the user's; calls `take`
+ *  for each. */
 void for_each_extra(loop_text *loop, const char *text,
                     void (*take)(const extra_value *value, void *context), void *context);
 
 /** The name of a pointer to it. */
 const char *pointer_name(loop_text *loop, const ir_variable *variable);
-/** The parameter that gets a variable: of an array a pointer to its first element; and what it is
- *  given. */
+/** The parameter for a variable (for an array, a pointer to its first element); and its
+ *  argument. */
 const char *handed_argument(loop_text *loop, const ir_variable *variable);
 const char *handed_declaration(loop_text *loop, const ir_variable *variable);
 
-/** The struct, in front of the function; what fills it, at the call; and each thread's variables.
- */
+/** The struct, before the function; its initialisation, at the call; and each thread's
+ *  variables. */
 void write_context(loop_text *loop, writer *out);
 void fill_context(loop_text *loop, writer *out);
 void take_context(loop_text *loop, writer *out);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loop as the runtime sees it: static descriptions, and the key of one execution. */
+/** The loop's description for the runtime: static objects, and the key of one execution. */
 #include <assert.h>
 
 #include "emit/base/names.h"
@@ -12,7 +12,7 @@
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
-/** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
+/** For arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {
 #define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,
@@ -56,7 +56,7 @@ static const char *runtime_type(const loop_text *loop, const reduction_array *ar
     return may_be_copied(loop->plan, array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
 }
 
-/** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */
+/** Bytes of the array's row, as text: `sizeof(double[3])` if possible. */
 static const char *unit_text(loop_text *loop, unsigned number) {
     const reduction_array *array = &loop->facts->arrays[number];
     if (array->unit <= array->element->size)
@@ -146,7 +146,7 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-/** Do guarded iterations leave out inner ones? */
+/** Do owner-checked iterations skip inner ones? */
 static bool leaves_out(const loop_plan *plan) {
     for (unsigned i = 0; i < plan->skip_count; i++)
         if (!plan->skips[i].declined)
@@ -181,8 +181,8 @@ static const char *flags_text(const loop_text *loop) {
     return text ? text : "0";
 }
 
-/** The file is what the #line directives around it say, as the compiler's options map it: packages
- *  built in different folders are the same. */
+/** The file's name comes from #line directives around it, as the compiler's options map it:
+ *  packages built in different folders are identical. */
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};

@@ -5,7 +5,7 @@
 
 #include "emit/base/loop.h"
 
-/** After the loop, where it has run in parallel, the stores that are made then. */
+/** After the loop, if it has run in parallel: makes the deferred stores. */
 void write_distributed_stores(loop_text *loop, writer *out);
 
 #endif

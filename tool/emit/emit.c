@@ -15,10 +15,10 @@
 
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
-/** Names that begin so are the generated text's own. */
+/** Prefix of the generated text's own names. */
 static const char reserved_prefix[] = "redcc__";
 
-/** The file's line ends are CR LF where those of its first line are. */
+/** The file's line ends are CR LF if its first line's is. */
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
@@ -47,7 +47,7 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where,
         text_quoted(a, ir_position_of(unit, 0).file));
 }
 
-/** Why no loop of the file can be written; NULL: nothing forbids it. */
+/** The reason why no loop of the file can be written; NULL: none. */
 static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
     if (holds_word(unit->source, 0, (uint32_t)unit->source->length, reserved_prefix))
         return "the file uses names that begin with redcc__, which are reserved for what redcc "
@@ -87,7 +87,7 @@ static bool is_around(const ir_unit *unit, const ir_function *function, const ir
     return tag->offset < loop.begin;
 }
 
-/** A type that the text written needs and that is not declared around the loop; NULL: none. */
+/** A type needed in the text that is not declared around the loop; NULL: none. */
 static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
                                    const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
@@ -101,7 +101,7 @@ static const ir_type *missing_type(const ir_unit *unit, const ir_function *funct
     return NULL;
 }
 
-/* ---- in front of a function ---------------------------------------------------------------- */
+/* ---- before a function ----------------------------------------------------------------------- */
 
 static bool names_function(const ir_unit *unit, const ir_declared *declared) {
     for (unsigned i = 0; i < unit->function_count; i++)
@@ -146,7 +146,7 @@ static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
            is_known_at(unit, declared, piece->replaced.begin);
 }
 
-/** Does each name of a copy mean in front of the function what it means in it? */
+/** Does each name of a copy have the same meaning before the function as in it? */
 static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const origin *copy) {
     const uint32_t end = copy->from + (copy->end - copy->begin);
     for (unsigned i = 0; i < unit->reference_count; i++) {
@@ -158,7 +158,7 @@ static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const 
     return true;
 }
 
-/** What stands in front of a function speaks of what is declared there, or in itself. */
+/** The text before a function uses only names declared there, or in itself. */
 static bool all_is_known(const ir_unit *unit, const written_loop *piece) {
     for (unsigned i = 0; i < piece->origins.items.count; i++) {
         const origin *o = &piece->origins.items.items[i];
@@ -185,7 +185,7 @@ static written_loop unmark(arena *a, const ir_unit *unit, const loop_piece *piec
     return result;
 }
 
-/** Before those that begin behind it. */
+/** Before those that begin after it. */
 static void insert(arena *a, loop_list *loops, written_loop loop) {
     VECTOR_PUSH(a, loops, loop);
     unsigned at = loops->count - 1;
@@ -194,14 +194,14 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
     loops->items[at] = loop;
 }
 
-/** The first form to be tried. */
+/** The first form to try. */
 static loop_form first_form(const loop_text *start, unsigned number, bool has_lanes) {
     const bool is_asked = start->plan->no_lanes != LANES_NOT_ASKED;
     const bool is_left = start->options->leave && start->options->leave[number];
     return is_asked && has_lanes && !is_left ? FORM_LANES : FORM_BINNED;
 }
 
-/** Adds the text of one loop; false, with *why set, where it cannot be written. */
+/** Adds the text of one loop; false, with *why set, if it cannot be written. */
 static bool add_loop(const loop_text *start, loop_form form, const loop_verdict *verdict,
                      unsigned number, loop_list *loops, reason *why) {
     arena *a = start->arena;
@@ -235,7 +235,7 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** What turns contraction off in a function stands once, right in front of it. */
+/** The text that turns contraction off in a function appears once, directly before it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;
@@ -251,11 +251,11 @@ static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_resul
         piece.text = unfused_function(a, unit, function, &piece.replaced.begin);
         piece.replaced.end = piece.replaced.begin;
         insert(a, loops, unmark(a, unit, &piece, number));
-        i++; /* what was in the place has moved on */
+        i++; /* skips the element that has moved up */
     }
 }
 
-/** The whole file; sets the places of the loops in it. */
+/** The whole file; sets the positions of the loops in it. */
 static void join(arena *a, const ir_unit *unit, contraction where, const plan_options *options,
                  bool has_lanes, loop_list *loops, emit_result *result) {
     const source *s = unit->source;
@@ -282,8 +282,8 @@ static void join(arena *a, const ir_unit *unit, contraction where, const plan_op
     buffer_free(&out);
 }
 
-/** In the order of the file, apart from each other, each of a verdict to be written; and the words
- *  of each lie in its text, in order. */
+/** Asserts: in the order of the file, disjoint, each of a verdict to be written; and the words of
+ *  each lie in its text, in order. */
 static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
                           const loop_list *loops) {
     (void)unit, (void)analysis;
@@ -324,7 +324,7 @@ typedef struct file_text {
     reason *obstacles;
 } file_text;
 
-/** Writes its loops, of which some may have lanes, as far as is known. Have some? */
+/** Writes its loops, with lanes if possible. Does any loop have them? */
 static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfused,
                         loop_list *loops) {
     bool are_written = false;
@@ -351,7 +351,7 @@ static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfus
     return are_written;
 }
 
-/** May the file have lanes, by what the plans say? */
+/** May loops of the file have lanes, according to the plans? */
 static bool may_have_lanes(const file_text *f) {
     bool may = false;
     for (unsigned i = 0; i < f->analysis->verdict_count; i++) {
@@ -372,7 +372,7 @@ static void write_file(const file_text *f, emit_result *result) {
         const contraction where =
             contraction_of(a, f->whole, f->analysis, f->options, has_lanes, is_unfused);
         const bool are_written = write_loops(f, has_lanes, is_unfused, &loops);
-        if (has_lanes && !are_written) { /* then nothing is to be said in the head for their sake */
+        if (has_lanes && !are_written) { /* then the head needs no text for them */
             has_lanes = false;
             continue;
         }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where things lie that the loop reads, as far as that is known before the inspection. */
+/** Ranges of the loop's reads that are known before the inspection. */
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "emit/base/names.h"
@@ -61,7 +61,7 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
         } else if (fact->extent == EXTENT_TOUCHED && !fact->base) {
-            /* moves with nothing, as this object does not */
+            /* moves with no base, since this object does not move */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
@@ -70,7 +70,7 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
 
 /* ---- rows that each iteration reads -------------------------------------------------------- */
 
-/** From the row of the first iteration to the row of the last, whichever comes first in memory. */
+/** From the row of the first iteration to the row of the last, in either order in memory. */
 static void fill_affine_extents(loop_text *loop, writer *out) {
     if (!has_extents(loop, false))
         return;
@@ -103,7 +103,7 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, and that it is a value of the node's type. */
+/** The number, with the condition that it is a value of the node's type. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))
@@ -147,7 +147,7 @@ static const char *exact_number(exact_text *self, const ir_node *node) {
                         left, right);
 }
 
-/** The address of the row where the counter is `at`. */
+/** The address of the row for counter value `at`. */
 static const char *exact_address(loop_text *loop, const row_address *address, const char *at) {
     exact_text self = {loop, at};
     arena *a = loop->arena;
@@ -164,7 +164,7 @@ static const char *exact_address(loop_text *loop, const row_address *address, co
     return sum;
 }
 
-/** Leaves out iterations at the ends that do not read. */
+/** Excludes iterations at the ends that do not read. */
 static void write_limit(loop_text *loop, writer *out, const counter_limit *limit) {
     exact_text self = {loop, NULL};
     const char *bound = fixed_number(&self, limit->bound);

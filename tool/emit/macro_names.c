@@ -14,7 +14,7 @@ static void check_piece(loop_text *loop, buffer *piece) {
     piece->length = 0;
 }
 
-/** What the macros of loop.h say that each form uses. */
+/** Words in the macros of loop.h that each form uses. */
 static const char always_said[] = "void int const char for (0) sizeof(0) ";
 
 void check_macro_names(loop_text *loop, const buffer *written) {

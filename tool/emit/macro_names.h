@@ -5,7 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Records an obstacle where a macro would change the text written, the user's own apart. */
+/** Records an obstacle if a macro would change the written text, except for the user's own
+ *  bytes. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Slice and body of a loop as functions in front of the user's function; loop.h has what is around
+/** Slice and body of a loop as functions before the user's function; loop.h has the code around
  *  them. Compilers inline both at each of their uses. */
 #include "emit/outline.h"
 
@@ -25,7 +25,7 @@
 
 /* ---- heads and calls ----------------------------------------------------------------------- */
 
-/** Marks each variable that the user's body mentions, what is replaced in it left out. */
+/** Marks each variable that the user's body names, except in replaced parts. */
 static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_mentioned) {
     const int array = loop_array_of_base(loop->facts, node);
     const int scalar = scalar_update_at(loop->facts, node);
@@ -80,7 +80,7 @@ static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_bod
     }
 }
 
-/** Which variables are known by their addresses, before anything is written. */
+/** Determines which variables are passed by address, before anything is written. */
 static void name_pointed(loop_text *loop) {
     loop->outline.by_address =
         ARENA_ARRAY(loop->arena, const char *, loop->unit->variable_count + 1);
@@ -100,7 +100,7 @@ static void add_extra(const extra_value *value, void *context) {
     buffer_format(&h->arguments, ", %s", value->name);
 }
 
-/** A text of the translator's own, and of the user's, that is kept to find names in it. */
+/** A text of the translator and of the user that is kept to find names in it. */
 static void remember_text(loop_text *loop, const char *text) {
     loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
@@ -156,7 +156,7 @@ static bool names_by_address(const loop_text *loop) {
     return false;
 }
 
-/** Of elements whose type has no name. */
+/** For elements whose type has no name. */
 static void declare_stand_ins(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->array_count; i++) {
         const ir_type *row = loop->facts->arrays[i].base->type->target;
@@ -167,7 +167,7 @@ static void declare_stand_ins(loop_text *loop, writer *out) {
     }
 }
 
-/** What a scalar of a series is reached by, where a thread reads it in the end: in the context. */
+/** The access to a series' scalar at the end of a thread: in the context. */
 static void hand_series(loop_text *loop) {
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     head unused = {0};
@@ -188,7 +188,7 @@ static void write_body(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (loop->arrays[i].local && facts->arrays[i].base->type->target &&
             !facts->arrays[i].base->type->target->spelling)
-            mark_variables(facts->arrays[i].base, is_mentioned); /* its type is said by it */
+            mark_variables(facts->arrays[i].base, is_mentioned); /* the base gives its type */
     add_variables(loop, is_mentioned, true, &h);
     add_stand_ins(loop, &h);
     writer iteration = {.depth = 1};
@@ -215,7 +215,7 @@ static void write_body(loop_text *loop, writer *out) {
         write_lanes(loop, out);
 }
 
-/** What each thread does: it takes the context, inspects and executes. */
+/** Each thread's code: it takes the context, inspects and executes. */
 static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "%sREDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {",
                 loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "member"));
@@ -228,7 +228,8 @@ static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "}");
 }
 
-/** All that stands in front of the function: what is written last names what is declared first. */
+/** All text before the function: the parts written last determine the declarations at its
+ *  beginning. */
 static void write_parts(loop_text *loop, writer *out) {
     writer parts = {0}, last = {0};
     write_slice(loop, &parts);
@@ -264,7 +265,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     writer_line(&out, "REDCC_QUIET_END");
     buffer_text(&out.out, "#endif\n");
     end_as_compiled(loop, &out.out);
-    if (!loop->is_unfused) /* else the function's own piece says it */
+    if (!loop->is_unfused) /* else the function's own piece contains it */
         buffer_format(&out.out, "%s\n%s", loop_line_directive(loop, *place),
                       is_in_line ? loop_column_blanks(loop, *place) : "");
     check_macro_names(loop, &out.out);

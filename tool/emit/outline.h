@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Slice and body as functions in front of the user's function. */
+/** Slice and body as functions before the user's function. */
 #ifndef EMIT_OUTLINE_H
 #define EMIT_OUTLINE_H
 

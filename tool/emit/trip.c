@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The trip count, exactly as the sequential loop would have it.
+ * The trip count, exactly that of the sequential loop.
  *
- * The counter runs through lower, lower + step, ... while (counter <comparison> bound) holds, in
- * the type that C's usual conversions give the comparison. All is computed in redcc_int (64 bits,
- * signed). Values for which this would not be what the loop does - it would wrap, never end, or
- * compare otherwise after conversion to an unsigned type - give a count of 0, which leaves the
- * original loop to run. So do a stride that is no constant and less than 1, and those by which a do
- * loop has one iteration only: its first value does not meet the condition.
+ * The counter takes the values lower, lower + step, ... while (counter <comparison> bound) holds,
+ * in the type that C's usual conversions give the comparison. Everything is computed in redcc_int
+ * (64 bits, signed). If the loop would behave otherwise (wrap around, never end, or compare
+ * otherwise after conversion to an unsigned type), the count is 0, and the original loop runs. The
+ * same holds for a variable stride less than 1, and for a do loop with a single iteration because
+ * its first value does not satisfy the condition.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -18,12 +18,12 @@
 #include "plan/lookup.h"
 
 enum {
-    INT_SIZE = 4, /* of every target that OpenMP runs on */
+    INT_SIZE = 4, /* on every target of OpenMP */
     WIDE_SIZE = 8 /* redcc_int */
 };
 
-/** Beyond this, in either direction, counters run sequentially: sums with a step cannot overflow.
- */
+/** Beyond this, in either direction, counters run sequentially: sums with a step cannot
+ *  overflow. */
 static const char limit[] = "((redcc_int)1 << 61)";
 
 typedef struct integer_type {
@@ -63,7 +63,7 @@ static bool is_constant(const ir_node *node) {
     return node && (node->flags & IR_HAS_VALUE);
 }
 
-/** A constant that is not negative, and the same after conversion to `type`. */
+/** A constant >= 0, and the same after conversion to `type`. */
 static bool is_natural_constant(const ir_node *node, const ir_type *type) {
     if (!is_constant(node) || node->value < 0)
         return false;
@@ -88,7 +88,7 @@ static void require(conditions *list, const char *format, ...) {
     buffer_text(&list->text, text);
 }
 
-/** What is known of the header, worked out once. */
+/** Known facts about the header, computed once. */
 typedef struct header {
     const counted_loop *counted;
     const ir_type *counter;
@@ -98,7 +98,7 @@ typedef struct header {
     bool ascends;
     bool inclusive;
     const char *stride;    /* |step| as text; NULL: it is 1 */
-    bool lower_is_natural; /* a constant that is not negative */
+    bool lower_is_natural; /* a constant >= 0 */
     bool ends_at_bound;    /* the counter's last value is the bound itself */
 } header;
 
@@ -120,7 +120,7 @@ static header header_of(arena *a, const counted_loop *counted) {
     return h;
 }
 
-/** What must hold of lower and bound before they are subtracted. */
+/** Conditions on lower and bound before they are subtracted. */
 static void require_of_ends(conditions *list, const header *h) {
     const bool lower_may_be_negative =
         !h->lower_is_natural && (h->counter->is_signed || h->counter->size == WIDE_SIZE);
@@ -140,7 +140,7 @@ static void require_of_ends(conditions *list, const header *h) {
     require(list, "%s <= %s", high, limit);
 }
 
-/** What must hold of the counter's value after the loop. */
+/** Conditions on the counter's value after the loop. */
 static void require_of_final(conditions *list, const header *h, const char *counter_type) {
     if (h->counted->ends_below && !h->counter->is_signed)
         return; /* the step below 0 by which it ends is the loop's own */
@@ -158,7 +158,7 @@ static const char *comparison_text(const header *h) {
     return h->inclusive ? "redcc__lower >= redcc__bound" : "redcc__lower > redcc__bound";
 }
 
-/** Iterations, where there are any: (high - low) / stride + 1, or with (high - low - 1). */
+/** Trip count, if positive: (high - low) / stride + 1, or with (high - low - 1). */
 static const char *count_text(arena *a, const header *h) {
     const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
     if (!h->stride)
@@ -202,8 +202,8 @@ static const char *users_bound_text(loop_text *loop, const header *h) {
                         h->compares_wide ? "redcc_word" : "redcc_u32", text);
 }
 
-/* Of counter + ahead < bound: what the counter itself is compared with. Where that wraps around it
- * is beyond the limit. */
+/* For counter + ahead < bound: the value that the counter itself is compared with. If that wraps
+ * around it is beyond the limit. */
 static const char *bound_text(loop_text *loop, const header *h) {
     const char *text = users_bound_text(loop, h);
     return h->counted->ahead == 0 ? text
@@ -211,7 +211,7 @@ static const char *bound_text(loop_text *loop, const header *h) {
                                                  text, (long long)h->counted->ahead);
 }
 
-/** An expression of the user's is evaluated only where the loop would come to it. */
+/** An expression of the user's is evaluated only if the loop would evaluate it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
     if (!h->counted->stride) {

@@ -31,7 +31,7 @@ static void write_execution(loop_text *loop, writer *out) {
     write_distributed_stores(loop, out);
 }
 
-/** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
+/** Code evaluated only once the loop is known to iterate: its expressions may be invalid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
@@ -67,8 +67,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     apply_operands(loop, out);
 }
 
-/** The variables that the loop leaves: beside the sequential form, so that compilers see that one
- * of the two assigns them. */
+/** The live-out variables: in the same block as the sequential form, so that compilers see that one
+ *  of the two assigns them. */
 static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
@@ -88,13 +88,13 @@ static const char *heading(loop_text *loop) {
         buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", array->name,
                       array->order_is_kept ? "order kept" : reduction_operator_spelling(array->op));
     }
-    /* a name is C text: it holds no end of a comment but in a string or comment of its own */
+    /* a name is C text: it contains the end of a comment only in a string or comment of its own */
     const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
     buffer_free(&out);
     return text;
 }
 
-/** What of the text is there only where the loop may run in parallel. */
+/** The condition under which the text may run in parallel. */
 const char *loop_condition(const loop_text *loop) {
     const bool has_branch = has_branches(loop), rounds = loop->facts->slice.has_floating_work;
     if (!has_branch && !rounds)
@@ -104,7 +104,7 @@ const char *loop_condition(const loop_text *loop) {
                         rounds ? " && REDCC_ROUNDS_ALIKE" : "");
 }
 
-/** Why iterations are executed one at a time, where they were not to be. */
+/** The reason why iterations are executed one at a time, if lanes were requested. */
 static void write_no_lanes(const loop_text *loop, writer *out) {
     const lanes_outcome *outcome = loop->lanes.outcome;
     if (outcome && outcome->why != LANES_WRITTEN)
@@ -113,7 +113,7 @@ static void write_no_lanes(const loop_text *loop, writer *out) {
                     lane_reason_message(outcome->why), lane_reason_slug(outcome->why));
 }
 
-/** The block's first brace, where this compilation is the one that it is written for. */
+/** The block's opening brace, under the condition of the compilation that it is written for. */
 static void open_block(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
@@ -131,8 +131,8 @@ static void open_block(loop_text *loop, writer *out) {
     write_no_lanes(loop, out);
 }
 
-/** What pointers are read before the loop, each only where those on the way to it could be. Returns
- *  the condition under which all were. */
+/** Pointers loaded before the loop, each only if those it is loaded through are readable. Returns
+ *  the condition that all were. */
 static const char *write_loads(loop_text *loop, writer *out) {
     const loop_loads *loads = loop->facts->variables.loads;
     const char *site = outlined_name(loop, "site"), *all = "";
@@ -166,7 +166,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     write_attempt(loop, out);
     out->depth--;
     writer_line(out, "}");
-    /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
+    /* not `if (!redcc__done)`: compilers would consider an `else` in the loop ambiguous */
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
@@ -180,9 +180,9 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     origin_copy(&out->out, text, range.begin, range.end);
 }
 
-/** After the loop: how long it took is of use the next time. */
+/** After the loop: its time is used in the next execution. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool may_be_alone = loop->facts->slice.has_floating_work; /* with nothing to be timed */
+    const bool may_be_alone = loop->facts->slice.has_floating_work; /* without timing */
     const char *site = outlined_name(loop, "site");
     if (!may_be_alone && !has_branches(loop)) {
         buffer_format(&out->out, " REDCC_OVER(%s) }", site);
@@ -206,7 +206,7 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
 }
 
-/** What goes in front of the function, in the first form from *form on that is possible. */
+/** The text before the function, in the first possible form from *form on. */
 static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
     for (;; (*form)++) {
         loop->lanes =

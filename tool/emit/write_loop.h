@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One loop whole: what stands in its place, and what stands in front of its function. */
+/** One whole loop: the text that replaces it, and the text before its function. */
 #ifndef EMIT_WRITE_LOOP_H
 #define EMIT_WRITE_LOOP_H
 
@@ -11,17 +11,17 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** With a body for several iterations at once, with a form for bins, with neither: each is tried
- *  where the one before is not possible. */
+/** With a body for several iterations at once, with a form for bins, with neither: each is tried if
+ *  the preceding one is not possible. */
 typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT } loop_form;
 
-/** loop.c: the block of a loop of which arena, unit, facts, options and is_unfused are set, and
- * what goes in front of the function; sets *form to what was possible.
- * False, with the obstacle in *why: it cannot be written. */
+/** loop.c: the block of a loop with arena, unit, facts, options and is_unfused set, and the text
+ *  before the function; sets *form to the form used. False, with the obstacle in *why: it cannot be
+ *  written. */
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 
-/** The #if around what is there only where the loop may run in parallel; behind what
- *  begin_as_compiled writes. */
+/** The #if around the text that exists only if the loop may run in parallel; after the text of
+ *  begin_as_compiled. */
 const char *loop_condition(const loop_text *loop);
 
 #endif

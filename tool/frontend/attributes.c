@@ -25,10 +25,10 @@ static bool has_word(const char *text, const char *word) {
     return false;
 }
 
-/* Has the declaration an attribute of one of these names? clang has no cursors of their own for
- * many, and the source may spell them in many ways (of a namespace, made by macros, spliced):
- * clang's own print of the declaration tells. What else stands in that print may be taken for an
- * attribute, never the other way round. */
+/* Does the declaration have an attribute of one of these names? clang has no separate cursors for
+ * many, and the source may spell them in many ways (in a namespace, by macros, spliced), so clang's
+ * own print of the declaration is searched. Other text in that print may be taken for an attribute,
+ * never the reverse. */
 static bool has_attribute(CXCursor declaration, const char *const *words, unsigned count) {
     bool has_unexposed = false;
     clang_visitChildren(declaration, find_unexposed, &has_unexposed);
@@ -51,7 +51,7 @@ bool has_cleanup(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* By an assembler label, or `#pragma redefine_extname`: the linker knows it by another name. */
+/* By an assembler label, or `#pragma redefine_extname`: it has another symbol name. */
 static bool is_renamed(CXCursor declaration) {
     CXString mangled = clang_Cursor_getMangling(declaration);
     CXString spelled = clang_getCursorSpelling(declaration);
@@ -75,7 +75,7 @@ bool is_under_may_alias(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* Is the attribute a harmless one, as it is spelled in the end, in a macro's definition perhaps? */
+/* Is the attribute harmless, in its final spelling, perhaps in a macro's definition? */
 static bool is_harmless(CXCursor attribute) {
     CXFile file;
     unsigned offset;
@@ -83,7 +83,7 @@ static bool is_harmless(CXCursor attribute) {
     const CXSourceLocation begin = clang_getRangeStart(clang_getCursorExtent(attribute));
     clang_getSpellingLocation(begin, &file, NULL, NULL, &offset);
     if (file == NULL)
-        return false; /* put together from pieces */
+        return false; /* pasted from pieces */
     CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
     const char *text = clang_getFileContents(unit, file, &size);
     while (text != NULL && offset + length < size && is_word_byte(text[offset + length]))
@@ -167,7 +167,7 @@ static bool follows_pragma(const char *text, const char *word) {
     return pragma != NULL && pragma < word;
 }
 
-/* Marks what is named between `word` and the end of its line, where a pragma stands before it. */
+/* Marks the names between `word` and the end of its line, if a pragma precedes it. */
 static void mark_names_after(converter *c, const char *text, const char *word,
                              void (*mark)(converter *c, const char *name, size_t length)) {
     for (const char *at = strstr(text, word); at != NULL; at = strstr(at, word)) {

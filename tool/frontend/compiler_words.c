@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Does the program ask which compiler it is compiled by? The parser is clang; the compiler may be
- * another. Headers of the system are left out: that they hold for each is their business. */
+/* Does the program test which compiler compiles it? The parser is clang; the compiler may be
+ * another. System headers are excluded: they are responsible for working with each. */
 #define _GNU_SOURCE /* memmem */
 #include <ctype.h>
 #include <string.h>
@@ -10,11 +10,11 @@
 #include "frontend/lexing.h"
 #include "frontend/predefined.h"
 
-/* An attribute, and a pragma, of gcc's: the bytes of numbers in memory the other way round. clang
- * passes over it. */
+/* An attribute, and a pragma, of gcc's: reverses the bytes of numbers in memory. clang ignores
+ * it. */
 static const char storage_order[] = "scalar_storage_order";
 
-/* What gcc's -fopenmp defines, and clang's does not. */
+/* gcc's -fopenmp defines it, clang's does not. */
 static const char threads[] = "_REENTRANT";
 
 static const char *word_in(file_text file) {
@@ -32,8 +32,7 @@ static const char *word_in(file_text file) {
     return text_has(file, threads) ? threads : NULL;
 }
 
-/* Where clang is told the compiler's macros: a name of which it still makes something of its own.
- */
+/* If clang uses the compiler's macros: a name to which it still gives a meaning of its own. */
 static const char *parsers_word_in(converter *c, file_text file) {
     const char *at = file.text, *end = file.text + file.length;
     while (at != NULL && at < end) {
@@ -49,13 +48,13 @@ static const char *parsers_word_in(converter *c, file_text file) {
     return NULL;
 }
 
-/* Behind an attribute's name: do arguments begin, or may a macro or a comment stand before them? */
+/* After an attribute's name: do arguments begin, or may a macro or a comment precede them? */
 static bool may_have_arguments(const char *at, const char *end) {
     return at < end && (*at == '(' || *at == '\\' || *at == '/');
 }
 
-/* The attribute optimize, by which gcc compiles a function otherwise than the file; clang passes
- * over it, on whichever declaration it stands. Not the pragma, which is read as one. */
+/* The attribute optimize, by which gcc compiles a function with other options than the file; clang
+ * ignores it on any declaration. The pragma is parsed separately. */
 static bool names_optimize(file_text file) {
     static const char word[] = "optimize", pragma[] = "GCC";
     const char *at = file.text, *const end = file.text + file.length;
@@ -74,8 +73,8 @@ static bool names_optimize(file_text file) {
     return false;
 }
 
-/* The attribute target, or target_clones: no declaration in the tree says it where it is called by
- * a macro's name. */
+/* The attribute target, or target_clones: no declaration in the tree shows it if a macro spells its
+ * name. */
 static bool names_target(file_text file) {
     static const char word[] = "target";
     const char *at = file.text, *const end = file.text + file.length;
@@ -90,8 +89,8 @@ static bool names_target(file_text file) {
     return false;
 }
 
-/* true and false of a condition are keywords of C23, and names without a value for compilers that
- * know less of it. */
+/* In a condition, true and false are keywords of C23, and names without a value for older
+ * compilers. */
 static bool asks_truth(converter *c, CXFile file) {
     if (!c->compiler.flags->is_c23)
         return false;
@@ -104,8 +103,8 @@ static bool asks_truth(converter *c, CXFile file) {
     return false;
 }
 
-/* Each copy of a text that makes it has another number. Headers of the system may define a macro of
- * it for programs to use. */
+/* Each copy of a text that makes it has another number. System headers may define a macro with it
+ * for programs to use. */
 static const char counter[] = "__COUNTER__";
 
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
@@ -133,7 +132,7 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
         c->unit->text.unseen_word = storage_order;
 }
 
-/* What a macro of the options stands for is text of the program's too. */
+/* The body of a macro in the options is text of the program's, too. */
 static void look_at_options(converter *c) {
     const parse_flags *flags = c->compiler.flags;
     for (unsigned i = 0; i < flags->items.count; i++) {

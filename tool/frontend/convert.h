@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Inside the frontend: one conversion of a parsed translation unit to IR. */
+/** Internals of the frontend: the conversion of one parsed translation unit to IR. */
 #ifndef FRONTEND_CONVERT_H
 #define FRONTEND_CONVERT_H
 
@@ -10,7 +10,7 @@
 #include "support/map.h"
 #include "support/vector.h"
 
-/** Nodes may not be nested deeper; a function in which they are is marked has_errors. */
+/** Nodes may not be nested deeper; a function that exceeds this is marked has_errors. */
 enum { DEEPEST_NODE = 2000 };
 
 typedef struct function_body {
@@ -20,8 +20,8 @@ typedef struct function_body {
 
 typedef VECTOR(CXCursor) cursor_list;
 
-/** clang computes an extent anew each time it is asked for, and an expression's is often asked for
- *  by what is around it first. */
+/** clang computes an extent again in each query, and an expression's is often queried for the
+ *  enclosing node first. */
 typedef struct extent_memory {
     const void *tree; /* clang's expression or statement */
     CXSourceRange extent;
@@ -29,29 +29,29 @@ typedef struct extent_memory {
 
 enum { EXTENTS_KEPT = 64 };
 
-/** What of clang's was converted, and to what; each thing of clang's has one. */
+/** clang's objects that were converted, with the results; each object has one. */
 struct converted {
     map *types;                 /* clang's type -> ir_type */
     map *records;               /* declaration -> ir_record */
     map *fields;                /* declaration -> ir_field */
     map *variables;             /* each of its declarations -> ir_variable */
     map *functions;             /* each of its declarations -> ir_function */
-    map *functions_with_errors; /* canonical declaration -> anything */
+    map *functions_with_errors; /* canonical declaration -> not NULL */
     map *pointers;              /* target's ir_type -> pointer made for it */
-    map *files;                 /* CXFile -> what location.c keeps of a header */
+    map *files;                 /* CXFile -> location.c's data about a header */
 };
 
-/** Where the main file has expansions of macros. */
+/** Positions of macro expansions in the main file. */
 struct expansions {
     map *ends;      /* an expansion's begin -> its end + 1 */
     map *begins;    /* end -> begin + 1 */
     bool are_known; /* the two are complete */
 };
 
-/** The compiler that clang stands for. */
+/** The compiler that clang represents. */
 struct compiler_facts {
-    const struct parse_flags *flags; /* its options; `predefined`: its macros in place of clang's */
-    map *parsers_own; /* then: names of the macros that clang has and that compiler has not */
+    const struct parse_flags *flags; /* its options; `predefined`: its macros replace clang's */
+    map *parsers_own; /* then: names of clang's macros that the compiler does not define */
 };
 
 typedef struct converter {
@@ -62,10 +62,10 @@ typedef struct converter {
     CXFile main_file;
     struct converted converted;
     struct expansions expansions;
-    bool has_begun; /* has anything of the main file been met among its macros? */
+    bool has_begun; /* was a macro of the main file seen? */
     struct compiler_facts compiler;
     struct reference_table *references;
-    bool has_assembler;           /* between functions: it may give names to objects */
+    bool has_assembler;           /* between functions: it may define names of objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
@@ -73,7 +73,7 @@ typedef struct converter {
     VECTOR(const char *) header_pragmas;
     ir_function *function; /* being converted */
     unsigned depth;
-    cursor_list collected; /* a stack: children of the cursors on the way down */
+    cursor_list collected; /* a stack: children of the cursors being visited */
     extent_memory extents[EXTENTS_KEPT];
 } converter;
 
@@ -89,7 +89,7 @@ void note_expansion(converter *c, CXCursor expansion);
 bool is_in_main_file(converter *c, CXSourceLocation location);
 /** As clang_getCursorExtent. */
 CXSourceRange extent_of(converter *c, CXCursor cursor);
-/** Bytes of the main file; sets *is_from_macro where an end of it is made by a macro. */
+/** Bytes of the main file; sets *is_from_macro if a macro makes one of its ends. */
 ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro);
 /** Sets range and IR_FROM_MACRO. */
 void place_node(converter *c, ir_node *node, CXCursor cursor);
@@ -101,58 +101,59 @@ typedef struct file_directives {
     unsigned count;
 } file_directives;
 
-/** The file's directives, scanned once; of the main file only after find_directives. */
+/** The file's directives, scanned once; for the main file only after find_directives. */
 file_directives directives_of_file(converter *c, CXFile file);
 /** Is the header the compiler's or the C library's? A library's header that -isystem or a pragma
- *  makes a system header holds what its authors please, as the program's own do. */
+ *  makes a system header counts as the program's own. */
 bool is_of_system(converter *c, CXFile file);
-/** The text from where the location's token is spelled (maybe in a macro's body or a header) to
- *  the end of its file; length 0 where there is none (pasted tokens, the command line). */
+/** The text from the spelling of the location's token (perhaps in a macro's body or a header) to
+ *  the end of its file; length 0 if there is none (pasted tokens, the command line). */
 file_text text_at(converter *c, CXSourceLocation location);
-/** The source text of a cursor without macros, in the arena; NULL where macros are concerned. */
+/** The source text of a cursor without macros, in the arena; NULL if macros are involved. */
 const char *plain_text(converter *c, CXCursor cursor);
-/** clang's text, kept. */
+/** A copy of clang's text. */
 const char *take_string(converter *c, CXString string);
 
 /* ---- types and declarations ---------------------------------------------------------------- */
 
 const ir_type *convert_type(converter *c, CXType type);
 const ir_type *pointer_to(converter *c, const ir_type *target);
-/** libclang gives the type of a parameter that is written as an array or a function as it is
- *  written, there and wherever that type is handed on: this is what it is, a pointer. Other types
- *  as they are. */
+/** libclang gives a parameter that is declared as an array or a function the declared type, also in
+ *  expressions that use it: this returns the actual type, a pointer. Other types are unchanged. */
 const ir_type *decayed(converter *c, const ir_type *type);
-/** Does the type hold an array whose length is computed at run time? */
+/** Does the type contain an array whose length is computed at run time? */
 bool has_variable_length(const ir_type *type);
 const ir_record *convert_record(converter *c, CXType canonical);
-/** NULL: no field known for it. */
+/** NULL: no known field. */
 const ir_field *convert_field(converter *c, CXCursor field);
-/** Is the text clang's name for something without one? */
+/** Is the text clang's name for an unnamed declaration? */
 bool is_nameless(const char *spelling);
 ir_variable *convert_variable(converter *c, CXCursor declaration);
 ir_function *convert_function(converter *c, CXCursor declaration);
-/** Adds what the attributes of this declaration say. */
+/** Adds the attributes of this declaration. */
 void read_attributes(converter *c, CXCursor declaration, ir_function *function);
-/** Does a function get the variable's address where its scope ends (GNU's cleanup attribute)? */
+/** Is the variable's address passed to a function at the end of its scope (GNU's cleanup
+ *  attribute)? */
 bool has_cleanup(CXCursor declaration);
 /** May the variable be another name of an object: by an alias attribute, an asm label, assembler
  *  text in the file? */
 bool has_other_name(const converter *c, CXCursor declaration);
-/** What `#pragma weak a` or `#pragma weak a = b` names may be another function, has another name;
- *  what `#pragma omp threadprivate(a)` names is thread-local. clang's tree does not tell. */
+/** A function named in `#pragma weak a` or `#pragma weak a = b` may be replaced or have another
+ *  name; a variable named in `#pragma omp threadprivate(a)` is thread-local. clang's tree does not
+ *  show it. */
 void mark_names_in_pragmas(converter *c);
-/** Has the typedef or record the attribute may_alias? */
+/** Does the typedef or record have the attribute may_alias? */
 bool is_under_may_alias(CXCursor declaration);
-/** With KeepGoing clang calls a missing header an error like any other: its text tells. */
+/** With KeepGoing clang reports a missing header as any other error: its text identifies it. */
 bool is_missing_header(CXDiagnostic diagnostic);
-/** Adds a macro to the unit's macros; those that the main file's text defines in any branch. */
+/** Adds a macro to the unit's macros; also those that the main file defines in any branch. */
 void note_macro(converter *c, CXCursor definition);
 void note_macros_of_directives(converter *c);
-/** In the text of a directive: behind `#define`, the macro's name; NULL: it is another one. */
+/** In the text of a directive: the macro's name after `#define`; NULL: another directive. */
 const char *macro_name_defined(const char *at, const char *end);
 /** Sets the unit's pragma_macros and may_make_fenv_access. */
 void find_pragma_macros(converter *c);
-/** Adds what is declared, in a record its members' tags too, to the unit's names. */
+/** Adds a declaration's name to the unit's names, for a record also its members' tags. */
 void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word, unseen_word and names_optimize. */
 void find_compiler_words(converter *c);
@@ -168,10 +169,10 @@ void mark_skipped_directives(converter *c);
 /** Fills in functions_with_errors and the unit's error_count. */
 void mark_functions_with_errors(converter *c);
 
-/* ---- what names mean (references.c) -------------------------------------------------------- */
+/* ---- meanings of names (references.c) ------------------------------------------------------ */
 
 struct reference_table *references_new(converter *c);
-/** What this cursor declares; the same for all declarations of one thing. */
+/** The declaration of this cursor; the same for all declarations of one object. */
 const ir_declared *declared_of(converter *c, CXCursor declaration);
 /** Adds the names in a function's body to the unit's references. */
 void note_references(converter *c, CXCursor body);
@@ -183,33 +184,34 @@ void finish_references(converter *c);
 /** Expressions and statements among the cursor's children; no references, types or attributes.
  *  The list lives in the scratch arena. */
 cursor_list children_of(converter *c, CXCursor cursor);
-/** Counts a level; false: too deep, *result is set and the level not to be left. */
+/** Counts a level; false: too deep, *result is set and the level must not be left. */
 bool enter_level(converter *c, CXCursor cursor, ir_node **result);
 
 ir_node *convert_expression(converter *c, CXCursor cursor);
 ir_node *convert_statement(converter *c, CXCursor cursor);
-/** An expression, or a statement as it stands in a for's header or a statement expression. */
+/** An expression, or a statement in a for's header or a statement expression. */
 ir_node *convert_any(converter *c, CXCursor cursor);
 ir_node *convert_literal(converter *c, CXCursor cursor);
 /** sizeof and the like. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor);
-/** With all that the cursor mentions as children; type NULL: a statement. */
+/** With all cursors that it mentions as children; type NULL: a statement. */
 ir_node *convert_opaque(converter *c, CXCursor cursor, const ir_type *type, const char *what);
-/** An opaque statement that holds the expressions in a declaration and its type. */
+/** An opaque statement that contains the expressions in a declaration and its type. */
 ir_node *convert_lengths(converter *c, CXCursor declaration, const char *what);
 /** Initialisers in braces. */
 ir_node *convert_braces(converter *c, CXCursor cursor);
 
-/* ---- after all ----------------------------------------------------------------------------- */
+/* ---- finishing ----------------------------------------------------------------------------- */
 
-/** Takes IR_FROM_MACRO from statements that end (or, but for loops, also begin) in the expansion of
- *  a macro, where all of the expansion belongs to the statement: their bytes are their own. */
+/** Clears IR_FROM_MACRO in statements that end (or, except for loops, also begin) in the expansion
+ *  of a macro, if the whole expansion belongs to the statement: then no other node shares their
+ *  bytes. */
 void find_own_bytes(converter *c, ir_node *body);
 
 /** Orders and numbers functions and variables, finishes bodies, finds address_taken. */
 void finish_unit(converter *c);
 
-/** Does a finished unit compute with floating-point numbers, in what is compiled of it? */
+/** Does the compiled part of a finished unit have floating-point arithmetic? */
 bool has_floating_work(const ir_unit *unit);
 
 #endif

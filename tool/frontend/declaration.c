@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Variables and functions, each made when it is first met. */
+/* Variables and functions, each converted when it is first used. */
 #include "frontend/convert.h"
 
 /* From the name to the end of the declarator with its initialiser. */
@@ -31,7 +31,7 @@ static ir_storage storage_of(CXCursor declaration) {
     return clang_getCursorLinkage(declaration) == CXLinkage_Internal ? IR_STATIC : IR_GLOBAL;
 }
 
-/* The definition knows the length of an array that other declarations leave open. */
+/* The definition has the length of an array that other declarations leave open. */
 static CXType type_of_variable(CXCursor declaration) {
     CXCursor definition = clang_getCursorDefinition(declaration);
     return clang_getCursorType(clang_Cursor_isNull(definition) ? declaration : definition);
@@ -82,7 +82,7 @@ static void convert_parameters(converter *c, ir_function *f, CXCursor declaratio
     f->parameter_count = (unsigned)count;
 }
 
-/* A definition's own parameters are those that its body names. */
+/* The body names the definition's own parameters. */
 static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
     bool is_from_macro;
     f->name = take_string(c, clang_getCursorSpelling(declaration));

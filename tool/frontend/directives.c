@@ -44,8 +44,8 @@ static void skip_block_comment(scanner *s) {
     s->at = s->at < s->end ? s->at + 2 : s->end;
 }
 
-/* To the line's end, or to the closing quote; a quote that is left open ends with the line, as in
- * a branch that is not compiled. */
+/* To the line's end, or to the closing quote; an unterminated quote ends with the line, as in a
+ * branch that is not compiled. */
 static void skip_to(scanner *s, char close) {
     while (s->at < s->end && *s->at != '\n') {
         if (*s->at != '\\' && *s->at != '?' && *s->at != close) {
@@ -71,12 +71,12 @@ static void skip_quoted(scanner *s) {
     skip_to(s, close);
 }
 
-/* The first bytes of what is not passed over byte by byte, and of directives. */
+/* Bytes that may begin a piece or a directive. */
 static bool may_begin_piece(char c) {
     return c == '/' || c == '\\' || c == '?' || c == '"' || c == '\'' || c == '#' || c == '%';
 }
 
-/* Comments, strings and splices are passed over as one; anything else byte by byte. */
+/* Comments, strings and splices are skipped as one piece; other text byte by byte. */
 static void skip_piece(scanner *s) {
     if (!may_begin_piece(*s->at)) {
         s->at++;
@@ -113,7 +113,7 @@ static void add(scanner *s, ir_directive_kind kind, const char *from) {
     VECTOR_PUSH(s->arena, &s->found, directive);
 }
 
-/* The directive's name, behind "#", with splices and comments passed over. */
+/* The directive's name after "#", skipping splices and comments. */
 static void read_name(scanner *s, char name[16]) {
     size_t length = 0;
     while (s->at < s->end && *s->at != '\n') {
@@ -149,7 +149,7 @@ static ir_directive_kind kind_of(const char *name) {
     return IR_DIRECTIVE_OTHER;
 }
 
-/* `hash`: how long the "#" is. */
+/* `hash`: the length of the "#". */
 static void read_directive(scanner *s, unsigned hash) {
     const char *from = s->at;
     char name[16];

@@ -34,7 +34,7 @@ static const ir_type *type_of(converter *c, CXCursor cursor) {
     return convert_type(c, clang_getCursorType(cursor));
 }
 
-/* Only what names or reaches an object can be an array; see decayed(). */
+/* Only an expression that names or reaches an object can be an array; see decayed(). */
 static bool may_be_array(ir_kind kind) {
     return kind == IR_VARIABLE || kind == IR_INDEX || kind == IR_MEMBER || kind == IR_UNARY ||
            kind == IR_INITIALIZERS;
@@ -233,14 +233,14 @@ static ir_node *convert_conditional(converter *c, CXCursor cursor) {
 
 /* ---- access -------------------------------------------------------------------------------- */
 
-/* Arrays too: of those libclang calls so, the ones that are used as values are pointers. */
+/* Arrays too: an array in libclang's sense that is used as a value is a pointer. */
 static bool is_pointer(CXCursor cursor) {
     enum CXTypeKind kind = clang_getCanonicalType(clang_getCursorType(cursor)).kind;
     return kind == CXType_Pointer || kind == CXType_ConstantArray ||
            kind == CXType_IncompleteArray || kind == CXType_VariableArray;
 }
 
-/* 3[a] too: clang gives the parts as they are written. */
+/* 3[a] too: clang gives the parts in the order of the text. */
 static ir_node *convert_subscript(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count != 2 || (!is_pointer(parts.items[0]) && !is_pointer(parts.items[1])))
@@ -254,7 +254,7 @@ static ir_node *convert_subscript(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* The record's own field in which `wanted` is: itself, or an anonymous member that holds it. */
+/* The record's own field that contains `wanted`: itself, or an anonymous member. */
 static const ir_field *way_to(const ir_record *record, const ir_field *wanted) {
     for (unsigned i = 0; i < record->field_count; i++) {
         const ir_field *field = &record->fields[i];
@@ -273,8 +273,8 @@ static ir_node *member_node(converter *c, CXCursor cursor, ir_node *object, cons
     return node;
 }
 
-/* clang leaves out the anonymous members between an object and what is named in it; here each is a
- * step of its own. */
+/* clang omits the anonymous members between an object and the named member; here each is a separate
+ * step. */
 static ir_node *convert_member(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXCursor declaration = clang_getCursorReferenced(cursor);
@@ -300,7 +300,7 @@ static ir_node *convert_member(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* Does the builtin ask the compiler about its operands, and evaluate none of them? */
+/* Does the builtin only query its operands, without evaluating them? */
 static bool evaluates_nothing(const ir_node *callee) {
     static const char *const names[] = {
         "__builtin_constant_p",     "__builtin_object_size", "__builtin_dynamic_object_size",
@@ -328,8 +328,8 @@ static ir_node *convert_call(converter *c, CXCursor cursor) {
 
 /* ---- casts, literals ----------------------------------------------------------------------- */
 
-/* The lengths in a type like double (*)[n] are evaluated by the cast; what else stands in the type
- * (in a typeof, say) is not. The operand comes last. */
+/* The lengths in a type like double (*)[n] are evaluated by the cast; other expressions in the type
+ * (in a typeof, for instance) are not. The operand comes last. */
 static ir_node *convert_cast(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 0 || (parts.count > 1 && has_variable_length(type_of(c, cursor))))
@@ -344,7 +344,7 @@ static bool is_braces(CXCursor cursor) {
 
 static ir_node *convert_compound_literal(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
-    unsigned last = parts.count - 1; /* what stands in the type comes before */
+    unsigned last = parts.count - 1; /* expressions in the type come before */
     if (parts.count == 0 || !is_braces(parts.items[last]) ||
         has_variable_length(type_of(c, cursor)))
         return opaque_expression(c, cursor, "compound literal");
@@ -355,8 +355,7 @@ static ir_node *convert_compound_literal(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* `[3] = x`, `.a.b = x`: clang shows them as an expression without a type of its own, of which the
- * last part is the value. */
+/* `[3] = x`, `.a.b = x`: clang shows them as an untyped expression whose last part is the value. */
 static bool is_designated(CXCursor cursor) {
     return clang_getCursorKind(cursor) == CXCursor_UnexposedExpr &&
            clang_getCursorType(cursor).kind == CXType_Void;
@@ -378,9 +377,9 @@ ir_node *convert_braces(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* Which association was chosen clang does not tell: it is the one whose type the whole has, if
- * there is one such. The first part is the controlling expression, which is not evaluated; but
- * where a type stands in its place (clang's extension, C2y) it is an association as well. */
+/* clang does not show which association was chosen: it is the one with the type of the whole, if
+ * that is unique. The first part is the controlling expression, which is not evaluated; but if a
+ * type replaces it (clang's extension, C2y) it is an association as well. */
 static ir_node *convert_generic(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXType type = clang_getCanonicalType(clang_getCursorType(cursor));
@@ -396,7 +395,7 @@ static ir_node *convert_generic(converter *c, CXCursor cursor) {
     return convert_expression(c, parts.items[chosen]);
 }
 
-/* ---- what libclang does not expose --------------------------------------------------------- */
+/* ---- nodes that libclang does not expose ----------------------------------------------------- */
 
 static bool has_same_extent(converter *c, CXCursor a, CXCursor b) {
     return clang_equalRanges(extent_of(c, a), extent_of(c, b)) != 0;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Once all trees are there: order, numbers, whose address is taken. */
+/* After all trees are complete: order, numbers, address_taken. */
 #include "frontend/convert.h"
 #include "frontend/flags.h"
 #include "ir/ir_accessors.h"
 
-/* ---- whose address is taken ---------------------------------------------------------------- */
+/* ---- addresses taken ------------------------------------------------------------------------ */
 
-/* The variable of which `node` is a part, without going through a pointer. */
+/* The variable that contains `node`, other than through a pointer. */
 static ir_variable *object_of(const ir_node *node) {
     for (;;) {
         bool is_part = (node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) ||
@@ -17,8 +17,8 @@ static ir_variable *object_of(const ir_node *node) {
     }
 }
 
-/* An array that is subscripted, dereferenced or passed to a function is not counted; everywhere
- * else its address becomes a value. */
+/* An array that is subscripted, dereferenced or passed to a function does not count; in other uses
+ * its address becomes a value. */
 static bool lets_array_escape(const ir_node *array) {
     const ir_node *parent = array->parent;
     if (parent == NULL)
@@ -95,7 +95,7 @@ static void order_functions(converter *c) {
         unit->functions[i]->id = i;
 }
 
-/* What a shared object exports, the program may have another of. */
+/* The program may have its own definition of a symbol that a shared object exports. */
 static void mark_interposable(converter *c) {
     const parse_flags *chosen = c->compiler.flags;
     for (unsigned i = 0; i < c->unit->function_count; i++) {

@@ -11,8 +11,8 @@
 #include "support/compiler_options.h"
 #include "support/source.h"
 
-/* Adds flags[i], and its argument where that stands apart, if the parser is to be told. Returns the
- * index of the last word looked at. */
+/* Adds flags[i], with its argument if that is separate, if the parser needs it. Returns the index
+ * of the last word used. */
 static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
                      const char *const *flags) {
     const option *known = option_find(flags[i]);
@@ -37,7 +37,7 @@ static bool is_folder(const char *path) {
     return path[0] != 0 && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* gcc's own headers: where they were when this was built, or where Debian has them. */
+/* gcc's own headers: in the folder found when this was built, or in Debian's. */
 static const char *gcc_include_folder(arena *a) {
     if (is_folder(REDCC_GCC_INCLUDE))
         return REDCC_GCC_INCLUDE;
@@ -54,7 +54,7 @@ static void add(arena *a, parse_flags *chosen, const char *flag) {
     VECTOR_PUSH(a, &chosen->items, flag);
 }
 
-/* Old C that gcc takes with a warning, and limits meant for people, must not stop the parser. */
+/* Old C that gcc accepts with a warning, and style limits, must not stop the parser. */
 static void add_leniency(arena *a, parse_flags *chosen) {
     static const char *const flags[] = {
         "-xc",
@@ -144,7 +144,7 @@ static bool names_c23(const char *standard) {
            strstr(standard, ":202");
 }
 
-/* By any of the list that are not about addresses, leaks or threads. */
+/* By any sanitizer in the list other than for addresses, leaks or threads. */
 static bool reports_arithmetic(const char *list) {
     static const char *const others[] = {"address",          "leak",   "thread",
                                          "hwaddress",        "memory", "pointer-compare",
@@ -233,7 +233,7 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
         i = take(a, &chosen, i, count, flags);
     }
     note_folders_of_environment(a, &chosen);
-    /* Parsed with -fopenmp itself, a loop below a directive would be hidden in the directive. */
+    /* Parsed with -fopenmp itself, a loop after a directive would be hidden in the directive. */
     if (chosen.has_openmp && !is_predefined(&chosen, "_OPENMP"))
         add(a, &chosen, "-D_OPENMP=201511");
     chosen.has_openmp |= is_predefined(&chosen, "_OPENMP");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which of a compiler's flags libclang is told, and what is added to them. */
+/** Selects the compiler's flags that are passed to libclang, and those added to them. */
 #ifndef FRONTEND_FLAGS_H
 #define FRONTEND_FLAGS_H
 
@@ -13,31 +13,33 @@ typedef struct parse_flags {
     VECTOR(const char *) items;
     bool strict_aliasing; /* no -fno-strict-aliasing */
     bool has_headers;     /* no -nostdinc */
-    map *predefined;      /* names of a compiler's own macros that the parser is told; NULL: it has
-                             its own */
+    map *predefined;      /* names of a compiler's own macros that the parser uses; NULL: it has its
+                           * own */
     const char *unseen;   /* a list of macros that cannot be read; NULL: none */
-    const char *refusing; /* by it the program is another than the parser's; NULL: none */
-    const char *inexact; /* by it floating-point bits depend on what else is compiled; NULL: none */
-    bool is_c89;         /* by -std= or -ansi */
-    bool is_c23;         /* by -std=, or a later one */
+    const char *refusing; /* an option that makes the program differ from the parsed one; NULL:
+                           * none */
+    const char *inexact;  /* an option by which floating-point bits depend on other code in the
+                           * compilation; NULL: none */
+    bool is_c89;          /* by -std= or -ansi */
+    bool is_c23;          /* by -std=, or a later one */
     VECTOR(const char *)
     system_folders;    /* by -isystem and the like: a library's, not the compiler's */
-    bool is_sanitized; /* by -fsanitize= of others than addresses, leaks and threads */
-    bool is_shared;    /* -fPIC: what is exported may be replaced by another definition ... */
-    bool is_fixed;     /* ... but not by one that does something else */
+    bool is_sanitized; /* by -fsanitize= with others than addresses, leaks and threads */
+    bool is_shared;    /* -fPIC: another definition may replace an exported one ... */
+    bool is_fixed;     /* ... but only an equivalent one */
     bool math_errno;   /* mathematical functions set errno */
     bool has_openmp;   /* OpenMP's directives are on */
 } parse_flags;
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);
 
-/** Flags of the -m kind but -m32, -m64 and -mx32: libclang may know fewer of them than the user's
- *  compiler and then parses nothing. */
+/** Removes flags of the -m kind except -m32, -m64 and -mx32: libclang may know fewer of them than
+ *  the user's compiler, and then parses nothing. */
 void remove_machine_flags(parse_flags *flags);
 
-/** gcc's own headers, for what clang's do not have (omp.h). They come last, and only where a header
- *  was missing: clang's stdatomic.h, say, passes on to a second one where there is one, and clang
- *  cannot read gcc's. Returns false where there are none to add. */
+/** gcc's own headers, for those that clang lacks (omp.h). They come last, and only if a header was
+ *  missing: clang's stdatomic.h, for instance, includes a second one if it exists, and clang cannot
+ *  read gcc's. Returns false if there are none to add. */
 bool add_gcc_headers(arena *a, parse_flags *flags);
 
 #endif

@@ -12,7 +12,8 @@
 #include "frontend/lexing.h"
 #include "ir/ir_text.h"
 
-/* clang parses by recursion, about 10 KB a level; only what is used is taken from the system. */
+/* clang parses by recursion, about 10 KB a level; the system allocates only the part that is
+ * used. */
 enum { STACK_SIZE = 256 << 20 };
 
 /* ---- parsing ------------------------------------------------------------------------------- */
@@ -30,7 +31,7 @@ static bool any_diagnostic(CXTranslationUnit clang, diagnostic_test test) {
     return is_found;
 }
 
-/* An error that lies in no file is about the flags. */
+/* An error outside of all files concerns the flags. */
 static bool is_about_flags(CXDiagnostic diagnostic) {
     CXFile file;
     clang_getExpansionLocation(clang_getDiagnosticLocation(diagnostic), &file, NULL, NULL, NULL);
@@ -98,7 +99,7 @@ static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXC
     return CXChildVisit_Continue;
 }
 
-/* `asm("...");`, which libclang shows as a declaration without a kind of its own. */
+/* `asm("...");`, which libclang shows as a declaration of no specific kind. */
 static bool is_assembler(CXCursor cursor) {
     if (clang_getCursorKind(cursor) != CXCursor_UnexposedDecl)
         return false;
@@ -111,7 +112,7 @@ static bool is_assembler(CXCursor cursor) {
     return is_found;
 }
 
-/* Functions of the main file; those of headers follow where they are used. */
+/* Functions of the main file; those of headers follow when they are used. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
@@ -139,7 +140,7 @@ static bool is_plain_operator(CXCursor cursor) {
            (binary >= CXBinaryOperator_Mul && binary <= CXBinaryOperator_LOr);
 }
 
-/* What is no arithmetic on variables and constants. */
+/* Any operation other than arithmetic on variables and constants. */
 static enum CXChildVisitResult find_effect(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
     bool *is_found = data;
@@ -148,7 +149,7 @@ static enum CXChildVisitResult find_effect(CXCursor child, CXCursor parent, CXCl
     case CXCursor_IntegerLiteral:
     case CXCursor_CharacterLiteral:
     case CXCursor_ParenExpr:
-    case CXCursor_UnexposedExpr: /* a conversion; what else it may be has parts of other kinds */
+    case CXCursor_UnexposedExpr: /* a conversion; its other meanings have parts of other kinds */
     case CXCursor_CStyleCastExpr:
         return CXChildVisit_Recurse;
     case CXCursor_UnaryOperator:
@@ -169,7 +170,7 @@ static bool computes_with_effect(CXCursor declaration) {
 }
 
 /* Lengths in the types of parameters, `double (*a)[m++]`, are evaluated when the function is
- * entered (C17 6.9.1p10): opaque statements before those of its body stand for them. */
+ * entered (C17 6.9.1p10): opaque statements before those of its body represent them. */
 static void put_lengths_first(converter *c, CXCursor definition, ir_node *body) {
     const int count = clang_Cursor_getNumArguments(definition);
     for (int i = count - 1; i >= 0; i--) {
@@ -208,7 +209,7 @@ static void convert_unit(converter *c) {
     c->expansions.are_known = true;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
-    for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are met */
+    for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are found */
         function_body pending = c->pending.items[i];
         convert_body(c, &pending);
     }
@@ -281,7 +282,7 @@ static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char
     return clang;
 }
 
-/* The attribute in a cast or in a typeof, where libclang does not show it. It takes no arguments: a
+/* The attribute in a cast or in a typeof, where libclang does not show it. It has no arguments: a
  * function may have this name. */
 static bool says_may_alias(const char *text) {
     static const char word[] = "may_alias";
@@ -291,7 +292,7 @@ static bool says_may_alias(const char *text) {
     return false;
 }
 
-/* What the flags say of the program as a whole. */
+/* Applies the flags' effects on the program as a whole. */
 static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     if (chosen->unseen != NULL)
         unit->text.unseen_word = chosen->unseen;
@@ -314,7 +315,7 @@ static void run(void *data) {
         convert_diagnostics(t->arena, clang, name, &t->result);
         list_inclusions(t->arena, clang, &t->result);
         ir_unit *unit = convert(t->arena, t->source, name, clang, &chosen);
-        /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
+        /* an attribute or a pragma says so for a part: for the rest, only speed is lost */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
         unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_said;
@@ -345,8 +346,8 @@ static void use_one_heap(void) {
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags) {
     task t = {.arena = a, .source = src, .flag_count = flag_count, .flags = flags};
-    /* libclang would parse on a thread of its own with 8 MB of stack, which some hundred nested
-     * parentheses use up, and that ends the process. */
+    /* libclang would parse on a separate thread with 8 MB of stack, which some hundred nested
+     * parentheses exhaust, and that ends the process. */
     setenv("LIBCLANG_NOTHREADS", "1", 0);
     use_one_heap();
     clang_executeOnThread(run, &t, STACK_SIZE);

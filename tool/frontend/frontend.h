@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Source text to IR, by libclang. The only room that knows libclang. */
+/** Source text to IR, by libclang. The only room that uses libclang. */
 #ifndef FRONTEND_FRONTEND_H
 #define FRONTEND_FRONTEND_H
 
@@ -9,19 +9,20 @@ typedef struct frontend_diagnostic {
     const char *text; /* "file:line:column: error: ..." */
     bool is_error;
     bool is_placed;  /* it lies in the main file, */
-    uint32_t offset; /* here: where the macro is expanded that makes it */
+    uint32_t offset; /* here: for text from a macro, the place of its expansion */
 } frontend_diagnostic;
 
 typedef struct frontend_result {
-    ir_unit *unit; /* NULL: nothing could be parsed at all */
+    ir_unit *unit; /* NULL: nothing could be parsed */
     unsigned diagnostic_count;
     const frontend_diagnostic *diagnostics;
     unsigned file_count;
-    const char *const *files; /* that were read, the source itself among them, as they were found */
+    const char *const *files; /* files read, including the source itself, under the paths by which
+                               * they were found */
 } frontend_result;
 
-/** Folders in which the parser looks for its own headers, and for gcc's where its own do not do. In
- *  the arena; NULL where there is none. */
+/** Folders that the parser searches for its own headers, and for gcc's if its own do not suffice.
+ *  In the arena; NULL if there is none. */
 typedef struct frontend_folders {
     const char *own;
     const char *of_gcc;
@@ -29,11 +30,11 @@ typedef struct frontend_folders {
 frontend_folders frontend_header_folders(arena *a);
 
 /**
- * Parses `src` with the compiler flags given (a gcc or clang command line's; what libclang must
- * not see is left out here). Everything returned lives in the arena.
- * Functions of the main file get bodies, of headers only where called from the main file. A
- * function in which the compiler reports an error has has_errors set: ill-formed statements vanish
- * from libclang's tree, so nothing in it may be analysed.
+ * Parses `src` with the given compiler flags (of a gcc or clang command line; flags that libclang
+ * must not see are removed here). All results are allocated in the arena. Functions of the main
+ * file get bodies, those of headers only if the main file calls them. A function in which the
+ * compiler reports an error has has_errors set: ill-formed statements vanish from libclang's tree,
+ * so nothing in it may be analysed.
  */
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags);

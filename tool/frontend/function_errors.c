@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which functions did the compiler complain about? Ill-formed statements are missing from clang's
- * tree without a trace, so nothing in such a function may be analysed. */
+/* Finds functions with compiler errors. Ill-formed statements are missing from clang's tree without
+ * a trace, so nothing in such a function may be analysed. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -14,7 +14,7 @@ bool is_missing_header(CXDiagnostic diagnostic) {
     return is_missing;
 }
 
-/* Places where errors are, and where files with errors in them are included. */
+/* Places of errors, and of inclusions of files with errors. */
 typedef struct error_place {
     CXFile file;
     unsigned offset;
@@ -23,7 +23,7 @@ typedef struct error_place {
 typedef struct error_list {
     converter *converter;
     VECTOR(error_place) places;
-    CXFile wanted;      /* a file with an error: who includes it? */
+    CXFile wanted;      /* a file with an error, whose inclusions are searched for */
     bool is_incomplete; /* a header is missing: any name could have been a macro of it */
 } error_list;
 
@@ -37,7 +37,7 @@ static void add_place(error_list *list, CXSourceLocation location) {
     VECTOR_PUSH(list->converter->arena, &list->places, place);
 }
 
-/* An error in an included text lies at each #include on the way to it. */
+/* An error in an included text counts at each #include that leads to it. */
 static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned length,
                             CXClientData data) {
     error_list *list = data;

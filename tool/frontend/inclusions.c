@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which files a parse has read, and where the parser's own headers are. */
+/* The files that a parse has read, and the location of the parser's own headers. */
 #include "frontend/convert.h"
 #include "frontend/flags.h"
 

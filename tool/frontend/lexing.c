@@ -24,7 +24,7 @@ static bool is_one_of(const char *word, size_t length, const char *const *words,
     return false;
 }
 
-/* R"delimiter( with a delimiter of 16 bytes at the most; `-R"` may end a string. */
+/* R"delimiter( with a delimiter of at most 16 bytes; `-R"` may end a string. */
 static bool begins_raw_string(const char *text, const char *quote, const char *end) {
     enum { LONGEST_DELIMITER = 16 };
     const char *at = quote + 1;
@@ -37,7 +37,7 @@ static bool begins_raw_string(const char *text, const char *quote, const char *e
     return is_one_of(word, (size_t)(quote - word), prefixes, sizeof prefixes / sizeof *prefixes);
 }
 
-/* A backslash with nothing but blanks, of which there are some, to the line's end. */
+/* A backslash followed by one or more blanks up to the line's end. */
 static bool is_blank_splice(const char *backslash, const char *end) {
     const char *at = backslash + 1;
     while (at < end && (*at == ' ' || *at == '\t' || *at == '\f' || *at == '\v'))
@@ -45,8 +45,8 @@ static bool is_blank_splice(const char *backslash, const char *end) {
     return at > backslash + 1 && at < end && (*at == '\n' || *at == '\r');
 }
 
-/* What goes on in the next line: _Pragma, a raw string's prefix; NULL: neither, as far as the
- * word's beginning tells. */
+/* The word split over two lines: _Pragma, a raw string's prefix; NULL: neither, according to its
+ * beginning. */
 static const char *split_word(const char *text, const char *splice) {
     static const char *const prefixes[] = {"R", "L", "LR", "u", "uR", "U", "UR", "u8", "u8R"};
     const char *word = word_before(text, splice);
@@ -58,15 +58,16 @@ static const char *split_word(const char *text, const char *splice) {
                                                                                  : NULL;
 }
 
-/* The byte behind a splice, and those that follow it. */
+/* The byte after a splice, and after those that follow it. */
 static char byte_behind(const char *splice, const char *end) {
     for (unsigned length; (length = splice_length(splice, end)) > 0;)
         splice += length;
     return splice < end ? *splice : 0;
 }
 
-/* Does the byte end a comment of two marks, by the pieces from the text's begin? Nothing before it
- * is in doubt but a quote between digits, behind which what begins a comment may be text. */
+/* Does the byte end a comment of two marks, given the pieces from the text's beginning? The text
+ * before it is certain except for a quote between digits, after which the beginning of a comment
+ * may be text. */
 static bool ends_comment(const char *text, const char *last) {
     const char *at = text, *begin = text;
     while (at <= last) {
@@ -77,7 +78,7 @@ static bool ends_comment(const char *text, const char *last) {
            !lexing_has_digit_separator(text, (size_t)(last - text));
 }
 
-/* A comment's mark, or another of two bytes, in two lines. */
+/* A comment's mark, or another of two bytes, split over two lines. */
 static bool splits_mark(const char *text, const char *splice, const char *end) {
     const char before = splice > text ? splice[-1] : 0, behind = byte_behind(splice, end);
     return (before == '/' && (behind == '/' || behind == '*') && !ends_comment(text, splice - 1)) ||
@@ -94,7 +95,7 @@ static bool has_word(const char *text, size_t length, const char *word) {
     return false;
 }
 
-/* _Pragma, to be pasted of pieces: of the first of them, or of `_` and what follows. */
+/* _Pragma, to be pasted from pieces: from the first of them, or from `_` and the rest. */
 static bool has_pieces_of_pragma(const char *text, size_t length) {
     static const char *const firsts[] = {"_P", "_Pr", "_Pra", "_Prag", "_Pragm"};
     for (size_t i = 0; i < sizeof firsts / sizeof *firsts; i++)
@@ -119,7 +120,7 @@ const char *lexing_in_doubt(const char *text, size_t length) {
         return "?\?/";
     if (has_pieces_of_pragma(text, length))
         return pragma_operator;
-    /* C23's; a compiler of an older language passes over them, or heeds them all the same */
+    /* C23's; a compiler of an older language ignores or obeys them */
     static const char *const conditions[] = {"elifdef", "elifndef"};
     for (size_t i = 0; i < sizeof conditions / sizeof *conditions; i++)
         if (has_word(text, length, conditions[i]))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Literals and sizeof: their text, also where a macro's body spells them, and their value. */
+/* Literals and sizeof: their text, also if a macro's body spells them, and their value. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,8 +46,8 @@ static bool is_number_byte(const char *p, char before) {
     return isalnum((unsigned char)*p) || *p == '.' || *p == '_';
 }
 
-/* A preprocessing number (C17 6.4.8), without the line splices in it. In a hexadecimal one, "e" is
- * a digit and does not take a sign. */
+/* A preprocessing number (C17 6.4.8), without its line splices. In a hexadecimal one, "e" is a
+ * digit and does not take a sign. */
 static const char *number_text(converter *c, file_text at) {
     char text[256];
     size_t length = 0;
@@ -83,7 +83,7 @@ static const char *character_text(converter *c, file_text at) {
     return i < at.length && at.text[i] == '\'' ? arena_copy(c->arena, at.text, i + 1) : NULL;
 }
 
-/* "97", with the suffix that gives it the type. */
+/* "97", with the suffix for its type. */
 static const char *value_text(converter *c, int64_t value, const ir_type *type) {
     const char *suffix = type->size > 4 ? "L" : "";
     if (!type->is_signed && type->size >= 4)
@@ -147,7 +147,7 @@ static ir_node *convert_character(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* No two question marks side by side: with a third byte some compilers read a trigraph. */
+/* Separates adjacent question marks: with a third byte some compilers read a trigraph. */
 static const char *without_trigraphs(converter *c, const char *literal) {
     if (strstr(literal, "??") == NULL)
         return literal;
@@ -166,7 +166,7 @@ static ir_node *convert_string(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* 1.0iF, as complex.h has it for I; GNU's, and written as such. */
+/* 1.0iF, as complex.h has it for I; a GNU extension, written in this form. */
 static ir_node *convert_imaginary(converter *c, CXCursor cursor) {
     file_text at = text_at(c, clang_getCursorLocation(cursor));
     const char *literal = number_text(c, at);
@@ -192,7 +192,7 @@ ir_node *convert_literal(converter *c, CXCursor cursor) {
     }
 }
 
-/* Functions with errors are not evaluated: clang may crash on what is ill-formed. */
+/* Functions with errors are not evaluated: clang may crash on ill-formed code. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor) {
     const ir_type *type = convert_type(c, clang_getCursorType(cursor));
     int64_t value;

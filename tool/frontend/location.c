@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* From clang's locations to bytes of the main file, macros looked through. */
+/* Converts clang's locations to bytes of the main file, looking through macros. */
 #define _GNU_SOURCE /* memmem */
 #include <string.h>
 
@@ -22,9 +22,9 @@ static unsigned end_of_expansion(const converter *c, uint32_t begin) {
     return (unsigned)(uintptr_t)map_get(c->expansions.ends, &begin, sizeof begin);
 }
 
-/* Where the token stands, or where the macro is expanded that made it. What a macro makes is placed
- * at the begin of its expansion; so anything elsewhere in the main file stands where it is spelled,
- * once all expansions are known. */
+/* The location of the token, or of the macro expansion that made it. Tokens of an expansion are
+ * located at its beginning; so a location elsewhere in the main file is the spelling, once all
+ * expansions are known. */
 static place place_of(const converter *c, CXSourceLocation location) {
     place p = {0};
     CXFile spelled;
@@ -100,8 +100,8 @@ void note_expansion(converter *c, CXCursor expansion) {
 
 /* ---- ranges -------------------------------------------------------------------------------- */
 
-/* clang gives the end of a range whose last token is an argument of a macro as a place in the
- * argument, and whose last token is of a macro's body as the end of the expansion. */
+/* clang gives the end of a range as a place in an argument if its last token is a macro's argument,
+ * and as the end of the expansion if it is of the macro's body. */
 static void find_end(const converter *c, place *end) {
     uint32_t offset = end->offset;
     if (!end->is_from_macro) {
@@ -133,7 +133,7 @@ void place_node(converter *c, ir_node *node, CXCursor cursor) {
 
 /* ---- texts --------------------------------------------------------------------------------- */
 
-/* A header's text, and its directives once they were asked for. */
+/* A header's text, and its directives once they are requested. */
 typedef struct kept_header {
     file_text text;
     bool is_scanned;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The names that macros have, wherever they are defined: text that is written into the file would
- * be changed where it uses one. */
+/* Names of macros, wherever they are defined: generated text that uses one of them would change. */
 #define _GNU_SOURCE /* memmem */
 #include <ctype.h>
 #include <string.h>
@@ -27,7 +26,7 @@ static const char *skip_spaces(const char *at, const char *end) {
     return at;
 }
 
-/* `#define SIGINT SIGINT`: the macro named at `at` stands for its own name. */
+/* `#define SIGINT SIGINT`: the macro named at `at` expands to its own name. */
 static bool stands_for_itself(file_text at, const char *name, size_t length) {
     const char *end = at.text + at.length;
     if (at.length <= length || strncmp(at.text, name, length) != 0)
@@ -45,8 +44,8 @@ static void note(map *macros, const char *name, size_t length, bool is_function_
         *known = is_function_like ? IR_MACRO_AS_FUNCTION : IR_MACRO_AS_OBJECT;
 }
 
-/* Where a macro is defined costs more to find than all else about it, and few of the thousands that
- * headers define in capitals stand for themselves: those are not looked at. */
+/* Finding a macro's definition is the most expensive step. Few of the thousands of macros in
+ * capitals in headers expand to themselves, so those are skipped. */
 static bool is_worth_a_look(CXSourceLocation location, const char *name) {
     for (const char *p = name; *p; p++)
         if (islower((unsigned char)*p))
@@ -63,7 +62,7 @@ static bool is_built_in(CXSourceLocation location) {
     return is_own;
 }
 
-/* The compiler's own macros are what text that names them means. */
+/* Text that names the compiler's own macros means these. */
 static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
                                size_t length) {
     const bool is_predefined = c->compiler.flags->predefined != NULL &&
@@ -107,8 +106,8 @@ const char *macro_name_defined(const char *at, const char *end) {
     return NULL;
 }
 
-/* In a branch that another compiler may take, clang sees no macro. What begins with __ is the
- * compilers' own: programs define it for those that have not got it. */
+/* In a branch that another compiler may take, clang sees no macro. Names that begin with __ are the
+ * compilers' own: programs define them for compilers that lack them. */
 void note_macros_of_directives(converter *c) {
     for (unsigned i = 0; i < c->unit->directive_count; i++) {
         const ir_directive *directive = &c->unit->directives[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The names that the program, its headers included, gives to things: text that is written into the
- * file declares and uses names too. */
+/* The names that the program, including its headers, declares: generated text declares and uses
+ * names, too. */
 #include <string.h>
 
 #include "frontend/convert.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* `for (...) UPD(h, k[i], w);` ends inside a macro, but its bytes are its own: nothing else is made
- * by that expansion. Such a statement may be replaced as a whole. */
+/* `for (...) UPD(h, k[i], w);` ends inside a macro, but nothing else is made by that expansion, so
+ * its bytes are its own. Such a statement may be replaced as a whole. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -9,7 +9,7 @@ static bool is_inside(ir_range inner, ir_range outer) {
     return outer.begin <= inner.begin && inner.end <= outer.end && inner.begin < inner.end;
 }
 
-/* Does any other child of the parent have bytes in common with this one? */
+/* Does any other child of the parent share bytes with this one? */
 static bool overlaps_sibling(const ir_node *parent, unsigned index) {
     ir_range own = parent->children[index]->range;
     for (unsigned i = 0; i < parent->child_count; i++) {
@@ -25,7 +25,7 @@ static bool begins_in_macro(const converter *c, const ir_node *node) {
     return map_get(c->expansions.ends, &node->range.begin, sizeof node->range.begin) != NULL;
 }
 
-/* Is the last byte before it, blanks apart, the `)` of what controls it? */
+/* Is the last byte before it, ignoring blanks, the `)` of its controlling expression? */
 static bool follows_parenthesis(const converter *c, const ir_node *node) {
     const char *text = c->unit->source->text;
     uint32_t at = node->range.begin;
@@ -34,9 +34,8 @@ static bool follows_parenthesis(const converter *c, const ir_node *node) {
     return at > 0 && text[at - 1] == ')';
 }
 
-/* Between the braces of a block. Statements stand there one after another: all that an expansion
- * makes is in one of them, or two have bytes in common. A loop that begins in a macro may have a
- * pragma before it there. */
+/* Between the braces of a block, statements follow each other: an expansion belongs to one of them,
+ * or two share bytes. A loop that begins in a macro may have a pragma of that macro before it. */
 static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsigned index) {
     const ir_node *statement = block->children[index];
     bool is_strictly_inside = is_inside(statement->range, block->range) &&
@@ -47,7 +46,7 @@ static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsign
     return !ir_is_loop(statement) || !begins_in_macro(c, statement);
 }
 
-/* The last part of a statement whose bytes are its own: the body of a loop, say. */
+/* The last part of a statement with its own bytes: the body of a loop, for instance. */
 static bool owns_bytes_at_end(const converter *c, const ir_node *parent, unsigned index) {
     const ir_node *body = parent->children[index];
     if (index + 1 != parent->child_count || body->range.end != parent->range.end ||

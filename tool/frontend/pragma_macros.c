@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Macros of the program that may make a pragma: text that spells one has a directive that neither
- * the text nor clang's tree shows. Headers of the system define some for their own warnings only.
- */
+/* Macros of the program that may make a pragma: text that uses one contains a directive that
+ * neither the text nor clang's tree shows. System headers define some only for their own
+ * warnings. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -19,19 +19,19 @@ typedef struct definition {
 typedef struct search {
     converter *converter;
     bool is_found;        /* some file names the operator */
-    bool has_fenv_access; /* ... what it may say of the floating-point environment */
-    const char *hidden;   /* ... what makes a pragma unseen: see look. NULL: none */
+    bool has_fenv_access; /* ... whether it may concern the floating-point environment */
+    const char *hidden;   /* ... why a pragma may be undetectable: see look. NULL: none */
     VECTOR(definition) all;
 } search;
 
-/* Does a universal character name, \\u or \\U, stand outside of comments? Behind a quote between
- * digits it is in doubt where comments are. */
+/* Is there a universal character name, \\u or \\U, outside of comments? After a quote between
+ * digits the extent of comments is uncertain. */
 static const char *universal_name_in(file_text file) {
     static const char *const marks[] = {"\\u", "\\U"};
     const char *at = file.text, *const end = file.text + file.length;
     if (!text_has(file, marks[0]) && !text_has(file, marks[1]))
         return NULL;
-    /* in C89, which has no //, a mark of both may end a comment where it seems to begin one */
+    /* in C89, which has no //, a mark of both may end a comment that it appears to begin */
     const bool sees_comments =
         !lexing_has_digit_separator(file.text, file.length) && !text_has(file, "/*/");
     while (at < end) {
@@ -56,7 +56,8 @@ static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientD
     const file_text text = text_of_file(s->converter, file);
     s->is_found |= text_has(text, pragma_operator);
     s->has_fenv_access |= text_has(text, "FENV_ACCESS");
-    /* what a macro's pragma makes thread-local no tree tells; a macro's name has two spellings */
+    /* no tree shows the variables that a macro's pragma makes thread-local; a macro's name has two
+     * spellings */
     static const char thread_local_pragma[] = "threadprivate";
     const char *universal = universal_name_in(text);
     if (text_has(text, thread_local_pragma))
@@ -85,7 +86,7 @@ static void collect(CXFile file, CXSourceLocation *stack, unsigned depth, CXClie
     }
 }
 
-/* May the replacement hold the operator, by itself, by another macro, or by pasting names? */
+/* May the replacement contain the operator, directly, by another macro, or by pasting names? */
 static bool makes_pragma(const definition *it, const map *macros) {
     if (strstr(it->rest, pragma_operator) || strstr(it->rest, "##") || strstr(it->rest, "%:%:"))
         return true;
@@ -93,7 +94,7 @@ static bool makes_pragma(const definition *it, const map *macros) {
     return source_find_name(it->rest, it->rest + strlen(it->rest), macros, &length) != NULL;
 }
 
-/* Where no definition names the operator, none can make it. */
+/* If no definition names the operator, none can make it. */
 static bool some_name_operator(const search *s) {
     for (unsigned i = 0; i < s->all.count; i++)
         if (strstr(s->all.items[i].rest, pragma_operator))

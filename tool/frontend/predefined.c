@@ -5,13 +5,13 @@
 
 #include "support/source.h"
 
-/* What else only clang defines stays, for clang's own headers: a program that names it is not
+/* Macros that only clang defines are kept for clang's own headers: a program that names one is not
  * analysed (compiler_words.c). */
 static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};
 static const char *const types_of_gcc[] = {FLAGS_OF_GCC_TYPES};
 static const char *const without_features[] = {FLAGS_WITHOUT_FEATURES};
 
-/* Operators of #if; clang's headers call them without asking whether they are there. */
+/* Operators of #if; clang's headers use them without testing for them. */
 static const char *const questions[] = {
     "__building_module",
     "__has_attribute",

@@ -75,7 +75,7 @@ const ir_record *convert_record(converter *c, CXType canonical) {
 const ir_field *convert_field(converter *c, CXCursor field) {
     const void *key = field.data[0];
     ir_field *known = map_get(c->converted.fields, &key, sizeof key);
-    if (known == NULL) { /* its record has not been met */
+    if (known == NULL) { /* its record has not been converted */
         CXCursor record = clang_getCursorSemanticParent(field);
         convert_type(c, clang_getCursorType(record));
         known = map_get(c->converted.fields, &key, sizeof key);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the names in the functions' text mean: of each the declaration that the compiler finds for
- * it, also where the tree says nothing of it (types, lengths, sizeof). */
+/* The meaning of names in the functions' text: the declaration that the compiler finds for each,
+ * including those that the tree does not show (types, lengths, sizeof). */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 
 struct reference_table {
     map *declared;   /* canonical declaration -> ir_declared */
-    map *known;      /* any declaration -> ir_declared: asking for the canonical one takes longer */
+    map *known;      /* any declaration -> ir_declared: finding the canonical one takes longer */
     map *file_names; /* CXFile -> its name */
     VECTOR(ir_reference) items;
     VECTOR(ir_typed_place) typed_places;
@@ -35,7 +35,7 @@ static const char *name_of_file(converter *c, CXFile file) {
     return *known;
 }
 
-/* The structure, union or enumeration below the pointers and lengths of a type name. */
+/* The structure, union or enumeration below the pointers and array lengths of a type name. */
 static const ir_declared *tag_of(converter *c, CXCursor declaration) {
     if (clang_getCursorKind(declaration) != CXCursor_TypedefDecl)
         return NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Behind which directives a branch of #if stands that is not compiled. */
+/* Finds the directives that are followed by an uncompiled branch of #if. */
 #include "frontend/convert.h"
 
 static unsigned offset_of(CXSourceLocation location) {
@@ -8,7 +8,7 @@ static unsigned offset_of(CXSourceLocation location) {
     return offset;
 }
 
-/* clang's ranges go from the directive that is false into the one that ends the branch. */
+/* clang's ranges extend from the directive that is false into the one that ends the branch. */
 void mark_skipped_directives(converter *c) {
     CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
     if (ranges == NULL)

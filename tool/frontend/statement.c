@@ -68,7 +68,7 @@ static ir_node *convert_block(converter *c, CXCursor cursor) {
 typedef struct declaration_list {
     converter *converter;
     cursor_list variables;
-    bool computes_length; /* a typedef does: that is executed, where the typedef stands */
+    bool computes_length; /* a typedef does: its length is evaluated when the typedef is executed */
 } declaration_list;
 
 static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
@@ -86,9 +86,9 @@ static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
     return CXChildVisit_Continue;
 }
 
-/* What a declarator does besides being initialised: the lengths in its type are evaluated, or a
- * function is called in the end. An opaque initialiser stands for it, with the one written in it.
- */
+/* Effects of a declarator other than its initialisation: the lengths in its type are evaluated, or
+ * a function is called at the end. An opaque initialiser represents them, and contains the one
+ * written in it. */
 static ir_node *opaque_initialiser(converter *c, CXCursor declaration, const char *what) {
     const ir_type *type = convert_type(c, clang_getCursorType(declaration));
     return convert_opaque(c, declaration, type, what);
@@ -218,7 +218,7 @@ static for_header scan_header(const char *text, size_t length) {
     return header;
 }
 
-/* The place, counted from the beginning of the for, where a part begins. */
+/* The offset of a part from the beginning of the for. */
 static bool place_in_for(CXCursor loop, CXCursor part, size_t *place) {
     CXFile loop_file, part_file;
     unsigned loop_offset, part_offset;
@@ -230,8 +230,8 @@ static bool place_in_for(CXCursor loop, CXCursor part, size_t *place) {
     return clang_File_isEqual(loop_file, part_file) && part_offset >= loop_offset;
 }
 
-/* Which of the three clauses each part is, by the semicolons before it. clang leaves out clauses
- * that are empty; false: cannot be told. */
+/* Assigns each part to one of the three clauses, by the semicolons before it. clang omits empty
+ * clauses; false: unknown. */
 static bool assign_clauses(converter *c, CXCursor cursor, const cursor_list *parts,
                            CXCursor clauses[3], bool present[3]) {
     unsigned given = parts->count - 1;
@@ -374,14 +374,14 @@ static ir_node *convert_jump(converter *c, CXCursor cursor, ir_kind kind) {
     return node;
 }
 
-/* clang takes a pragma like `GCC unroll` for an attribute of the loop below it. */
+/* clang represents a pragma like `GCC unroll` as an attribute of the loop after it. */
 static bool begins_with_pragma(converter *c, CXCursor cursor) {
     bool is_from_macro;
     const ir_range range = range_of(c, extent_of(c, cursor), &is_from_macro);
     return range.begin < range.end && strchr("#%?", c->unit->source->text[range.begin]) != NULL;
 }
 
-/* A statement with attributes, which mean nothing here. */
+/* A statement with attributes, which have no meaning here. */
 static ir_node *convert_unexposed_statement(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count != 1)

@@ -9,7 +9,7 @@ bool is_nameless(const char *spelling) {
     return strstr(spelling, "(unnamed") != NULL || strstr(spelling, "(anonymous") != NULL;
 }
 
-/* clang's spelling, unless it holds a name that is none. */
+/* clang's spelling, unless it contains the name of an unnamed type. */
 static const char *clang_spelling(converter *c, CXType type) {
     const char *text = take_string(c, clang_getTypeSpelling(type));
     return text[0] == 0 || is_nameless(text) ? NULL : text;
@@ -86,7 +86,7 @@ static void fill_complex(ir_type *type, CXType clang) {
     type->size = size_of(clang);
 }
 
-/* An enumeration is its integer type, with its own name where it has one. */
+/* An enumeration is its integer type, with its own name if it has one. */
 static void fill_enumeration(converter *c, ir_type *type, CXType clang) {
     CXCursor declaration = clang_getTypeDeclaration(clang);
     CXType integer = clang_getCanonicalType(clang_getEnumDeclIntegerType(declaration));
@@ -217,7 +217,7 @@ static void fill_other(converter *c, ir_type *type, CXType clang) {
     }
 }
 
-/* `clang` is canonical and has no qualifiers that matter here. */
+/* `clang` is canonical and has no relevant qualifiers. */
 static void fill(converter *c, ir_type *type, CXType clang) {
     type->size = -1;
     type->count = -1;
@@ -256,7 +256,7 @@ static void fill(converter *c, ir_type *type, CXType clang) {
 /* "int (int)" becomes "int (*)(int)". */
 static const char *function_pointer(converter *c, const char *function) {
     const char *open = function != NULL ? strchr(function, '(') : NULL;
-    if (open == NULL || open[1] == '*') /* it gives a pointer to a function: too seldom */
+    if (open == NULL || open[1] == '*') /* it returns a pointer to a function: too rare */
         return NULL;
     return arena_format(c->arena, "%.*s(*)%s", (int)(open - function), function, open);
 }
@@ -297,8 +297,8 @@ static bool has_qualifiers(CXType type) {
            clang_isRestrictQualifiedType(type) || clang_getAddressSpace(type) != 0;
 }
 
-/* Does the type, or what it points to, go by a typedef with the attribute may_alias? The canonical
- * type does not tell. */
+/* Does the type, or its target, have a typedef with the attribute may_alias? The canonical type
+ * does not show it. */
 static bool names_may_alias(CXType type) {
     while (type.kind != CXType_Invalid) {
         switch (type.kind) {

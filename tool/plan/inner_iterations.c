@@ -366,7 +366,7 @@ static const char *why_not(inner_rest *t) {
     if (!may_be_left_out(t))
         return "the rest of an iteration is little work, or does something else than updates";
     if (!sums_flow_into_updates(t))
-        return "a sum that it adds to is read by something else than an update";
+        return "a sum that it adds to is read other than by an update";
     for (unsigned i = 0; i < t->row_count; i++)
         if (!has_number(t->rows[i].update))
             return "the address of a row cannot be computed as a number";

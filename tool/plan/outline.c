@@ -157,10 +157,10 @@ const char *plan_outline(const loop_plan *plan) {
         return arena_format(plan->arena, "the macro '%s' would change the text that is written",
                             macro);
     if (!has_place(plan))
-        return "a directive stands between the function's beginning and the loop's end, or "
+        return "there is a directive between the function's beginning and the loop's end, or "
                "something "
                "in front of the function would be part of something else";
     if (may_name_function(plan))
-        return "its body may ask for the name of the function it stands in";
+        return "its body may use the name of its function";
     return NULL;
 }

@@ -41,7 +41,7 @@ static _Thread_local bool is_owed /* may also exceed the limit */
 static atomic_long live;
 static atomic_long until_failure = -1;
 
-static bool told_to_fail(void) {
+static bool fails_on_purpose(void) {
     if (atomic_load_explicit(&until_failure, memory_order_relaxed) < 0)
         return false;
     long left = atomic_load(&until_failure);
@@ -62,7 +62,7 @@ static bool account(size_t bytes) {
 }
 
 void *redcc_memory_take(size_t bytes) {
-    if (bytes > SIZE_MAX / 2 || told_to_fail())
+    if (bytes > SIZE_MAX / 2 || fails_on_purpose())
         return NULL;
     const size_t whole = (bytes + LINE - 1) / LINE * LINE + LINE;
     if (!account(whole))

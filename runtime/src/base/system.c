@@ -19,7 +19,7 @@
 /* The library's reserved name for the kernel's auxiliary vector. */
 extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
 
-static unsigned long told(unsigned long what) {
+static unsigned long auxiliary_value(unsigned long what) {
     return __getauxval ? __getauxval(what) : 0;
 }
 
@@ -32,7 +32,7 @@ typedef Elf32_Ehdr elf_header;
 extern const elf_header __ehdr_start __attribute__((__weak__, __visibility__("hidden")));
 
 bool redcc_system_is_program(void) {
-    const unsigned long program = told(AT_PHDR);
+    const unsigned long program = auxiliary_value(AT_PHDR);
     return &__ehdr_start && program &&
            (uintptr_t)&__ehdr_start + __ehdr_start.e_phoff == (uintptr_t)program;
 }
@@ -80,7 +80,7 @@ void redcc_system_unmap(void *memory, size_t bytes) {
 }
 
 size_t redcc_page_size(void) {
-    const unsigned long page = told(AT_PAGESZ);
+    const unsigned long page = auxiliary_value(AT_PAGESZ);
     return page ? page : 4096;
 }
 
@@ -103,14 +103,14 @@ static _Atomic(node_function *) node_of = find_node;
 
 static int find_clock(int clock, struct timespec *now) {
     clock_function *const found =
-        (clock_function *)redcc_vdso_find(told(AT_SYSINFO_EHDR), REDCC_VDSO_CLOCK);
+        (clock_function *)redcc_vdso_find(auxiliary_value(AT_SYSINFO_EHDR), REDCC_VDSO_CLOCK);
     atomic_store_explicit(&clock_of, found ? found : clock_by_call, memory_order_relaxed);
     return (found ? found : clock_by_call)(clock, now);
 }
 
 static int find_node(unsigned *processor, unsigned *node, void *unused) {
     node_function *const found =
-        (node_function *)redcc_vdso_find(told(AT_SYSINFO_EHDR), REDCC_VDSO_NODE);
+        (node_function *)redcc_vdso_find(auxiliary_value(AT_SYSINFO_EHDR), REDCC_VDSO_NODE);
     atomic_store_explicit(&node_of, found ? found : node_by_call, memory_order_relaxed);
     return (found ? found : node_by_call)(processor, node, unused);
 }
@@ -189,14 +189,14 @@ long redcc_system_cores_lost(void) {
 }
 
 bool redcc_system_is_privileged(void) {
-    return told(AT_SECURE) != 0;
+    return auxiliary_value(AT_SECURE) != 0;
 }
 
 void redcc_system_secret(uint64_t *word, size_t words) {
     const size_t bytes = words * sizeof *word;
     if (redcc_system(SYS_getrandom, word, bytes, 1 /* GRND_NONBLOCK */) == (long)bytes)
         return;
-    const uint64_t *given = (const uint64_t *)told(AT_RANDOM); /* 16 bytes */
+    const uint64_t *given = (const uint64_t *)auxiliary_value(AT_RANDOM); /* 16 bytes */
     const struct timespec now = redcc_system_clock(CLOCK_REALTIME);
     uint64_t state = (uint64_t)now.tv_nsec ^ (uint64_t)(uintptr_t)&state;
     for (size_t i = 0; i < words; i++) { /* splitmix64 */

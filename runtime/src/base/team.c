@@ -106,7 +106,7 @@ static size_t main_stack(void) {
     return limit.rlim_cur < most ? (size_t)limit.rlim_cur : most;
 }
 
-static bool is_told_by_user(void) {
+static bool is_set_by_user(void) {
     return getenv("OMP_STACKSIZE") || getenv("GOMP_STACKSIZE") || getenv("KMP_STACKSIZE");
 }
 
@@ -137,7 +137,7 @@ static size_t stack_for(int more) {
 
 static void enlarge_stacks(int more) {
     static atomic_int tried;
-    const size_t wanted = is_told_by_user() ? 0 : stack_for(more);
+    const size_t wanted = is_set_by_user() ? 0 : stack_for(more);
     if (!wanted)
         return;
     if (kmp_set_stacksize_s && atomic_exchange(&tried, 1) == 0)

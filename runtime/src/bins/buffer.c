@@ -111,7 +111,7 @@ void redcc_buffer_end(struct redcc_bin_buffer *buffer) {
 static void forget_outside(struct redcc_bin_buffer *buffer) {
     buffer->exhausted = false;
     buffer->outside = redcc_no_rows;
-    buffer->told_outside = 0;
+    buffer->outside_count = 0;
 }
 
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {
@@ -130,7 +130,7 @@ void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *s
 
 void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
     buffer->outside = redcc_rows_union(buffer->outside, (struct row_range){row, row});
-    buffer->told_outside++;
+    buffer->outside_count++;
 }
 
 /* Without a free block, overwrites the last one: the round is lost. */

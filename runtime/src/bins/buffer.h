@@ -25,7 +25,7 @@ struct redcc_bin_buffer {
     redcc_int marked[PIECE_MARKS]; /* number of records at each beginning */
     bool exhausted;                /* no blocks were left: records are missing */
     struct row_range outside; /* recorded rows outside of the bins: their records are missing */
-    redcc_int told_outside;   /* their number */
+    redcc_int outside_count;  /* their number */
     char *memory;
 };
 

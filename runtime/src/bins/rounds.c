@@ -175,7 +175,7 @@ static enum bins_phase after_measure(struct binning *binning) {
             if (binner->measured == 0)
                 continue;
             const double rate =
-                measured_more * (double)buffer->told_outside / (double)binner->measured;
+                measured_more * (double)buffer->outside_count / (double)binner->measured;
             it->rate = rate > it->rate ? rate : it->rate;
             it->rows = redcc_rows_union(it->rows, buffer->outside);
         }

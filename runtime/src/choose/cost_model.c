@@ -27,9 +27,9 @@ static void by_copies(const struct findings *it, struct arm *arm) {
 /* Iterations that change owners are distinguished, and check the owner of each row they write. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
-    const double told = it->touches * LEARN_TOUCH + it->runs * 2 * LEARN_ROW;
+    const double recording = it->touches * LEARN_TOUCH + it->runs * 2 * LEARN_ROW;
     arm->possible = true;
-    arm->set_up = it->spent + told * (double)it->trip / it->threads;
+    arm->set_up = it->spent + recording * (double)it->trip / it->threads;
     arm->execution =
         it->sequential * by_owners(it) * it->share * (1 + apart * (LEARN_CONTENDED - 1)) +
         beginning_runs(it);

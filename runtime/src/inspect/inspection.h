@@ -45,7 +45,7 @@ struct inspector {
     int thread;
     int threads;
     bool failed;          /* no memory */
-    bool told_all;        /* all requested iterations were recorded */
+    bool recorded_all;    /* all requested iterations were recorded */
     bool late;            /* the deadline passed before that */
     redcc_int next;       /* iterations handed out so far, by the sweep */
     redcc_int handed;     /* in the current block */

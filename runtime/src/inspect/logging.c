@@ -67,7 +67,7 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->deadline;
     if (inspection->route == ROUTE_LEVELS) /* at any cost: the method was named */
-        divide->most_told = (size_t)REDCC_NO_UNIT / (size_t)threads;
+        divide->most_logged = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;
 }
 
@@ -75,17 +75,18 @@ bool redcc_log_start(const struct inspection *inspection, struct inspector *insp
     const struct divide *divide = &inspection->divide;
     const size_t expected[] = {expected_touches(inspection, inspector, true),
                                expected_touches(inspection, inspector, false)};
-    struct told *told = &divide->told[inspector->thread];
-    redcc_told_end(told);
-    return redcc_told_begin(told, &divide->units, divide->partition, inspector->seen,
-                            redcc_own_begin(inspection, inspector), expected, divide->most_told);
+    struct access_log *logged = &divide->logged[inspector->thread];
+    redcc_access_log_end(logged);
+    return redcc_access_log_begin(logged, &divide->units, divide->partition, inspector->seen,
+                                  redcc_own_begin(inspection, inspector), expected,
+                                  divide->most_logged);
 }
 
 enum divide_result redcc_log_finish(const struct inspection *inspection) {
     bool beyond = false, too_much = inspection->divide.units.leading == 0;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
-        beyond |= inspection->divide.told[thread].beyond;
-        too_much |= inspection->divide.told[thread].too_much;
+        beyond |= inspection->divide.logged[thread].beyond;
+        too_much |= inspection->divide.logged[thread].too_much;
     }
     if (beyond && !inspection->is_exact)
         return DIVIDE_BEYOND;
@@ -104,7 +105,7 @@ void redcc_partition_share(struct inspection *inspection, struct inspector *insp
 }
 
 bool redcc_partition_levels(struct inspection *inspection) {
-    return redcc_levels_begin(&inspection->levels, inspection->divide.told,
+    return redcc_levels_begin(&inspection->levels, inspection->divide.logged,
                               inspection->call->threads,
                               inspection->call->request.loop->flags & REDCC_EVERY_ITERATION);
 }

@@ -39,14 +39,14 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
     if (inspection->deadline > 0 && inspector->block > REDCC_BLOCK_BEFORE_DEADLINE)
         inspector->block = REDCC_BLOCK_BEFORE_DEADLINE;
-    inspector->told_all = true;
+    inspector->recorded_all = true;
     inspector->late = false;
 }
 
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
                           redcc_worker *worker) {
     const redcc_int end = redcc_own_end(inspection, inspector), first = inspector->next;
-    if (inspector->failed || !inspector->told_all || first == end)
+    if (inspector->failed || !inspector->recorded_all || first == end)
         return false;
     inspector->late = redcc_inspection_is_late(inspection);
     if (inspector->late)
@@ -65,8 +65,8 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
 void redcc_sweep_flush(struct inspection *inspection, struct inspector *inspector,
                        redcc_worker *worker) {
     if (redcc_is_logged(inspection)) {
-        redcc_told_take(&inspection->divide.told[inspector->thread], inspector->entries,
-                        worker->entry);
+        redcc_access_log_take(&inspection->divide.logged[inspector->thread], inspector->entries,
+                              worker->entry);
         return;
     }
     redcc_sweep_take_window(&inspector->sweep, worker->alike, worker->inside);
@@ -74,20 +74,20 @@ void redcc_sweep_flush(struct inspection *inspection, struct inspector *inspecto
 }
 
 /* Was the block recorded with exactly this number of iterations? */
-static bool is_block_told(const struct inspection *inspection, struct inspector *inspector) {
+static bool is_block_recorded(const struct inspection *inspection, struct inspector *inspector) {
     if (!redcc_is_logged(inspection))
         return redcc_sweep_close_block(&inspector->sweep, inspector->handed);
-    const struct told *told = &inspection->divide.told[inspector->thread];
-    return !told->failed && told->iterations == inspector->next - told->begin;
+    const struct access_log *logged = &inspection->divide.logged[inspector->thread];
+    return !logged->failed && logged->iterations == inspector->next - logged->begin;
 }
 
 double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector) {
     assert(inspector->handed > 0);
-    if (!is_block_told(inspection, inspector)) {
+    if (!is_block_recorded(inspection, inspector)) {
         inspector->failed = redcc_is_logged(inspection)
-                                ? inspection->divide.told[inspector->thread].failed
+                                ? inspection->divide.logged[inspector->thread].failed
                                 : inspector->sweep.failed;
-        inspector->told_all = false;
+        inspector->recorded_all = false;
     }
     inspector->handed = 0;
     const redcc_int begin = redcc_own_begin(inspection, inspector);
@@ -121,7 +121,7 @@ enum reason redcc_sweep_finish(struct inspection *inspection) {
     if (redcc_inspection_failed(inspection))
         return REASON_NO_MEMORY;
     for (int thread = 0; thread < inspection->call->threads; thread++)
-        if (!inspection->inspector[thread]->told_all)
+        if (!inspection->inspector[thread]->recorded_all)
             return REASON_INSPECTOR;
     for (int thread = 0; thread < inspection->call->threads; thread++)
         if (inspection->inspector[thread]->late)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Reads that may meet the array, each but for one fact that seems to keep them apart. */
+/* Reads that may overlap the array, each except for one fact that appears to exclude it. */
 
 struct one {
     double x;

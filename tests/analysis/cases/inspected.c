@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a kept plan rests on, and what the inspector repeats. */
+/* Conditions of a kept plan, and computations that the inspector repeats. */
 
 struct pair {
     int place, other;

@@ -73,7 +73,7 @@ void read_behind_in_a_row(int n, double *restrict f, const double *restrict x,
         }
 }
 
-/* What is counted by the condition goes on to the next round of the inner loop. */
+/* The condition's counter keeps its value in the next round of the inner loop. */
 void counted_in_a_row(int n, double *restrict f, const double *restrict x,
                       const int *restrict start, double cut) {
     for (int i = 0; i < n; i++) { // EXPECT: transform f(+) rests-on=start,x
@@ -164,7 +164,7 @@ void searched(int n, double *restrict f, const int *start, const int *col, const
     }
 }
 
-/* Where it looks next depends on what it has found. */
+/* The next position depends on the value found. */
 static int follow(const int *next, const int *col, int at, int column) {
     while (col[at] != column && next[at] > at)
         at = next[at];
@@ -180,7 +180,7 @@ void followed(int n, double *restrict f, const int *next, const int *col, const 
     }
 }
 
-/* What a function reads under its own condition is told without it. */
+/* A function's conditional read is recorded without its condition. */
 static double optional(const double *x, const int *at, int t, int is_there) {
     return is_there ? x[at[t]] : 1;
 }
@@ -216,7 +216,7 @@ void pairs_in_a_record(struct bodies *s, double cut) {
         }
 }
 
-/* No iteration need have looked at *s: its condition stays, and what decides it. */
+/* No iteration may have read *s: its condition is invariant, and so are the operands of that. */
 void optional_record(struct bodies *s, int m, const int *restrict p, const double *restrict x,
                      double cut) {
     for (int t = 0; t < m; t++) { // EXPECT: refuse base-conditional

@@ -18,53 +18,54 @@ static const reason_entry reasons[REASON_COUNT] = {
 
 /* Changes of the source that would help, if there is a simple one. */
 static const char *const advices[REASON_COUNT] = {
-    [REASON_UPDATE_VALUE_USED] = "where the value is a place to store at, count first, then place",
-    [REASON_UPDATE_IN_EXPRESSION] = "make the update a statement of its own",
+    [REASON_UPDATE_VALUE_USED] = "if the value is a position to store at, count first, then store",
+    [REASON_UPDATE_IN_EXPRESSION] = "make the update a separate statement",
     [REASON_ARRAY_READ] = "read from a copy made before the loop",
-    [REASON_ARRAY_STORED] = "store in a loop of its own, before or after",
+    [REASON_ARRAY_STORED] = "store in a separate loop, before or after",
     [REASON_BASE_VARIES] = "use one array for all iterations",
     [REASON_ROW_POINTERS] =
         "use one contiguous array, double (*a)[m], or a table of pointers made before the loop",
-    [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
-    [REASON_INDEX_EXPENSIVE] = "compute the subscripts into an array in a loop of its own first",
-    [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
+    [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a separate loop first",
+    [REASON_INDEX_EXPENSIVE] = "compute the subscripts into an array in a separate loop first",
+    [REASON_SIDE_EFFECT] = "move the side effect to a separate statement",
     [REASON_BASE_CONDITIONAL] = "copy it to a local pointer before the loop",
-    [REASON_MAY_ALIAS] = "where they never overlap, declare the pointers restrict, or write "
+    [REASON_MAY_ALIAS] = "if they never overlap, declare the pointers restrict, or write "
                          "#pragma redcc independent above the loop",
     [REASON_OTHER_STORE] = "split the loop: store in one, accumulate in the other",
-    [REASON_SCALAR_CARRIED] = "where its values do not depend on the updates, compute them into an "
+    [REASON_SCALAR_CARRIED] = "if its values do not depend on the updates, compute them into an "
                               "array in a loop of its own first",
-    [REASON_PRIVATE_NOT_PROVED] =
-        "where no iteration uses what another left in it, declare it inside the loop's body, or "
-        "write #pragma redcc private(NAME) above the loop",
-    [REASON_LAST_VALUE] = "find the value that is wanted after the loop in a loop of its own",
-    [REASON_ESCAPES] = "where no iteration uses what another left in it, declare it inside the "
-                       "loop's body, and pass it only to functions of this file",
+    [REASON_PRIVATE_NOT_PROVED] = "if no iteration uses a value that another left in it, declare "
+                                  "it inside the loop's body, or "
+                                  "write #pragma redcc private(NAME) above the loop",
+    [REASON_LAST_VALUE] = "find the value needed after the loop in a separate loop",
+    [REASON_ESCAPES] =
+        "if no iteration uses a value that another left in it, declare it inside the "
+        "loop's body, and pass it only to functions of this file",
     [REASON_UNION] = "use a struct",
-    [REASON_ADDRESS_SPACE] = "copy what is read to an array of the usual kind before the loop",
+    [REASON_ADDRESS_SPACE] = "copy the data to an ordinary array before the loop",
     [REASON_TRIP_COUNT] = "write for (i = first; i < last; i++)",
     [REASON_COUNTER_MODIFIED] = "use another variable in the body",
     [REASON_BOUND_VARIES] = "copy the bound to a local variable before the loop",
-    [REASON_STEP] = "add a constant or a local variable that the loop leaves as it is",
+    [REASON_STEP] = "add a constant or a local variable that the loop does not change",
     [REASON_COUNTER_TYPE] = "use a local counter of type int, long or size_t",
     [REASON_COUNTER_WRAPS] = "use a signed counter, and < or > instead of <=, >= or !=",
-    [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",
-    [REASON_RETURN] = "find where it ends in a loop of its own first, and count up to there",
+    [REASON_BREAK] = "find the end in a separate loop first, and count up to it",
+    [REASON_RETURN] = "find the end in a separate loop first, and count up to it",
     [REASON_GOTO] = "use structured control",
-    [REASON_REGULAR_NEST] = "where iterations of the outer loop write rows of their own if the "
-                            "loops are interchanged, do so: #pragma omp parallel for will do then",
-    [REASON_IMPURE_CALL] = "define it static inline in a header; or, where it has none, and writes "
-                           "nothing by its arguments, say so: --pure=NAME, or #pragma redcc "
-                           "pure(NAME)",
+    [REASON_REGULAR_NEST] = "if iterations of the outer loop write separate rows after "
+                            "interchanging the loops, do so and use #pragma omp parallel for",
+    [REASON_IMPURE_CALL] = "define it static inline in a header; or, if it has none, and writes "
+                           "nothing through its arguments, assert that: --pure=NAME, or #pragma "
+                           "redcc pure(NAME)",
     [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
     [REASON_CALLEE_READS] =
-        "where it reads nothing that is updated, declare the pointers restrict, or write #pragma "
+        "if it reads nothing that is updated, declare the pointers restrict, or write #pragma "
         "redcc independent above the loop",
     [REASON_INTERPOSED] =
-        "make it static, hide it (-fvisibility=hidden), or say that what takes its "
-        "place does the same (-fno-semantic-interposition)",
+        "make it static, hide it (-fvisibility=hidden), or state that a replacement "
+        "is equivalent (-fno-semantic-interposition)",
     [REASON_THREAD_STATE] = "call it before the loop",
-    [REASON_UNSEEN_PURE] = "where every thread gets the same from it, say so: --pure=NAME, or "
+    [REASON_UNSEEN_PURE] = "if it returns the same in every thread, assert that: --pure=NAME, or "
                            "#pragma redcc pure(NAME)",
     [REASON_MESSAGE_PASSING] = "exchange messages before the loop or after it",
     [REASON_INEXACT_OPTION] =
@@ -99,7 +100,7 @@ reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
 const char *reason_advice_on_call(arena *a, const char *name, bool has_body) {
     const char *deed = has_body ? NULL : stateful_deed(name);
     if (deed)
-        return arena_format(a, "it %s: call it in a loop of its own, before or after", deed);
+        return arena_format(a, "it %s: call it in a separate loop, before or after", deed);
     return has_body ? "let it return the value, and store it in the loop itself"
                     : advices[REASON_IMPURE_CALL];
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What an iteration stores into an element and reads again: the value goes through a variable,
- * redcc__forward_N, of the element's type. Each thread that executes the iteration computes it;
- * only the owner of the element stores it there.
+ * Store forwarding: the value that an iteration stores into an element and reads again goes through
+ * a variable, redcc__forward_N, of the element's type. Each thread that executes the iteration
+ * computes it; only the owner of the element stores it there.
  */
 #include "emit/base/forward.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What an iteration stores into an element and reads again. */
+/** Elements that an iteration stores and reads again. */
 #ifndef EMIT_BASE_FORWARD_H
 #define EMIT_BASE_FORWARD_H
 
@@ -7,10 +7,9 @@
 
 /** Declares the variables, those of the slice only or all. */
 void declare_forwards(loop_text *loop, writer *out, bool of_slice);
-/** The variable that this node is to be read from, or NULL. */
+/** The variable that replaces a read of this node, or NULL. */
 const char *forward_read_name(const loop_text *loop, const ir_node *node);
-/** The assignment of the stored value to the variable, and from there to the element, which is a
- *  statement of its own. */
+/** Assigns the stored value to the variable, and that to the element, in a separate statement. */
 void write_forward(loop_text *loop, writer *out, const forwarded_store *store, ir_c_rename rename,
                    void *context);
 void write_forwarded_store(loop_text *loop, writer *out, const forwarded_store *store,

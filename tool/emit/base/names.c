@@ -29,7 +29,7 @@ static void name_arrays(loop_text *loop) {
         array_text *text = &arrays[i];
         text->owner = arena_format(loop->arena, "redcc__own_%s", name);
         if (facts->arrays[i].is_scattered)
-            continue; /* the body's own text leads to its elements */
+            continue; /* the body's own text reaches its elements */
         text->base = loop_operand(loop, base);
         text->is_shadowed = loop->plan->is_shadowed[i];
         text->declarator = text->is_shadowed ? origin_declarator(loop->arena, base->variable)
@@ -57,8 +57,8 @@ void name_things(loop_text *loop) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** The type's spelling where another function's parameter or variable is of it: every C standard
- *  knows __restrict__, and of a parameter itself the promise is not needed. */
+/** The type's spelling for a parameter or variable of another function: every C standard knows
+ *  __restrict__, and for a parameter itself the qualifier is not needed. */
 static const char *spelling_of(arena *a, const ir_type *type) {
     static const char word[] = "restrict";
     enum { LENGTH = sizeof word - 1 };
@@ -136,7 +136,7 @@ static bool has_loop_between(const ir_node *node, uint32_t begin, uint32_t end) 
     return false;
 }
 
-/** Does another loop of the function begin before this one in its line? */
+/** Does another loop of the function begin before this one on its line? */
 static bool is_behind_another(const loop_text *loop) {
     const uint32_t end = loop->facts->loop->range.begin;
     uint32_t begin = end;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Private variables that each iteration moves by the same number (analysis/induction.h): the copy
- * of iteration redcc__k begins with the value on entry, redcc__from_N, and redcc__k steps. Words of
- * 64 bits wrap around, and give after conversion what the sequential loop has.
+ * Induction variables (analysis/induction.h): the copy of iteration redcc__k begins with the value
+ * on entry, redcc__from_N, plus redcc__k steps. Words of 64 bits wrap around, and after conversion
+ * have the sequential loop's value.
  */
 #include "emit/base/step.h"
 
@@ -10,7 +10,7 @@
 
 #include "emit/text/origin.h"
 
-/** By how much an iteration moves it, in words. */
+/** The step of an iteration, in words. */
 static const char *stride_text(loop_text *loop, const private_variable *item) {
     const ir_type *type = item->variable->type;
     const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
@@ -23,7 +23,7 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
                         (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
-/** Its type, in a place where it may not be declared. */
+/** Its type, at a place where the type's name may be undeclared. */
 static const char *type_of(loop_text *loop, const private_variable *item) {
     return item->is_declared_in_header ? origin_type(loop->arena, item->variable->type)
                                        : arena_format(loop->arena, "__typeof__(%s)",

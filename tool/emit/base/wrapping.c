@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Texts that may be evaluated where the program does not come to them: under fewer conditions than
- * in the loop, or before it. What they give there does not matter, but they must have a meaning:
- * signed arithmetic wraps around, and addresses are numbers, which may lie outside of every object.
+ * Expressions that may be evaluated when the program does not: under fewer conditions than in the
+ * loop, or before it. Their values do not matter then, but they must be defined: signed arithmetic
+ * wraps around, and addresses are numbers, which may lie outside of every object.
  */
 #include "emit/base/wrapping.h"
 
@@ -12,7 +12,8 @@
 #include "ir/ir_words.h"
 #include "plan/unconditional.h"
 
-/* ---- where the program may not come -------------------------------------------------------- */
+/* ---- possibly not executed by the program
+ * -------------------------------------------------------- */
 
 /* ---- arithmetic ---------------------------------------------------------------------------- */
 
@@ -20,8 +21,7 @@ static bool is_integer(const ir_node *node) {
     return node->type && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-/** Does the unsigned operator wrap around to what the signed one gives, where that has a meaning?
- */
+/** Does the unsigned operator wrap around to the signed one's result, if that is defined? */
 static bool wraps_around(ir_operator op) {
     return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY ||
            op == IR_OP_SHIFT_LEFT;
@@ -55,8 +55,8 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
 
 /* ---- addresses ----------------------------------------------------------------------------- */
 
-/** The subscript of a span, which steps by one with the counter: analysis/spans.c says how it may
- *  be made up. */
+/** The subscript of a span, which increases by one with the counter: analysis/spans.c says how it
+ *  may be composed. */
 static const char *wide_number(arena *a, const ir_node *node, const ir_variable *counter,
                                ir_c_rename rename, void *context) {
     if (node->kind == IR_CAST && expression_mentions(node, counter))

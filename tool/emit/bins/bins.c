@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What is written of the form for in-order binning (bins.c): macros of redcc/bins.h. */
+/** Text of the form for in-order binning: macros of redcc/bins.h. */
 #include "emit/bins/bins.h"
 
 #include <assert.h>
@@ -12,7 +12,7 @@
 #include "plan/bins.h"
 #include "plan/execution.h"
 
-/** The type of a record's value, by a name that needs no declaration; NULL of VALUE_NONE. */
+/** The type of a record's value, by a name that needs no declaration; NULL for VALUE_NONE. */
 static const char *kind_text(value_kind kind) {
     static const char *const names[] = {
         [VALUE_INT] = "int",        [VALUE_UNSIGNED] = "redcc_u32",
@@ -35,7 +35,7 @@ static const char *row_type(loop_text *loop, unsigned array) {
                : type;
 }
 
-/** Is it one of the types that the header has, of doubles or floats alone? */
+/** Is it one of the header's types, of only doubles or floats? */
 static bool is_plain_record(const bins_stream *stream) {
     for (unsigned i = 1; i < stream_value_count(stream); i++)
         if (stream->kinds[i] != stream->kinds[0])
@@ -60,7 +60,7 @@ typedef struct spelling {
     unsigned part; /* of the nest's elements */
 } spelling;
 
-/** The element that the update at hand goes to. */
+/** The element of the current update. */
 static const char *element_in_row(const spelling *its) {
     static const char *const rows[] = {"(*redcc__to)", "(*redcc__to_1)", "(*redcc__to_2)",
                                        "(*redcc__to_3)"};
@@ -75,7 +75,7 @@ static const char *element_in_row(const spelling *its) {
                : rows[array];
 }
 
-/** The printer's hook: the element, and what the record holds. */
+/** The printer's hook: replaces the element, and the record's values. */
 static const char *name_in_record(const ir_node *node, void *context) {
     const spelling *its = context;
     if (!ir_is_expression(node))
@@ -91,7 +91,7 @@ static const char *name_in_record(const ir_node *node, void *context) {
     return arena_format(its->loop->arena, "redcc__e.v%u", (unsigned)number * parts + its->part);
 }
 
-/** What a record's updates do, on elements and a record. */
+/** The updates of a record, on elements and a record. */
 static const char *record_text(loop_text *loop, const bins_record *record) {
     writer line = {.on_one_line = true};
     spelling its = {.loop = loop, .record = record};
@@ -131,8 +131,7 @@ static const char *part_of_row_text(const loop_text *loop, const reduction_updat
     return text;
 }
 
-/** The counter of a nest where it comes to the part, of its promoted type; NULL: the node is none.
- */
+/** The counter of a nest at the part, of its promoted type; NULL: the node is none. */
 static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
                                      const ir_node *node, unsigned part) {
     const struct nest_level *level = nest_level_of(nest, node);
@@ -146,12 +145,12 @@ static const char *nest_counter_text(const loop_text *loop, const bins_nest *nes
 
 /* ---- in the body ---------------------------------------------------------------------------- */
 
-/** How names are replaced where the counters of a nest have the values of an element. */
+/** Replacement of names when the counters of a nest have the values of an element. */
 typedef struct nest_names {
     loop_text *loop;
     const bins_nest *nest;
     unsigned part;
-    ir_c_rename others; /* NULL: other names stay */
+    ir_c_rename others; /* NULL: other names are kept */
 } nest_names;
 
 static const char *name_in_part(const ir_node *node, void *context) {
@@ -167,7 +166,7 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
     arena *a = loop->arena;
     const unsigned parts = nest_part_count(record->nest);
     if (value >= record->operand_count * parts)
-        return "0"; /* others of the stream have it */
+        return "0"; /* other records of the stream have it */
     const ir_node *operand = record->operands[value / parts];
     nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts};
     const char *text = is_floating(kind) ? text_expression(a, operand, name_in_part, &names)
@@ -202,7 +201,7 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
-/** Where the update goes; the macros' names say whether rows are wide. */
+/** The element of the update; the macros' names say whether rows are wide. */
 static const char *place_text(loop_text *loop, const reduction_update *update,
                               const char *address) {
     const char *base = loop->arrays[update->array].local;
@@ -258,7 +257,8 @@ const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename 
     return text;
 }
 
-/* ---- in front of the function --------------------------------------------------------------- */
+/* ---- before the function
+ * ----------------------------------------------------------------------- */
 
 static unsigned tag_bits(const bins_stream *stream) {
     unsigned bits = 0;
@@ -267,8 +267,8 @@ static unsigned tag_bits(const bins_stream *stream) {
     return bits;
 }
 
-/** The elements of the stream's arrays but for the first; then updates that differ follow their
- *  tags. */
+/** The elements of the stream's arrays except for the first; different updates are selected by
+ *  their tags. */
 static const char *updates_text(loop_text *loop, unsigned stream) {
     const bins_plan *bins = loop->bins;
     const bins_stream *its = &bins->streams[stream];
@@ -303,7 +303,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
-/** Does a record make several updates of floats, between which they are rounded? */
+/** Does a record make several updates of floats, with roundings between them? */
 static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
     bool has_floats = false;
     for (unsigned i = 0; i < stream->array_count; i++) {
@@ -346,7 +346,7 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
     return true;
 }
 
-/** The entry of a stream: by a macro, or where it has several arrays as it is. */
+/** The entry of a stream: by a macro or, with several arrays, in full. */
 static const char *stream_text(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const char *apply = arena_format(loop->arena, "%s_%u", outlined_name(loop, "apply"), stream);

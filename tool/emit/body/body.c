@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The executor's body: the user's bytes, with the bases of the reduction arrays replaced where they
- * are not shadowed, and each update asking first whether the thread owns the element, in runs that
- * are guarded. Statements that a macro makes up are printed from the IR where something in them
- * must change; all others keep every byte.
+ * The executor's body: the user's bytes. The bases of the reduction arrays are replaced if they are
+ * not shadowed, and each update in owner-checked runs first checks that the thread owns the
+ * element. Statements made by macros are printed from the IR if a part of them must change; all
+ * others keep every byte.
  */
 #include "emit/body/body.h"
 
@@ -29,14 +29,14 @@
 #include "plan/unroll.h"
 
 typedef struct body_copy {
-    printer printer; /* first: the printer's hook gets at the rest through it */
+    printer printer; /* first: the printer's hook reaches the other fields through it */
     loop_text *loop;
     edit_list edits;
     VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
-    const ir_node *within;           /* the statement that the printer is inside of */
+    const ir_node *within;           /* the statement being printed */
 } body_copy;
 
-/* ---- what the printer writes --------------------------------------------------------------- */
+/* ---- the printer's hooks ------------------------------------------------------------------- */
 
 static const char *local_name(const ir_node *node, void *context) {
     const loop_text *loop = context;
@@ -47,19 +47,19 @@ static const char *local_name(const ir_node *node, void *context) {
     return name ? name : pointed_name(loop, node);
 }
 
-/** The same where the program may not come to what is written: sums wrap around. */
+/** The same for code that the program may not execute: sums wrap around. */
 static const char *wrapping_name(const ir_node *node, void *context) {
     const char *name = local_name(node, context);
     arena *a = ((const loop_text *)context)->arena;
     return name ? name : wrapping_operation(a, node, wrapping_name, context);
 }
 
-/** Not to catch an `else` of its own, nor to look as if it did. */
+/** Avoids capturing a following `else`, and warnings that it looks so. */
 static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** What goes before an update. */
+/** The text before an update. */
 static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
     if (!target) {
@@ -79,7 +79,7 @@ static const char *guard_end(const reduction_update *update) {
     return needs_braces(update) ? "} }" : "}";
 }
 
-/** s += e: the operand is kept. */
+/** s += e: keeps the operand. */
 static bool print_operand(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     const int number = scalar_update_at(loop->facts, statement);
@@ -93,7 +93,7 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** o[t] = e; the value, and the store from where the others take it as well. */
+/** o[t] = e; the value for later reads, and the store. */
 static bool print_forward(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     writer *out = copy->printer.out;
@@ -108,7 +108,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** k = e; and that it was assigned in this iteration. */
+/** k = e; and records that it was assigned in this iteration. */
 static bool print_noted(body_copy *copy, const ir_node *statement) {
     const int number = conditional_live_out_of(copy->loop->facts, statement);
     if (number < 0 || copy->within == statement)
@@ -122,7 +122,7 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** What a loop over constants adds, in bins; then the loop. */
+/** The operands of a loop over constants, in bins; then the loop. */
 static bool print_appends(body_copy *copy, const ir_node *statement) {
     const char *appends =
         copy->within == statement ? NULL : bins_appends(copy->loop, statement, local_name);
@@ -159,7 +159,7 @@ static bool print_guard(printer *p, const ir_node *statement) {
 
 /* ---- edits --------------------------------------------------------------------------------- */
 
-/** As many line ends as bytes [begin, end) hold, so that what follows keeps its line number. */
+/** The line ends in bytes [begin, end), so that the following text keeps its line number. */
 static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end) {
     const char *text = loop->unit->source->text;
     buffer out = {0};
@@ -194,7 +194,7 @@ static void print_instead(body_copy *copy, const ir_node *statement) {
 
 /* ---- names --------------------------------------------------------------------------------- */
 
-/** Does the range hold the name of something that is pointed to? */
+/** Does the range contain the name of a variable passed by address? */
 static bool holds_pointed(const loop_text *loop, ir_range range) {
     for (unsigned i = 0; i < loop->unit->variable_count; i++)
         if (loop->outline.by_address[i] &&
@@ -203,7 +203,7 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
     return false;
 }
 
-/** An enumerator that the function declares, or a sizeof of what has another name here. */
+/** An enumerator that the function declares, or a sizeof with a renamed operand. */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
@@ -222,7 +222,7 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
     return false;
 }
 
-/** Another name for this very node: NULL, with *is_base set where it is an array's own. */
+/** The replacement of this node: NULL, with *is_base set if it is an array's base. */
 static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
@@ -271,7 +271,7 @@ static void choose_noted(body_copy *copy, const ir_node *node) {
         choose_noted(copy, node->children[i]);
 }
 
-/** What a call of an accessor stands for is written as it was analysed. */
+/** A call of an accessor is written as the address it was analysed as. */
 static void choose_accessors(body_copy *copy, const ir_node *node) {
     if (node->flags & IR_FROM_CALL)
         print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
@@ -314,7 +314,7 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** The address of a row that the program may not come to, as a number. */
+/** The address of a row that the program may not compute, as a number. */
 static const char *row_number(loop_text *loop, const ir_node *row) {
     row_address address;
     return row_address_of(row, &address)
@@ -322,7 +322,7 @@ static const char *row_number(loop_text *loop, const ir_node *row) {
                : NULL;
 }
 
-/** For printing what a loop steps as what it is first. */
+/** Prints a loop's stepped variables as their initial values. */
 typedef struct first_values {
     loop_text *loop;
     const loop_span *span;
@@ -346,8 +346,8 @@ static const char *first_value_name(const ir_node *node, void *context) {
     return text && type ? arena_format(it->loop->arena, "((%s)%s)", type, text) : NULL;
 }
 
-/** The question for all rows that the loop steps through. Where it has no iteration there are none,
- *  and any answer will do. */
+/** Checks all rows that the loop steps through. Without iterations there are none, and any answer
+ *  is correct. */
 static const char *span_question(loop_text *loop, const skip_row *skipped) {
     arena *a = loop->arena;
     const counted_loop *counted = &skipped->span->counted;
@@ -377,7 +377,8 @@ static const char *row_question(loop_text *loop, const skip_row *skipped) {
                : NULL;
 }
 
-/** What asks whether the thread owns any of the rows; NULL: it cannot be spelled. */
+/** The expression that checks whether the thread owns any of the rows; NULL: it cannot be
+ *  spelled. */
 static const char *skip_question(loop_text *loop, const inner_skip *skip) {
     const char *question = skip->adds_to_series ? "REDCC_LEADS(redcc__writers[0]) || " : "";
     for (unsigned i = 0; i < skip->row_count; i++) {
@@ -391,7 +392,7 @@ static const char *skip_question(loop_text *loop, const inner_skip *skip) {
     return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
 }
 
-/** Inner iterations that are not the thread's part are left out as soon as that is known. */
+/** Skips inner iterations that do not concern the thread as soon as that is known. */
 static void skip_inner_iterations(body_copy *copy, const ir_node *node) {
     loop_text *loop = copy->loop;
     const inner_skip *skip = is_printed(copy, node) ? NULL : skip_of(loop->plan, node);
@@ -471,12 +472,13 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
-/** The body's text, what of it is the user's marked. */
+/** The body's text, with the user's parts marked. */
 static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
-    if (body->range.begin <= loop->facts->loop->range.begin) /* the header's macro has it as well */
+    if (body->range.begin <= loop->facts->loop->range.begin) /* the header's macro contains it as
+                                                              * well */
         VECTOR_PUSH(loop->arena, &copy->printed, body);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         print_instead(copy, loop->facts->scalars[i].statement);
@@ -492,7 +494,7 @@ static const char *copied_text(body_copy *copy) {
     skip_inner_iterations(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
-    if (!loop->lanes.is_wanted) /* compiled once, beside what is executed by lanes */
+    if (!loop->lanes.is_wanted) /* compiled once, in addition to the code for lanes */
         unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);

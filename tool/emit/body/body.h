@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
- *  at one place only. */
+/** inline.c: preserves the inlining of functions that the compiler inlines in the sequential
+ *  program because they have a single call. */
 void declare_inlined(loop_text *loop, writer *out);
 
 /** body.c: the user's body for one iteration, with the counter and private variables declared. */

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * gcc inlines a static function of any size where it is called at one place only. In the generated
- * text that place stands several times, and a large function of the loop's would no longer be
- * inlined: measured at 12 % of a loop over triangles. So it is declared to be. (clang weighs the
- * calls by themselves and takes no such declaration after the definition.)
+ * gcc inlines a static function of any size if it has a single call. The generated text contains
+ * several copies of that call, so a large function would no longer be inlined: measured at 12 % of
+ * a loop over triangles. So it is declared inline. (clang decides for each call separately and
+ * rejects such a declaration after the definition.)
  */
 #include <string.h>
 
 #include "emit/body/body.h"
 #include "emit/text/origin.h"
 
-/** Options that change from function to function may forbid to inline one into another. */
+/** Options that change between functions may prevent inlining one into another. */
 static bool has_compiler_pragmas(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
@@ -19,7 +19,7 @@ static bool has_compiler_pragmas(const ir_unit *unit) {
     return false;
 }
 
-/** The declarator's text: attributes that libclang does not know are seen in it. */
+/** The declarator's text shows attributes that libclang does not know. */
 static bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
     const char *at = unit->source->text + function->range.begin;
     const char *const body = unit->source->text + function->body->range.begin;
@@ -35,8 +35,8 @@ static bool is_called_once(const ir_unit *unit, const ir_function *function) {
            function->body->range.end > function->range.begin && is_declared_plainly(unit, function);
 }
 
-/** Has something else, a parameter perhaps, the function's name? Where the declaration stands it
- * may be in front. */
+/** Does another declaration, perhaps a parameter, have the function's name? It may hide it at the
+ *  new declaration. */
 static bool is_name_shared(const ir_unit *unit, const char *name) {
     if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
         return true;

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Private variables that some iterations assign, and whose value is wanted after the loop: that of
- * the last iteration that assigned them. Each thread notes the value with the iteration's number,
- * where redcc__noted_N and redcc__when_N point to; of all threads' the one with the highest number
- * counts.
- * Several threads that execute an iteration note the same.
+ * Conditional lastprivate: private variables that some iterations assign and that are live-out.
+ * Their final value is that of the last iteration that assigned them. Each thread records the value
+ * with the iteration's number, where redcc__noted_N and redcc__when_N point to; the highest number
+ * of all threads wins. Several threads that execute an iteration record the same value.
  */
 #include "emit/body/live_out.h"
 
@@ -59,8 +58,8 @@ void take_conditional_live_outs(loop_text *loop, writer *out) {
 
 /* ---- assigned in each iteration ------------------------------------------------------------ */
 
-/** A value to start with, for the compiler's flow analysis: that does not know that the loop has
- *  iterations, and that each of them assigns one. */
+/** An initial value for the compiler's flow analysis, which does not know that the loop has
+ *  iterations, each of which assigns one. */
 static const char *start_value(const ir_type *type) {
     if (type->size < 0)
         return "";

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Scalars that the loop accumulates into: each iteration keeps its operands, redcc__operands_N[k],
- * and after the loop they are applied in order. An iteration that may not come to the update notes
- * in redcc__made_N[k] whether it did: of one that did not nothing is applied, so that memory is
- * written only where an iteration would have written it. Where several threads execute an
- * iteration, each for its own elements, all of them store the same, indivisibly.
+ * and after the loop they are applied in order. For a conditional update the iteration records in
+ * redcc__made_N[k] whether it was executed; otherwise nothing is applied, so that memory is written
+ * only if an iteration would have written it. If several threads execute an iteration, each for its
+ * own elements, all of them store the same values, atomically.
  */
 #include "emit/body/scalars.h"
 
@@ -18,7 +18,7 @@ static const char *type_of(const scalar_update *update) {
     return types[update->operand];
 }
 
-/** What changes nothing when integers are put together. */
+/** The neutral element for combining integers. */
 static const char *neutral_of(const scalar_update *update) {
     switch (update->op) {
     case IR_OP_MULTIPLY:
@@ -91,7 +91,7 @@ void declare_operands(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_OPERANDS(%u);", count);
 }
 
-/** "" where each iteration comes to the update. */
+/** "" if each iteration executes the update. */
 static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
     return loop->facts->scalars[number].is_conditional
                ? arena_format(loop->arena,
@@ -100,7 +100,7 @@ static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
                : "";
 }
 
-/** One statement, in the place of the user's. */
+/** One statement, which replaces the user's. */
 static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const char *type = type_of(&loop->facts->scalars[number]);
     writer_line(out,
@@ -110,7 +110,7 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
                 type, type, value, number, made_text(loop, number, true));
 }
 
-/** What an iteration puts together of an update in a loop inside: redcc__so_far_N. */
+/** The operand that an iteration accumulates for an update in an inner loop: redcc__so_far_N. */
 void declare_repeated_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (loop->facts->scalars[i].is_repeated && !loop->facts->scalars[i].is_series)
@@ -132,7 +132,7 @@ void write_operand(loop_text *loop, writer *out, unsigned number, const char *va
         write_series_operand(loop, out, number, value);
         return;
     }
-    if (update->is_repeated) /* what is subtracted is added up */
+    if (update->is_repeated) /* subtracted operands are added up */
         operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number,
                                update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op), operand);
     store_operand(loop, out, number, operand);
@@ -162,7 +162,7 @@ static void apply_sum(loop_text *loop, writer *out, unsigned number) {
                 name, from, name, sign_of(update->op), number);
 }
 
-/** One iteration's, as they stand in it. */
+/** The updates of one iteration, in textual order. */
 static void apply_iteration(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];

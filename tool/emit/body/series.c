@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Of a floating scalar that a loop inside accumulates into each iteration has as many operands as
- * it likes: a series, by the number of the update that is the scalar's first. The thread that
- * enters the loop adds them up as part of it, so that its time is the loop's, and the scalar gets
- * the sum after it. (A local variable is handed over by value: one whose address is known elsewhere
- * would lie in memory for the sequential form, too.)
+ * For a floating scalar that an inner loop accumulates into, each iteration has any number of
+ * operands: a series, identified by the number of the scalar's first update. The thread that enters
+ * the loop adds them up within it, so that the time is the loop's, and the scalar gets the sum
+ * after it. (A local variable is passed by value: if its address were used, it would be in memory
+ * in the sequential form as well.)
  */
 #include "emit/body/series.h"
 
@@ -21,7 +21,7 @@ static bool is_first(const loop_facts *facts, unsigned number) {
     return facts->scalars[number].is_series && series_of(facts, number) == number;
 }
 
-/** Which of the loop's series it is. */
+/** The position among the loop's series. */
 static unsigned place_of(const loop_facts *facts, unsigned number) {
     unsigned place = 0;
     for (unsigned i = 0; i < series_of(facts, number); i++)

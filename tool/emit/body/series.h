@@ -1,24 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Floating scalars that loops inside accumulate into: redcc/series.h. */
+/** Floating scalars that inner loops accumulate into: redcc/series.h. */
 #ifndef EMIT_BODY_SERIES_H
 #define EMIT_BODY_SERIES_H
 
 #include "emit/base/extra.h"
 #include "emit/base/loop.h"
 
-/** At the call: what the runtime is to keep, and where the sums go. */
+/** At the call: the requests to the runtime, and storage for the sums. */
 void declare_series(loop_text *loop, writer *out);
-/** What slice, body and each thread get for the series. */
+/** The values that slice, body and each thread get for the series. */
 void for_each_series_value(loop_text *loop, void (*take)(void *to, extra_value value), void *to);
-/** Is the scalar a local variable, whose value is handed over? */
+/** Is the scalar a local variable, which is passed by value? */
 bool is_kept_scalar(const loop_text *loop, unsigned number);
-/** A thread's variables; its part; the condition under which it goes on executing; what it does in
- *  the end. */
+/** A thread's variables; its part; its condition for continuing; its last statements. */
 void declare_thread_series(loop_text *loop, writer *out);
 void join_series(loop_text *loop, writer *out);
 const char *series_go_on(loop_text *loop);
 void finish_series(loop_text *loop, writer *out);
-/** An iteration begins; what update number `number` does in it. */
+/** The beginning of an iteration; the text of update number `number`. */
 void begin_series(loop_text *loop, writer *out);
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value);
 /** After the loop: the scalars get their values. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions for all lanes. Arithmetic on doubles and floats is the user's, operator by operator:
- * each is computed in its own type and rounded as it is for one iteration. What is read from memory
- * by a subscript of the iteration, or is an integer of it, is gathered.
+ * Expressions for all lanes. Arithmetic on doubles and floats follows the user's operators: each is
+ * computed in its own type and rounded as in a single iteration. Values read from memory by a
+ * subscript of the iteration, and its integers, are gathered.
  */
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
@@ -65,7 +65,7 @@ const char *lane_condition(vectoriser *l, const ir_node *node) {
     return text ? text : "0";
 }
 
-/** An operand that is read from memory, in its own type, or an integer as one of that type. */
+/** An operand that is read from memory, in its own type, or an integer converted to that type. */
 static lane_value leaf(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
@@ -126,7 +126,7 @@ static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type 
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-/** A function of the library that has lanes; dead lanes give it what sets no errno. */
+/** A library function with a vector form; inactive lanes pass it an operand that sets no errno. */
 static lane_value known_call(vectoriser *l, const char *name, const ir_node *call) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(call->type);
@@ -137,7 +137,7 @@ static lane_value known_call(vectoriser *l, const char *name, const ir_node *cal
     return (lane_value){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
 }
 
-/** One call after the other, of the lanes that make it. */
+/** One call after the other, for the active lanes. */
 static lane_value call_by_lane(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(node->type);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The function that executes several iterations at once: what they compute, for all of them, and
- * then their updates, iteration by iteration. No iteration reads what another one of them updates
- * (or the loop could not run in parallel), so that the updates may come last; each element gets
- * them in the order in which it got them before.
+ * The function that executes several iterations at once: the computations of all of them, and then
+ * their updates, iteration by iteration. No iteration reads what another one updates (or the loop
+ * could not run in parallel), so that the updates may come last; each element gets them in the
+ * sequential order.
  */
 #include "emit/lanes/lanes.h"
 
@@ -15,10 +15,10 @@
 #include "plan/lookup.h"
 #include "plan/unroll.h"
 
-/* ---- what updates ---------------------------------------------------------------------------- */
+/* ---- updates --------------------------------------------------------------------------------- */
 
 typedef struct update_printer {
-    printer printer; /* first: the printer's hook gets at the rest through it */
+    printer printer; /* first: the printer's hook reaches the other fields through it */
     vectoriser *l;
 } update_printer;
 
@@ -77,7 +77,7 @@ static void declare_outer(vectoriser *l) {
                 (long long)facts->counted.step);
 }
 
-/** Most lanes need not ask who owns what: for them compilers have a text without conditions. */
+/** Most lanes need no ownership checks: for them compilers get a text without conditions. */
 static void write_updates(vectoriser *l, const char *updates) {
     if (l->mask)
         writer_line(l->out, "REDCC_EACH_ITERATION if (%s[redcc__l]) {", l->mask);
@@ -93,7 +93,7 @@ static void write_updates(vectoriser *l, const char *updates) {
     writer_line(l->out, "}");
 }
 
-/** Lanes for which the condition holds have done all that they do. */
+/** Lanes for which the condition holds are done. */
 static void write_exit(vectoriser *l, const ir_node *condition) {
     if (lane_is_uniform(&l->in, condition)) {
         writer_line(l->out, "if (%s)", lane_condition(l, condition));
@@ -107,7 +107,7 @@ static void write_exit(vectoriser *l, const ir_node *condition) {
 
 static void write_block(vectoriser *l, const ir_node *block);
 
-/** The last of what is done: nothing that the other lanes hold is of use any more. */
+/** The last statement: values of the other lanes are no longer used. */
 static void write_last_part(vectoriser *l, const ir_node *node) {
     const char *const outer = l->mask;
     if (lane_is_uniform(&l->in, node->children[0])) {
@@ -123,7 +123,7 @@ static void write_last_part(vectoriser *l, const ir_node *node) {
     l->mask = outer;
 }
 
-/** What is computed, and then the updates. */
+/** The computations, and then the updates. */
 static void write_block(vectoriser *l, const ir_node *block) {
     const loop_facts *facts = l->loop->facts;
     writer updates = {.depth = l->out->depth + 2};
@@ -147,7 +147,7 @@ static void write_block(vectoriser *l, const ir_node *block) {
         write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
-/** The function, behind those that it calls; NULL: it cannot be written. */
+/** The function, after those that it calls; NULL: it cannot be written. */
 static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
     arena *a = loop->arena;
@@ -187,7 +187,7 @@ void write_lanes(loop_text *loop, writer *out) {
     const char *name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
     bool *is_kept = ARENA_ARRAY(a, bool, loop->unit->variable_count + 1);
     const char *text = function_text(loop, name, is_kept);
-    if (text) /* now it is known which variables need a first value */
+    if (text) /* now it is known which variables need an initial value */
         text = function_text(loop, name, is_kept);
     if (!text)
         return;

@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** The function that executes several iterations at once, where it is asked for and the body can be
- *  written so; sets loop->lanes and the outcome. */
+/** The function that executes several iterations at once, if requested and possible; sets
+ *  loop->lanes and the outcome. */
 void write_lanes(loop_text *loop, writer *out);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops inside what is written for vectors: their iterations are the same for all lanes.
+ * Inner loops in vector code: their iterations are the same for all lanes.
  */
 #include "emit/lanes/vectoriser.h"
 #include "plan/unroll.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What only some lanes do: conditions as masks, and statements below them. What is read from memory
- * is read in lanes that do it alone, and what a variable of the others held is selected back.
+ * Code for some lanes only: conditions as masks, and the statements below them. Memory is read only
+ * in active lanes, and inactive lanes keep a variable's old value by a select.
  */
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
@@ -25,7 +25,7 @@ const char *lane_new_mask(vectoriser *l, const char *condition) {
     return name;
 }
 
-/** Right of && and || is evaluated only where the left does not decide. */
+/** The right side of && and || is evaluated only if the left one does not decide. */
 static const char *both(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const bool is_and = node->op == IR_OP_AND;

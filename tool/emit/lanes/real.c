@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Doubles and floats: the vectors of each, and how C converts one to the other. A vector of floats
- * has as many lanes as one of doubles: what an iteration computes stays in its lane.
+ * Doubles and floats: their vectors, and C's conversions between them. A vector of floats has the
+ * same number of lanes as one of doubles: an iteration's values stay in its lane.
  */
 #include "emit/lanes/vectoriser.h"
 

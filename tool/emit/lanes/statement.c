@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Statements that compute, for all lanes, and the functions that they call. Control must be the
- * same for all lanes: loops and conditions on what is uniform.
+ * Statements that compute, for all lanes, and the functions that they call. Control flow must be
+ * the same for all lanes: loops and conditions on uniform values.
  */
 #include <string.h>
 
@@ -88,7 +88,7 @@ static void declare_vector(vectoriser *l, const ir_variable *variable, const ir_
         writer_line(l->out, "%s %s%s;", vector, name, extents(l, type));
         return;
     }
-    /* without a value: what a selection keeps of it is not used, but read */
+    /* without a value: a select reads it, but does not use it */
     writer_line(l->out, "%s %s%s = %s;", vector, name, extents(l, type),
                 !value                   ? zeros(l, type)
                 : type->kind == IR_ARRAY ? array_initialiser(l, type, value)
@@ -117,7 +117,7 @@ static void declare_own(vectoriser *l, const ir_variable *variable, const ir_nod
             writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
                         lane_guarded(l, value, lane_text(l, value)));
         break;
-    case LANE_LOCAL: /* printed where it stands */
+    case LANE_LOCAL: /* printed in place */
         break;
     case LANE_UNIFORM:
         if (value)
@@ -150,8 +150,8 @@ static const char *parameter_text(vectoriser *l, const ir_variable *parameter, l
     return arena_format(a, *of ? "%s (*%s)%s" : "%s *%s%s", vector, name, of);
 }
 
-/** Is the argument a variable of all lanes, of the parameter's very type, which the function leaves
- *  as it is? Then no copy of it is needed. */
+/** Is the argument a variable of all lanes, of exactly the parameter's type, which the function
+ *  does not change? Then it needs no copy. */
 static bool is_handed_on(const vectoriser *l, const ir_variable *parameter, const ir_node *value) {
     return value->kind == IR_VARIABLE && l->in.class_of[value->variable->id] == LANE_VARYING &&
            ir_type_equal(parameter->type, value->variable->type) &&
@@ -194,7 +194,7 @@ static void write_parameters(vectoriser *l, const ir_function *function, const l
     buffer_free(&head);
 }
 
-/** The function for vectors, in front of what is being written. */
+/** Writes the vector form of a function, before the current one. */
 static void write_clone(vectoriser *l, const ir_function *function, const lane_class *classes,
                         const char *name) {
     writer text = {0};
@@ -267,8 +267,8 @@ const char *lane_call(vectoriser *l, const ir_node *call) {
 
 /* ---- statements ----------------------------------------------------------------------------- */
 
-/** What `target op= value` leaves, or `target = value`: a vector of the target's type. C computes
- * in the wider of both types, and converts. */
+/** The result of `target op= value`, or `target = value`: a vector of the target's type. C computes
+ *  in the wider of both types, and converts. */
 static const char *assigned_value(vectoriser *l, const ir_node *node, const char *target) {
     const ir_node *value = node->children[1];
     const ir_type *type = node->children[0]->type;
@@ -306,7 +306,7 @@ static void assign_vector(vectoriser *l, const ir_node *node) {
     writer_line(l->out, "%s = %s;", target, value);
 }
 
-/** Of an own integer or pointer: for each lane, or once. */
+/** For a private integer or pointer: for each lane, or once. */
 static const char *assignment_of(vectoriser *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     if (target->kind != IR_VARIABLE || !lane_is_own(&l->in, target->variable) ||

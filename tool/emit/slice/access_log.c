@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Logging addresses: of one row, of a row's elements at once, of what a function that
- * is called reads in its loops; and the same as probes. */
+/* Logs addresses: of one row, of a row's elements at once, of the reads in loops of a called
+ * function; and the same as probes. */
 #include "emit/slice/access_log.h"
 
 #include "analysis/base/expression.h"
@@ -14,7 +14,7 @@
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
-/** The printer's hook for spellings: notes the variables. */
+/** The printer's hook for spellings: records the variables. */
 const char *inspector_note_variable(const ir_node *node, void *context) {
     inspector *self = context;
     for (unsigned i = 0; node->kind == IR_VARIABLE && i < self->loop_count; i++)
@@ -52,7 +52,7 @@ static void remember(inspector *self, logged_row item) {
     self->recent_end = self->printer.out->out.length;
 }
 
-/** As the slice names things: what it has stored is in variables. */
+/** In the slice's names: its stored values are in variables. */
 const char *log_row_text(inspector *self, const ir_node *row) {
     const char *text = text_operand(self->loop->arena, row, inspector_note_variable, self);
     if (!text)
@@ -60,21 +60,21 @@ const char *log_row_text(inspector *self, const ir_node *row) {
     return text ? text : "0";
 }
 
-/** Is this row an element, of constant size, of an array or pointer that no iteration changes? Then
- *  its number says which it is: that takes less to compare than its address. */
+/** Is this row an element, of constant size, of an invariant array or pointer? Then its number
+ *  identifies it, which is cheaper to compare than its address. */
 static bool is_numbered(const ir_node *row, const ir_node *base) {
     return row->kind == IR_INDEX && row->type->size > 0 && syntax_same(row->children[0], base);
 }
 
-/** &row, or, where the program may not come to it, as a number: a pointer has a meaning only within
- *  its object. Of a span: for the counter's present value. */
+/** &row, or a number if the program may not compute it: a pointer is defined only within its
+ *  object. For a span: for the counter's present value. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter) {
     arena *a = self->loop->arena;
     row_address address;
     const char *number = NULL;
     if (self->is_unconditional && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
-        if (row_needs_address(&address) && number) /* a pointer may stand for it: another address */
+        if (row_needs_address(&address) && number) /* a pointer may replace it: another address */
             self->loop->outline.possible = false;
     }
     if (number)
@@ -83,8 +83,8 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
     return arena_format(a, "%s&%s", plain, log_row_text(self, row));
 }
 
-/** All of an array, by a macro of loop.h: in a function of its own the slice has a pointer to its
- * first element, of whose number it knows nothing. */
+/** The whole array, by a macro of loop.h: in a separate function the slice has a pointer to its
+ *  first element, of unknown length. */
 static void log_array(inspector *self, const ir_node *row, const char *what, unsigned number) {
     const ir_type *type = row->type, *element = type->target;
     const char *text = log_row_text(self, row);
@@ -143,12 +143,12 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
         writer_line(out, "REDCC_RETURN_IF_STALE(%u)", number);
 }
 
-/* ---- who leads ------------------------------------------------------------------------------
- * Of the threads that execute an iteration one goes through all of it, and keeps what it adds to
- * series (redcc/series.h). It is the one that owns a row which stays the same for long: the others
- * leave out more then. */
+/* ---- the leader ----------------------------------------------------------------------------- One
+ * of the threads that execute an iteration executes it completely, and keeps the operands of series
+ * (redcc/series.h). It is the owner of a row that is invariant in inner loops: the others then skip
+ * more. */
 
-/** In how many loops inside is what last gives the variable its value? */
+/** The number of inner loops around the last assignment of the variable. */
 static unsigned loops_around_writes(const ir_node *node, const ir_variable *variable,
                                     unsigned loops) {
     const ir_node *written = expression_written(node);
@@ -197,12 +197,13 @@ bool logged_is_update(const logged_row *item) {
     return item->source == SOURCE_NOT_LOGGED;
 }
 
-/** Of the array that is updated, or of the source. */
+/** Of the updated array, or of the source. */
 unsigned logged_number(const logged_row *item) {
     return logged_is_update(item) ? item->array : (unsigned)item->source;
 }
 
-/** Row number `row` of the list, from its first on, whose address was noted, to this one. */
+/** The range from row number `row` of the list, from its first on, whose address was saved, to this
+ *  one. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter) {
     const unsigned number = logged_number(item);
     arena *a = self->printer.arena;
@@ -225,9 +226,9 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
     may_end_here(self, logged_is_update(item), number);
 }
 
-/* ---- loops of functions that are called ---------------------------------------------------- */
+/* ---- loops of called functions --------------------------------------------------------------- */
 
-/** The row lies in these loops, each of which begins a block and another inside. */
+/** Opens the loops around the row, each with a block and a nested one. */
 static void open_loops(inspector *self, const loop_source *read, bool is_span) {
     arena *a = self->loop->arena;
     writer *out = self->printer.out;
@@ -246,7 +247,7 @@ static void open_loops(inspector *self, const loop_source *read, bool is_span) {
     }
 }
 
-/** Logs what a function that is called reads in its loops: in each iteration, or at once. */
+/** Logs the reads in loops of a called function: in each iteration, or at once. */
 static void log_in_loops(inspector *self, const loop_source *read, unsigned number,
                          const ir_node *base) {
     const source_loop *last = &read->loops[read->loop_count - 1];

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The inspector: the slice of the body that computes the subscripts, and where the body would
- * update or read, a macro that logs the address or compares it with what the iterations before
- * have touched.
+ * The inspector: the slice of the body that computes the subscripts and, at the body's updates and
+ * reads, a macro that logs the address or compares it with those of preceding iterations.
  */
 #include "emit/slice/slice.h"
 
@@ -24,8 +23,8 @@ static bool is_declared_in_block(const ir_node *node) {
            node->parent->parent && node->parent->parent->kind == IR_BLOCK;
 }
 
-/** Is this the statement before which the source's address is to be logged, or the declarator?
- * Those before it in its declaration may be needed for the address. */
+/** Is this the statement, or the declarator, before which the source's address is to be logged?
+ *  Preceding declarators of the same declaration may be needed for the address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
@@ -34,7 +33,7 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
     return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
-/** Where an iteration leaves the loop, nothing has been done, and the original loop is to run. */
+/** If an iteration leaves the loop, nothing has been executed, and the original loop runs. */
 static void write_exit(inspector *self, const loop_exit *exit) {
     writer_line(self->printer.out, "if (%s(%s)) REDCC_LEAVE", exit->is_negated ? "!" : "",
                 log_row_text(self, exit->rest->children[0]));
@@ -88,7 +87,7 @@ static void list_row(inspector *self, row_list *rows, logged_row item) {
     VECTOR_PUSH(self->printer.arena, rows, item);
 }
 
-/** Is the row, of a place in the span's body, logged in a span inside of it? */
+/** Is the row, at a place in the span's body, logged in a nested span? */
 static bool is_logged_below(const loop_facts *facts, const loop_span *span, const ir_node *place,
                             const ir_node *row) {
     for (const ir_node *node = place->parent; node && node != span->loop; node = node->parent)
@@ -97,7 +96,7 @@ static bool is_logged_below(const loop_facts *facts, const loop_span *span, cons
     return false;
 }
 
-/** Is it logged by a span around this one, which steps it? */
+/** Is it logged by an enclosing span that steps it? */
 static bool is_logged_above(const loop_facts *facts, const loop_span *span, const ir_node *row) {
     for (const ir_node *node = span->loop->parent; node != facts->loop; node = node->parent)
         if (span_of(facts, node) && span_mentions(span_of(facts, node), row) > 0)
@@ -105,14 +104,14 @@ static bool is_logged_above(const loop_facts *facts, const loop_span *span, cons
     return false;
 }
 
-/** Is it of those that this span logs itself? */
+/** Is it one of those that this span logs itself? */
 static bool is_logged_here(const loop_facts *facts, const loop_span *span, const ir_node *place,
                            const ir_node *row) {
     return ir_contains(span->counted.body, place) && !is_logged_below(facts, span, place, row) &&
            !is_logged_above(facts, span, row);
 }
 
-/** What the body of a span logs, each row once. */
+/** The rows logged by the body of a span, each once. */
 static row_list rows_of_span(inspector *self, const loop_span *span) {
     const loop_facts *facts = self->loop->facts;
     row_list rows = {0};
@@ -138,7 +137,7 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Spans inside of a span: each is logged once. */
+/** Nested spans: each is logged once. */
 static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *node) {
     if (span_of(facts, node)) {
         print_statement(p, node);
@@ -149,7 +148,7 @@ static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *
 }
 
 /** From the first iteration to the last one, in arithmetic that wraps around: the program may not
- *  come to it. */
+ *  execute it. */
 static void step_to_last(inspector *self, const loop_span *span) {
     const counted_loop *counted = &span->counted;
     writer *out = self->printer.out;
@@ -167,7 +166,7 @@ static void step_to_last(inspector *self, const loop_span *span) {
     writer_line(out, "%s = (__typeof__(%s))(%s);", counter, counter, last);
 }
 
-/** From there to where the loop leaves what it steps, where that outlives it. */
+/** From there to the final values of the loop's stepped variables, if they are used later. */
 static void step_behind(inspector *self, const loop_span *span) {
     for (unsigned i = 0; i < span->stepped_count; i++)
         if (!ir_declarator_in(span->loop->children[0], span->stepped[i]))
@@ -175,8 +174,7 @@ static void step_behind(inspector *self, const loop_span *span) {
                         origin_variable(self->printer.arena, span->stepped[i]));
 }
 
-/** What the loop steps has its first value; afterwards it has the one that the loop leaves it with.
- */
+/** The stepped variables have their initial values before, and the loop's final ones afterwards. */
 static void log_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
@@ -204,7 +202,7 @@ static void log_at_once(printer *p, const ir_node *loop) {
     step_behind(self, span);
 }
 
-/** Nothing that the loop touches may stay untold. */
+/** Every access of the loop must be logged. */
 static void check_all_logged(inspector *self) {
     const loop_facts *facts = self->loop->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
@@ -221,7 +219,7 @@ static void check_all_logged(inspector *self) {
 
 /* ---- the variables of the slice ------------------------------------------------------------ */
 
-/** Is the variable needed by what was printed, or by an address that was logged? */
+/** Do the printed code or the logged addresses need the variable? */
 static bool is_needed(const inspector *self, const ir_variable *variable) {
     const loop_facts *facts = self->loop->facts;
     if (self->is_mentioned[variable->id])

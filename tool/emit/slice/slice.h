@@ -5,14 +5,13 @@
 
 #include "emit/base/loop.h"
 
-/** The statements of one iteration, by the macros of loop.h; sets is_mentioned for each variable,
- * by its number, that is named. */
+/** The statements of one iteration, with the macros of loop.h; sets is_mentioned for each variable,
+ *  by its number, that they name. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
 /** In the inspector, the name of the counter number `depth` of a source's loops, */
 const char *source_loop_counter(arena *a, unsigned depth);
-/** and the head of the loop, after which a block follows: `if` where one iteration logs all of it.
- */
+/** and the head of the loop, followed by a block: `if` if one iteration logs all of it. */
 const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
                                const char *counter, const char *bound, bool is_span);
 

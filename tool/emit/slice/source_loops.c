@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inspector's own copies of loops of functions that the user's loop calls, around what these
- *  read: `for (; redcc__each_0 < 4; redcc__each_0++)`. */
+/** The inspector's copies of loops in called functions, around their reads: `for (; redcc__each_0 <
+ *  4; redcc__each_0++)`. */
 #include "analysis/base/expression.h"
 #include "emit/slice/slice.h"
 #include "ir/ir_words.h"
@@ -9,7 +9,7 @@ const char *source_loop_counter(arena *a, unsigned depth) {
     return arena_format(a, "redcc__each_%u", depth);
 }
 
-/** Does what is logged, and how often, depend on this loop's counter? */
+/** Does the logging, or its repetition, depend on this loop's counter? */
 static bool is_asked_for(const loop_source *read, unsigned depth) {
     const ir_variable *counter = read->loops[depth].counter;
     for (unsigned i = depth + 1; i < read->loop_count; i++)

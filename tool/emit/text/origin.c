@@ -8,8 +8,9 @@
 
 enum { MARK_BEGIN = 1, MARK_END = 2 };
 
-/* A mark is MARK_BEGIN, a letter, two numbers, MARK_END. The first number is the address of what is
- * meant, or a place in the file; the second how many bytes before or after the mark it is about. */
+/* A mark is MARK_BEGIN, a letter, two numbers, MARK_END. The first number is the address of the
+ * object meant, or an offset in the file; the second the number of bytes before or after the mark
+ * that it applies to. */
 static const char format[] = "\x01%c%llx,%lx\x02";
 static const char letters[] = "ndtvc"; /* by origin_kind */
 _Static_assert(sizeof letters - 1 == ORIGIN_COPY + 1, "a letter for each kind");
@@ -121,7 +122,7 @@ static void put(unmarking *u, char byte) {
     buffer_byte(&u->out, byte);
 }
 
-/* A copy to which bytes are added comes as several. */
+/* A copy into which bytes are inserted is split into several. */
 static void put_copy(unmarking *u, const char *text, uint32_t from, size_t length) {
     origin piece = {.kind = ORIGIN_COPY, .begin = (uint32_t)u->out.length, .from = from};
     for (size_t i = 0; i < length; i++) {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Where the words of generated text come from.
+ * The origin of words in generated text.
  *
- * While a loop is written, marks stand in its text: after a name, what it names; before a type,
- * which one; before an expression in the place of one of the program's, the type that it must have;
- * before a copy of the user's bytes, their place. A mark lies between the bytes 1 and 2,
- * which C text does not hold outside of strings and comments. When the text is done the marks are
- * taken out, and their places kept: what a compiler finds for the names can be compared with what
- * is meant.
+ * While a loop is written, its text contains marks: after a name, the declaration it refers to;
+ * before a type, that type; before an expression that replaces one of the program's, its required
+ * type; before a copy of the user's bytes, their offset. A mark lies between the bytes 1 and 2,
+ * which C text contains only in strings and comments. When the text is complete the marks are
+ * removed, and their positions kept: so the compiler's interpretation of the names can be compared
+ * with the intended one.
  */
 #ifndef EMIT_TEXT_ORIGIN_H
 #define EMIT_TEXT_ORIGIN_H
@@ -17,8 +17,8 @@
 #include "support/vector.h"
 
 typedef enum origin_kind {
-    ORIGIN_NAME,     /* the name of a variable, or of what stands for it here, or of a function */
-    ORIGIN_DECLARED, /* the same where it is declared, or where not each compiler sees it */
+    ORIGIN_NAME,     /* the name of a variable, or of its replacement, or of a function */
+    ORIGIN_DECLARED, /* the same in its declaration, or if not every compiler sees it */
     ORIGIN_TYPE,     /* a type's spelling */
     ORIGIN_VALUE,    /* no bytes: an expression of that type begins here */
     ORIGIN_COPY      /* the user's bytes */
@@ -29,7 +29,7 @@ typedef struct origin {
     origin_kind kind;
     uint32_t begin, end;
     uint32_t from;            /* ORIGIN_COPY: their place in the main file */
-    const ir_declared *meant; /* ORIGIN_NAME, ORIGIN_DECLARED; NULL: not known */
+    const ir_declared *meant; /* ORIGIN_NAME, ORIGIN_DECLARED; NULL: unknown */
     const ir_type *type;      /* ORIGIN_TYPE, ORIGIN_VALUE */
 } origin;
 
@@ -40,24 +40,24 @@ typedef struct origin_list {
 /** The name, marked. */
 const char *origin_variable(arena *a, const ir_variable *variable);
 const char *origin_function(arena *a, const ir_function *function);
-/** The same for the declarator of what stands for the variable. */
+/** The same for the declarator of the variable's replacement. */
 const char *origin_declarator(arena *a, const ir_variable *variable);
 const char *origin_function_declarator(arena *a, const ir_function *function);
-/** The type's spelling, marked; NULL where it has none. */
+/** The type's spelling, marked; NULL if it has none. */
 const char *origin_type(arena *a, const ir_type *type);
 /** Another spelling of the type, marked. */
 const char *origin_spelling(arena *a, const ir_type *type, const char *spelling);
-/** The expression, marked: it takes the place of one of that type. It is a name, an element, or in
+/** The expression, marked: it replaces one of that type. It is a name, an element, or in
  *  parentheses. */
 const char *origin_value(arena *a, const ir_type *type, const char *expression);
 /** Appends bytes [begin, end) of `text`, marked as a copy of these bytes of the main file. */
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
 
-/** The text without marks, in the arena; into *origins (NULL: not asked for) what they said. With
- *  `has_crlf` each LF that has no CR before it gets one. */
+/** The text without marks, in the arena; the marks' contents go to *origins (NULL: not needed).
+ *  With `has_crlf` each LF without a preceding CR gets one. */
 const char *origin_unmark(arena *a, const char *marked, size_t length, bool has_crlf,
                           origin_list *origins);
-/** After the mark or copy that begins at `at`; `at` itself where none does. */
+/** After the mark or copy that begins at `at`; `at` itself if none does. */
 const char *origin_skip(const char *at, const char *end);
 /** Does a copy begin at `at`? */
 bool origin_is_copy(const char *at, const char *end);

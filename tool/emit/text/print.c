@@ -48,7 +48,7 @@ static void print_declarator(printer *p, const ir_node *declarator) {
         return;
     }
     const ir_node *initialiser = ir_child(declarator, 0);
-    if (initialiser) /* `w = e[k++]`: the slice may want it for k alone */
+    if (initialiser) /* `w = e[k++]`: the slice may need it only for k */
         writer_line(p->out, "%s%s = %s;", text,
                     assigns(initialiser) ? " __attribute__((__unused__))" : "",
                     print_expression(p, initialiser));
@@ -69,7 +69,7 @@ static void open_block(printer *p, const char *text) {
     p->out->depth++;
 }
 
-/** Notes that control does not go on from here by itself. */
+/** Records that control does not continue from here to the next statement. */
 static void settle(printer *p) {
     p->settled_end = p->out->out.length;
 }
@@ -87,9 +87,9 @@ static void close_block(printer *p, const char *text) {
 }
 
 /**
- * The statements of a block. A declaration after a statement opens a block of its own that reaches
- * to the end of this one: C89 wants it so, and what the slice prints between the user's
- * declarations are statements. What `at_end` writes may use all that was declared.
+ * The statements of a block. A declaration after a statement opens a nested block up to the end of
+ * this one, as C89 requires: the slice prints statements between the user's declarations. `at_end`
+ * may use all that was declared.
  */
 static void print_children(printer *p, const ir_node *block, void (*at_end)(printer *p)) {
     unsigned opened = 0;
@@ -252,8 +252,8 @@ static void print_case(printer *p, const ir_node *node) {
     print_statement(p, node->children[node->child_count - 1]);
 }
 
-/** A jump is printed where all control between it and what it leaves is: what is left out of a
- *  slice only makes the inspector log more than is touched. */
+/** A jump is printed if all control between it and its target is: parts omitted from a slice only
+ *  make the inspector log more than is touched. */
 static void print_jump(printer *p, const ir_node *node) {
     const bool is_break = node->kind == IR_BREAK;
     if ((is_break ? p->unkept_since_break : p->unkept_since_continue) > 0)
@@ -268,7 +268,7 @@ static void print_jump(printer *p, const ir_node *node) {
         p->continues = true;
 }
 
-/** What stands below control that is left out, once. */
+/** The statements below omitted control, once. */
 static void print_below(printer *p, const ir_node *node) {
     p->unkept_since_break++;
     p->unkept_since_continue++;
@@ -320,7 +320,7 @@ void print_statement(printer *p, const ir_node *node) {
         print_jump(p, node);
         break;
     case IR_CASE:
-    case IR_DEFAULT: /* labels of a switch that is printed; of another, what they label */
+    case IR_DEFAULT: /* labels of a printed switch; otherwise the labelled statements */
         if (p->unkept_since_break == 0 && p->in_switch)
             print_case(p, node);
         else

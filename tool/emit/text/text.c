@@ -30,7 +30,7 @@ void writer_fill(writer *w, bool fills) {
         w->fills--;
 }
 
-/** The line from `begin` on is appended to the one before, if both are short. */
+/** Appends the line from `begin` on to the preceding one, if both are short. */
 static void join_line(writer *w, size_t begin) {
     char *data = w->out.data;
     assert(w->fill_begin <= begin);
@@ -112,7 +112,7 @@ static bool is_enumerator(const ir_node *node) {
            !strchr(node->text, '\'');
 }
 
-/** A constant of the type given, as a primary expression. */
+/** A constant of the given type, as a primary expression. */
 static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
     const bool is_long = type->size > 4;
     const bool is_very_long = is_long && type->spelling && strstr(type->spelling, "long long");
@@ -127,7 +127,7 @@ static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
     return arena_format(a, "(-%lld%s - 1)", (long long)-(value + 1), suffix); /* also of INT_MIN */
 }
 
-/** Names with marks. What an enumerator or a sizeof says depends on where it stands: its value does
+/** Names with marks. The meaning of an enumerator or a sizeof depends on its place; its value does
  *  not. */
 static const char *marked_name(const ir_node *node, void *context) {
     const marking *m = context;
@@ -160,7 +160,7 @@ const char *text_expression(arena *a, const ir_node *expression, ir_c_rename ren
 /** Postfix and primary expressions bind tighter than any cast or & before them. */
 static bool is_tight(const ir_node *expression) {
     switch (expression->kind) {
-    case IR_NUMBER: /* may print as -1 where an enumerator or macro was */
+    case IR_NUMBER: /* may print as -1 for an enumerator or macro */
         return expression->text && expression->text[0] != '-';
     case IR_STRING:
     case IR_VARIABLE:

@@ -10,27 +10,26 @@ typedef struct writer {
     buffer out; /* owned: end with writer_text or buffer_free */
     unsigned depth;
     size_t fill_begin; /* of the line to be filled; where `fills` */
-    unsigned fills;    /* not 0: lines are joined, as far as they are short */
+    unsigned fills;    /* not 0: short lines are joined */
     bool on_one_line;  /* blanks instead of line ends and indentation */
 } writer;              /* {0} is an empty one */
 
 /** Appends the indentation, the formatted text and a line end. */
 void writer_line(writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/** From here on short lines are joined with the one before, or, after as many ends as beginnings,
- * no more. */
+/** Begins or ends joining short lines with the preceding one; calls nest. */
 void writer_fill(writer *w, bool fills);
 /** The text, in the arena; the writer is empty again. */
 const char *writer_text(arena *a, writer *w);
 
 /** The text between double quotes, escaped so that it is one C string literal (also in #line). */
 const char *text_quoted(arena *a, const char *text);
-/** The expression as C, or NULL where it cannot be spelled. */
+/** The expression as C, or NULL if it cannot be spelled. */
 const char *text_expression(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
-/** The same, in parentheses unless a cast or & in front of it takes all of it as it is. */
+/** The same, in parentheses unless a cast or & before it applies to all of it. */
 const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
-/** The expression, in parentheses where a macro would take it for several arguments. */
+/** The expression, in parentheses if a macro would split it into several arguments. */
 const char *macro_argument(arena *a, const char *marked);
-/** `type name` without initialiser or `;`; NULL where the type cannot be spelled. */
+/** `type name` without initialiser or `;`; NULL if the type cannot be spelled. */
 const char *text_declaration(arena *a, const ir_type *type, const char *name);
 
 #endif

@@ -24,39 +24,39 @@ static uint32_t strength_of(const struct graph *graph, uint32_t edge) {
 }
 
 /* The gain of a node in each part of [low, high): the strength of its edges into it. */
-struct ties {
+struct gains {
     uint64_t to[REDCC_PARTS_MOST];
     uint32_t count; /* number of parts with any */
     uint32_t part[REDCC_PARTS_MOST];
 };
 
-static void count_ties(const struct graph *graph, uint32_t node, const unsigned char *part,
-                       uint32_t low, uint32_t high, struct ties *ties) {
-    ties->count = 0;
+static void count_gains(const struct graph *graph, uint32_t node, const unsigned char *part,
+                        uint32_t low, uint32_t high, struct gains *gains) {
+    gains->count = 0;
     for (uint32_t e = graph->start[node]; e < graph->start[node + 1]; e++) {
         const uint32_t to = part[graph->neighbour[e]];
         if (to < low || to >= high)
             continue;
-        if (ties->to[to] == 0)
-            ties->part[ties->count++] = to;
-        ties->to[to] += strength_of(graph, e);
+        if (gains->to[to] == 0)
+            gains->part[gains->count++] = to;
+        gains->to[to] += strength_of(graph, e);
     }
 }
 
 /* The part with the highest gain for the node. */
-static uint32_t best_part(const struct ties *ties, uint32_t here, uint64_t weight,
+static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t weight,
                           const uint64_t *load, const uint64_t *most) {
     const bool too_heavy = load[here] > most[here];
     uint32_t best = here;
-    uint64_t best_ties = too_heavy ? 0 : ties->to[here];
-    for (uint32_t i = 0; i < ties->count; i++) {
-        const uint32_t to = ties->part[i];
+    uint64_t best_gain = too_heavy ? 0 : gains->to[here];
+    for (uint32_t i = 0; i < gains->count; i++) {
+        const uint32_t to = gains->part[i];
         if (to == here || load[to] + weight > most[to])
             continue;
         const bool evens = load[to] + weight < (best == here ? load[here] : load[best] + weight);
-        if (ties->to[to] > best_ties || (ties->to[to] == best_ties && evens)) {
+        if (gains->to[to] > best_gain || (gains->to[to] == best_gain && evens)) {
             best = to;
-            best_ties = ties->to[to];
+            best_gain = gains->to[to];
         }
     }
     return best;
@@ -65,16 +65,16 @@ static uint32_t best_part(const struct ties *ties, uint32_t here, uint64_t weigh
 void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
                   unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,
                   const uint64_t *most, int rounds) {
-    struct ties ties = {.count = 0};
+    struct gains gains = {.count = 0};
     for (int round = 0; round < rounds; round++) {
         uint32_t moved = 0;
         for (uint32_t i = 0; i < count; i++) {
             const uint32_t node = list[i], here = part[node];
-            count_ties(graph, node, part, low, high, &ties);
+            count_gains(graph, node, part, low, high, &gains);
             const uint64_t weight = graph->weight[node];
-            const uint32_t best = best_part(&ties, here, weight, load, most);
-            for (uint32_t t = 0; t < ties.count; t++)
-                ties.to[ties.part[t]] = 0;
+            const uint32_t best = best_part(&gains, here, weight, load, most);
+            for (uint32_t t = 0; t < gains.count; t++)
+                gains.to[gains.part[t]] = 0;
             if (best == here)
                 continue;
             load[here] -= weight;

@@ -23,7 +23,7 @@ static uint32_t node_of(uint32_t rank) {
 }
 
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
-                          const struct told *told, int threads) {
+                          const struct access_log *logged, int threads) {
     const size_t bytes = units * sizeof(uint32_t);
     *clusters = (struct clusters){.units = units, .most = most, .count = units, .threads = threads};
     assert(node_of(rank_of(1234567)) == 1234567);
@@ -36,8 +36,8 @@ bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t mo
         clusters->of && clusters->into && clusters->size && clusters->spare && clusters->share;
     for (int thread = 0; enough && thread < threads; thread++) {
         struct cluster_share *share = &clusters->share[thread];
-        share->told = &told[thread].leading;
-        share->list.item = redcc_memory_take(share->told->count * sizeof *share->list.item);
+        share->logged = &logged[thread].leading;
+        share->list.item = redcc_memory_take(share->logged->count * sizeof *share->list.item);
         share->choice = redcc_memory_take(bytes);
         share->weight = redcc_memory_take(bytes);
         enough = share->list.item && share->choice && share->weight;
@@ -88,12 +88,12 @@ static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, c
 
 void redcc_clusters_choose(struct clusters *clusters, int thread) {
     struct cluster_share *share = &clusters->share[thread];
-    const struct unit_list *told = share->told;
+    const struct unit_list *logged = share->logged;
     memset(share->choice, 0xff, clusters->units * sizeof *share->choice);
-    for (size_t at = 0, count; at < told->count; at += count) {
-        count = redcc_iteration_length(told, at);
-        if (told->item[at] != (REDCC_NO_UNIT | REDCC_LAST))
-            hear(share->choice, NULL, 0, told->item + at, count);
+    for (size_t at = 0, count; at < logged->count; at += count) {
+        count = redcc_iteration_length(logged, at);
+        if (logged->item[at] != (REDCC_NO_UNIT | REDCC_LAST))
+            hear(share->choice, NULL, 0, logged->item + at, count);
     }
 }
 
@@ -209,7 +209,7 @@ static inline bool map_iteration(const uint32_t *into, const uint32_t *node, siz
 void redcc_clusters_retell(struct clusters *clusters, int thread) {
     struct cluster_share *share = &clusters->share[thread];
     const bool first = clusters->rounds == 1;
-    const struct unit_list from = first ? *share->told : share->list;
+    const struct unit_list from = first ? *share->logged : share->list;
     uint32_t *const to = share->list.item;
     size_t kept = 0;
     memset(share->choice, 0xff, clusters->count * sizeof *share->choice);

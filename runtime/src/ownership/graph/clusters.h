@@ -22,14 +22,14 @@
 #ifndef REDCC_CLUSTERS_H
 #define REDCC_CLUSTERS_H
 
-#include "ownership/graph/told.h"
+#include "ownership/graph/access_log.h"
 
 /** One thread's part. */
 struct cluster_share {
-    const struct unit_list *told; /* the units of each iteration */
-    struct unit_list list;        /* the clusters of each iteration that has several */
-    uint32_t *choice;             /* [nodes] by this thread's iterations; of thread 0: by all */
-    uint32_t *weight;             /* [count] weight of each; of thread 0: of all */
+    const struct unit_list *logged; /* the units of each iteration */
+    struct unit_list list;          /* the clusters of each iteration that has several */
+    uint32_t *choice;               /* [nodes] by this thread's iterations; of thread 0: by all */
+    uint32_t *weight;               /* [count] weight of each; of thread 0: of all */
 };
 
 struct clusters {
@@ -46,10 +46,10 @@ struct clusters {
     struct cluster_share *share; /* [threads] */
 };
 
-/** Begins with each of `units` units as a cluster; borrows the leading lists of told [threads].
+/** Begins with each of `units` units as a cluster; borrows the leading lists of logged [threads].
  *  False: no memory (call redcc_clusters_end all the same). */
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
-                          const struct told *told, int threads);
+                          const struct access_log *logged, int threads);
 
 /** Frees its memory. */
 void redcc_clusters_end(struct clusters *clusters);

@@ -36,33 +36,33 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
                                       double touches) {
     *divide = (struct divide){.partition = partition, .threads = threads};
     const size_t count = (size_t)threads;
-    divide->most_told = most_touches(trip) / count;
+    divide->most_logged = most_touches(trip) / count;
     if (partition->owners > REDCC_OWNERS_MOST || trip > REDCC_BLOCK)
         return DIVIDE_UNSUITABLE;
-    divide->told = redcc_memory_take_zeroed(count, sizeof *divide->told);
+    divide->logged = redcc_memory_take_zeroed(count, sizeof *divide->logged);
     divide->sweep = redcc_memory_take_zeroed(count, sizeof *divide->sweep);
-    divide->rims.list = redcc_memory_take_zeroed(count, sizeof *divide->rims.list);
-    divide->rims.told = redcc_memory_take_zeroed(count, sizeof *divide->rims.told);
-    if (!redcc_units_begin(&divide->units, partition, touched) || !divide->told || !divide->sweep ||
-        !divide->rims.list || !divide->rims.told)
+    divide->boundary.list = redcc_memory_take_zeroed(count, sizeof *divide->boundary.list);
+    divide->boundary.logged = redcc_memory_take_zeroed(count, sizeof *divide->boundary.logged);
+    if (!redcc_units_begin(&divide->units, partition, touched) || !divide->logged ||
+        !divide->sweep || !divide->boundary.list || !divide->boundary.logged)
         return DIVIDE_NO_MEMORY;
     return divide->units.too_many || is_too_wide(divide, touches) ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
 }
 
 void redcc_divide_tidy(struct divide *divide) {
     for (int thread = 0; thread < divide->threads; thread++) {
-        if (divide->told)
-            redcc_told_end(&divide->told[thread]);
-        if (divide->rims.list)
-            redcc_unit_list_end(&divide->rims.list[thread]);
+        if (divide->logged)
+            redcc_access_log_end(&divide->logged[thread]);
+        if (divide->boundary.list)
+            redcc_unit_list_end(&divide->boundary.list[thread]);
     }
     redcc_clusters_end(&divide->clusters);
     redcc_graph_end(&divide->coarse);
-    redcc_graph_end(&divide->rims.graph);
-    redcc_memory_give(divide->rims.is_rim);
+    redcc_graph_end(&divide->boundary.graph);
+    redcc_memory_give(divide->boundary.is_boundary);
     redcc_memory_give(divide->part);
     redcc_memory_give((void *)divide->vote);
-    divide->rims.is_rim = NULL;
+    divide->boundary.is_boundary = NULL;
     divide->part = NULL;
     divide->vote = NULL;
 }
@@ -72,11 +72,11 @@ void redcc_divide_end(struct divide *divide) {
     for (int thread = 0; divide->sweep && thread < divide->threads; thread++)
         redcc_sweep_end(&divide->sweep[thread]);
     redcc_units_end(&divide->units);
-    redcc_memory_give(divide->told);
+    redcc_memory_give(divide->logged);
     redcc_memory_give(divide->sweep);
     redcc_memory_give(divide->owner);
-    redcc_memory_give(divide->rims.list);
-    redcc_memory_give((void *)divide->rims.told);
+    redcc_memory_give(divide->boundary.list);
+    redcc_memory_give((void *)divide->boundary.logged);
     *divide = (struct divide){0};
 }
 
@@ -113,10 +113,10 @@ static bool begin_clusters(struct divide *divide) {
     const uint32_t most = even > CLUSTER_MOST ? CLUSTER_MOST : even > 0 ? even : 1;
     const size_t further = units->count - units->leading;
     divide->owner = redcc_memory_take(units->count);
-    divide->rims.is_rim = redcc_memory_take_zeroed(units->leading, 1);
+    divide->boundary.is_boundary = redcc_memory_take_zeroed(units->leading, 1);
     divide->vote = redcc_memory_take(further * sizeof *divide->vote);
-    return divide->owner && divide->rims.is_rim && divide->vote &&
-           redcc_clusters_begin(&divide->clusters, units->leading, most, divide->told,
+    return divide->owner && divide->boundary.is_boundary && divide->vote &&
+           redcc_clusters_begin(&divide->clusters, units->leading, most, divide->logged,
                                 divide->threads);
 }
 
@@ -145,23 +145,24 @@ static bool cluster(struct divide *divide, int thread) {
 
 /* ---- a graph, by all threads ----------------------------------------------------------------- */
 
-/* Its nodes exist, and the iterations are in rims.told. Counts the edges of this thread's nodes,
- * then stores them; both steps use all threads' iterations, with barriers between and after. */
+/* Its nodes exist, and the iterations are in boundary.logged. Counts the edges of this thread's
+ * nodes, then stores them; both steps use all threads' iterations, with barriers between and after.
+ */
 static void count_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
-    redcc_graph_count(graph, divide->rims.told, divide->threads, nodes.first, nodes.end);
+    redcc_graph_count(graph, divide->boundary.logged, divide->threads, nodes.first, nodes.end);
 }
 
 static void fill_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
-    redcc_graph_fill(graph, divide->rims.told, divide->threads, nodes.first, nodes.end);
+    redcc_graph_fill(graph, divide->boundary.logged, divide->threads, nodes.first, nodes.end);
 }
 
 /* ---- the parts ------------------------------------------------------------------------------- */
 
 static bool begin_coarse(struct divide *divide) {
     for (int thread = 0; thread < divide->threads; thread++)
-        divide->rims.told[thread] = &divide->clusters.share[thread].list;
+        divide->boundary.logged[thread] = &divide->clusters.share[thread].list;
     divide->part = redcc_memory_take(divide->clusters.count);
     return divide->part && redcc_graph_begin(&divide->coarse, divide->clusters.count);
 }
@@ -202,29 +203,30 @@ static void place_units(struct divide *divide, int thread) {
 /* ---- their boundaries
  * -------------------------------------------------------------------------- */
 
-static void mark_rims(struct divide *divide, int thread) {
-    const struct unit_list *told = &divide->told[thread].leading;
-    for (size_t at = 0, count; at < told->count; at += count) {
-        count = redcc_iteration_length(told, at);
-        const uint32_t *unit = told->item + at;
+static void mark_boundary(struct divide *divide, int thread) {
+    const struct unit_list *logged = &divide->logged[thread].leading;
+    for (size_t at = 0, count; at < logged->count; at += count) {
+        count = redcc_iteration_length(logged, at);
+        const uint32_t *unit = logged->item + at;
         bool several = false;
         for (size_t i = 1; i < count; i++)
             several |= divide->owner[unit[i] & ~REDCC_LAST] != divide->owner[unit[0]];
         for (size_t i = 0; several && i < count; i++)
-            __atomic_store_n(&divide->rims.is_rim[unit[i] & ~REDCC_LAST], 1, __ATOMIC_RELAXED);
+            __atomic_store_n(&divide->boundary.is_boundary[unit[i] & ~REDCC_LAST], 1,
+                             __ATOMIC_RELAXED);
     }
 }
 
 /* The iterations that touch a boundary, including all those of boundary units. */
-static bool list_rims(struct divide *divide, int thread) {
-    const struct unit_list *told = &divide->told[thread].leading;
-    struct unit_list *list = &divide->rims.list[thread];
-    for (size_t at = 0, count; at < told->count; at += count) {
-        count = redcc_iteration_length(told, at);
-        const uint32_t *unit = told->item + at;
+static bool list_boundary(struct divide *divide, int thread) {
+    const struct unit_list *logged = &divide->logged[thread].leading;
+    struct unit_list *list = &divide->boundary.list[thread];
+    for (size_t at = 0, count; at < logged->count; at += count) {
+        count = redcc_iteration_length(logged, at);
+        const uint32_t *unit = logged->item + at;
         bool touched = false;
         for (size_t i = 0; i < count && unit[i] != (REDCC_NO_UNIT | REDCC_LAST); i++)
-            touched |= divide->rims.is_rim[unit[i] & ~REDCC_LAST];
+            touched |= divide->boundary.is_boundary[unit[i] & ~REDCC_LAST];
         if (touched && !redcc_unit_list_add(list, unit, count))
             return false;
     }
@@ -232,16 +234,16 @@ static bool list_rims(struct divide *divide, int thread) {
 }
 
 static bool begin_rims(struct divide *divide) {
-    struct rims *rims = &divide->rims;
+    struct boundary *boundary = &divide->boundary;
     for (int thread = 0; thread < divide->threads; thread++)
-        rims->told[thread] = &rims->list[thread];
-    const bool begun = redcc_graph_begin(&rims->graph, divide->units.leading);
-    rims->graph.only = rims->is_rim;
+        boundary->logged[thread] = &boundary->list[thread];
+    const bool begun = redcc_graph_begin(&boundary->graph, divide->units.leading);
+    boundary->graph.only = boundary->is_boundary;
     return begun;
 }
 
 static bool take_rim_edges(struct divide *divide) {
-    return redcc_graph_take(&divide->rims.graph);
+    return redcc_graph_take(&divide->boundary.graph);
 }
 
 static bool refine_rims(struct divide *divide) {
@@ -249,7 +251,7 @@ static bool refine_rims(struct divide *divide) {
     uint32_t *const listed = divide->clusters.into; /* which is no longer needed */
     uint32_t count = 0;
     for (uint32_t unit = 0; unit < divide->units.leading; unit++)
-        if (divide->rims.is_rim[unit])
+        if (divide->boundary.is_boundary[unit])
             listed[count++] = unit;
     for (uint32_t cluster = 0; cluster < divide->coarse.count; cluster++) {
         load[divide->part[cluster]] += divide->coarse.weight[cluster];
@@ -261,18 +263,19 @@ static bool refine_rims(struct divide *divide) {
                               redcc_amount_below(owners, stealable, owner, sum);
         most[owner] = even + even / 100;
     }
-    redcc_refine(&divide->rims.graph, listed, count, divide->owner, 0, owners, load, most, ROUNDS);
+    redcc_refine(&divide->boundary.graph, listed, count, divide->owner, 0, owners, load, most,
+                 ROUNDS);
     return true;
 }
 
 static bool refine(struct divide *divide, int thread) {
-    mark_rims(divide, thread);
-    if (!meet(divide, true, NULL) || !meet(divide, list_rims(divide, thread), begin_rims))
+    mark_boundary(divide, thread);
+    if (!meet(divide, true, NULL) || !meet(divide, list_boundary(divide, thread), begin_rims))
         return false;
-    count_edges(divide, &divide->rims.graph, thread);
+    count_edges(divide, &divide->boundary.graph, thread);
     if (!meet(divide, true, take_rim_edges))
         return false;
-    fill_edges(divide, &divide->rims.graph, thread);
+    fill_edges(divide, &divide->boundary.graph, thread);
     return meet(divide, true, refine_rims);
 }
 
@@ -301,8 +304,8 @@ static inline unsigned short common_owner(const struct divide *divide, const uin
 /* Votes for the owners of further groups' units: the owner of an iteration that has only one by the
  * leading group; else one of its owners. The lowest wins, in any order of votes. */
 static void vote_further(struct divide *divide, int thread) {
-    const struct unit_list *leading = &divide->told[thread].leading;
-    const struct unit_list *further = &divide->told[thread].further;
+    const struct unit_list *leading = &divide->logged[thread].leading;
+    const struct unit_list *further = &divide->logged[thread].further;
     for (size_t at = 0, here = 0, count, more; here < further->count; at += count, here += more) {
         count = redcc_iteration_length(leading, at);
         more = redcc_iteration_length(further, here);
@@ -344,12 +347,12 @@ static void take_owners(struct divide *divide, struct sweep *sweep, const struct
 }
 
 static bool summarise(struct divide *divide, int thread, struct range *seen) {
-    const struct told *told = &divide->told[thread];
-    const struct unit_list *leading = &told->leading, *further = &told->further;
+    const struct access_log *logged = &divide->logged[thread];
+    const struct unit_list *leading = &logged->leading, *further = &logged->further;
     struct sweep *sweep = &divide->sweep[thread];
     if (!redcc_sweep_begin(sweep, divide->partition, seen))
         return false;
-    redcc_sweep_open_block(sweep, told->begin);
+    redcc_sweep_open_block(sweep, logged->begin);
     for (size_t at = 0, here = 0, count, more = 0; at < leading->count && !sweep->failed;
          at += count, here += more) {
         count = redcc_iteration_length(leading, at);
@@ -360,7 +363,7 @@ static bool summarise(struct divide *divide, int thread, struct range *seen) {
         }
         redcc_sweep_end_iteration(sweep);
     }
-    return redcc_sweep_close_block(sweep, told->iterations);
+    return redcc_sweep_close_block(sweep, logged->iterations);
 }
 
 static bool divide_further(struct divide *divide, int thread) {

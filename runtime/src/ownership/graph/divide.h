@@ -3,11 +3,11 @@
  * Ownership cut from the access graph: each unit of the reduction arrays gets an owner, so that few
  * iterations touch units of several owners and the load is balanced.
  *
- *     told       the access log of the inspector                               all threads
+ *     logged       the access log of the inspector                               all threads
  *     clusters   of some dozens of units of the leading group                  all threads
  *     coarse     the graph of the clusters                                     all threads
  *     divided    by bisection, refined                                         one thread
- *     rims       the graph of the units at boundaries between parts            all threads
+ *     boundary   the graph of the units at boundaries between parts            all threads
  *     refined    there, unit by unit                                           one thread
  *     further    groups: a unit gets an owner that its iterations have anyway  all threads
  *     summary    which owners each iteration touches                           all threads
@@ -25,11 +25,11 @@
 enum { REDCC_OWNERS_MOST = 256 }; /* of a map */
 
 /** Boundaries between parts. */
-struct rims {
-    unsigned char *is_rim;         /* [units.leading] an iteration touches it and another part */
-    struct unit_list *list;        /* [threads] iterations that touch such a unit */
-    const struct unit_list **told; /* [threads] lists from which the graph is built */
-    struct graph graph;            /* of only these units */
+struct boundary {
+    unsigned char *is_boundary;      /* [units.leading] an iteration touches it and another part */
+    struct unit_list *list;          /* [threads] iterations that touch such a unit */
+    const struct unit_list **logged; /* [threads] lists from which the graph is built */
+    struct graph graph;              /* of only these units */
 };
 
 struct divide {
@@ -37,15 +37,15 @@ struct divide {
     int threads;
     struct barrier *barrier;
     struct units units;
-    size_t most_told;     /* maximum touches in a thread's log */
-    struct told *told;    /* [threads] */
-    struct sweep *sweep;  /* [threads] the result: the access summaries */
-    unsigned char *owner; /* [units.count] the result: the owner of each unit */
+    size_t most_logged;        /* maximum touches in a thread's log */
+    struct access_log *logged; /* [threads] */
+    struct sweep *sweep;       /* [threads] the result: the access summaries */
+    unsigned char *owner;      /* [units.count] the result: the owner of each unit */
     /* intermediate results */
     struct clusters clusters;
     struct graph coarse;
     unsigned char *part; /* [clusters.count] */
-    struct rims rims;
+    struct boundary boundary;
     atomic_ushort *vote; /* [units.count - units.leading] */
     double deadline;     /* on the clock of redcc_seconds, checked at barriers; 0: none */
     atomic_bool failed;

@@ -24,9 +24,10 @@ struct levelling {
     uint32_t trip;
 };
 
-static uint32_t highest(const struct levelling *it, struct told_reading reading, uint32_t level) {
+static uint32_t highest(const struct levelling *it, struct access_log_reader reading,
+                        uint32_t level) {
     for (bool last = false; !last;) {
-        const uint32_t unit = redcc_told_read(&reading, &last);
+        const uint32_t unit = redcc_access_log_read(&reading, &last);
         if (unit != REDCC_NO_UNIT && it->free[unit] > level)
             level = it->free[unit];
     }
@@ -34,10 +35,10 @@ static uint32_t highest(const struct levelling *it, struct told_reading reading,
 }
 
 /* Marks the iteration's units as occupied in `level`. Returns whether there are any. */
-static bool occupy(struct levelling *it, struct told_reading *reading, uint32_t level) {
+static bool occupy(struct levelling *it, struct access_log_reader *reading, uint32_t level) {
     bool any = false;
     for (bool last = false; !last;) {
-        const uint32_t unit = redcc_told_read(reading, &last);
+        const uint32_t unit = redcc_access_log_read(reading, &last);
         if (unit == REDCC_NO_UNIT)
             continue;
         it->free[unit] = level + 1;
@@ -46,12 +47,13 @@ static bool occupy(struct levelling *it, struct told_reading *reading, uint32_t 
     return any;
 }
 
-static void find_levels(struct levelling *it, const struct told *told, int threads, bool every) {
+static void find_levels(struct levelling *it, const struct access_log *logged, int threads,
+                        bool every) {
     uint32_t t = 0;
     for (int thread = 0; thread < threads; thread++) {
-        struct told_reading leading = {&told[thread].leading, 0};
-        struct told_reading further = {&told[thread].further, 0};
-        for (redcc_int i = 0; i < told[thread].iterations; i++, t++) {
+        struct access_log_reader leading = {&logged[thread].leading, 0};
+        struct access_log_reader further = {&logged[thread].further, 0};
+        for (redcc_int i = 0; i < logged[thread].iterations; i++, t++) {
             uint32_t level = highest(it, leading, 0);
             if (further.list->count)
                 level = highest(it, further, level);
@@ -99,13 +101,13 @@ static void put_in_stages(const struct levelling *it, struct levels *levels) {
     assert(levels->count <= it->trip);
 }
 
-static bool make(struct levelling *it, struct levels *levels, const struct told *told, int threads,
-                 bool every) {
+static bool make(struct levelling *it, struct levels *levels, const struct access_log *logged,
+                 int threads, bool every) {
     it->level = redcc_memory_take(it->trip * sizeof *it->level);
     it->free = redcc_memory_take_zeroed(it->units, sizeof *it->free);
     if (!it->level || !it->free)
         return false;
-    find_levels(it, told, threads, every);
+    find_levels(it, logged, threads, every);
     it->size = redcc_memory_take_zeroed(it->levels, sizeof *it->size);
     it->stage = redcc_memory_take(it->levels * sizeof *it->stage);
     if (!it->size || !it->stage)
@@ -120,12 +122,13 @@ static bool make(struct levelling *it, struct levels *levels, const struct told 
     return true;
 }
 
-bool redcc_levels_begin(struct levels *levels, const struct told *told, int threads, bool every) {
+bool redcc_levels_begin(struct levels *levels, const struct access_log *logged, int threads,
+                        bool every) {
     *levels = (struct levels){0};
-    struct levelling it = {.units = told->units};
+    struct levelling it = {.units = logged->units};
     for (int thread = 0; thread < threads; thread++)
-        it.trip += (uint32_t)told[thread].iterations;
-    const bool made = make(&it, levels, told, threads, every);
+        it.trip += (uint32_t)logged[thread].iterations;
+    const bool made = make(&it, levels, logged, threads, every);
     redcc_memory_give(it.level);
     redcc_memory_give(it.free);
     redcc_memory_give(it.size);

@@ -13,7 +13,7 @@
 #ifndef REDCC_LEVELS_H
 #define REDCC_LEVELS_H
 
-#include "ownership/graph/told.h"
+#include "ownership/graph/access_log.h"
 
 /** The iterations of one stage: iteration[begin] up to the next stage's. */
 struct level_stage {
@@ -29,10 +29,11 @@ struct levels {
     uint32_t levels; /* before small ones were merged */
 };
 
-/** Assigns all iterations recorded in told [threads] to levels. Iterations that touch nothing are
+/** Assigns all iterations recorded in logged [threads] to levels. Iterations that touch nothing are
  *  left out, except for the last one, or (every) come first. At most REDCC_BLOCK iterations. False:
  *  no memory (call redcc_levels_end all the same). */
-bool redcc_levels_begin(struct levels *levels, const struct told *told, int threads, bool every);
+bool redcc_levels_begin(struct levels *levels, const struct access_log *logged, int threads,
+                        bool every);
 
 /** Frees its memory. */
 void redcc_levels_end(struct levels *levels);

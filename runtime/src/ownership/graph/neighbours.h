@@ -11,7 +11,7 @@
 #ifndef REDCC_NEIGHBOURS_H
 #define REDCC_NEIGHBOURS_H
 
-#include "ownership/graph/told.h"
+#include "ownership/graph/access_log.h"
 
 struct graph {
     uint32_t count;

@@ -54,7 +54,7 @@ static const char *find_unfit(const ir_variable *variable) {
     if (variable->type->size <= 0)
         return "its size is not constant";
     if (variable->type->size > MOST_BYTES)
-        return "it is too large to be looked at";
+        return "it is too large to be analysed";
     return has_union_or_volatile(variable->type) ? "it is volatile, atomic or has a union" : NULL;
 }
 

@@ -20,7 +20,7 @@ static void join(run *r, const ir_node *node, state *s, const state *other) {
 /* Control goes elsewhere: the following text is not reached from here. */
 static void jump(run *r, const ir_node *node, state *s, state *to) {
     if (to == NULL) {
-        run_give_up(r, node, "a jump leaves what is looked at");
+        run_give_up(r, node, "a jump leaves the analysed code");
         return;
     }
     join(r, node, to, s);

@@ -4,8 +4,8 @@
  * group and those of further groups are in separate lists, in which the last unit of each iteration
  * is marked.
  */
-#ifndef REDCC_TOLD_H
-#define REDCC_TOLD_H
+#ifndef REDCC_ACCESS_LOG_H
+#define REDCC_ACCESS_LOG_H
 
 #include "ownership/graph/units.h"
 
@@ -36,15 +36,15 @@ static inline size_t redcc_iteration_length(const struct unit_list *list, size_t
 }
 
 /** For one array: the data for looking up a touch. */
-struct told_array {
+struct logged_array {
     struct group_units units; /* its group's */
     struct unit_list *list;   /* the list for them */
     struct range *seen;       /* of its group, by this thread */
 };
 
-struct told {
-    struct told_array *of; /* [array_count] */
-    uint32_t units;        /* their total number */
+struct access_log {
+    struct logged_array *of; /* [array_count] */
+    uint32_t units;          /* their total number */
     struct unit_list leading;
     struct unit_list further; /* unallocated if there is only one group */
     redcc_int begin;          /* the first iteration */
@@ -56,26 +56,27 @@ struct told {
 };
 
 /** Begins with iteration `begin`, for about leading + further touches and at most `most` of each;
- *  seen [array_count] belongs to the caller and is widened. False: no memory (call redcc_told_end
- *  all the same). */
-bool redcc_told_begin(struct told *told, const struct units *units,
-                      const struct partition *partition, struct range *seen, redcc_int begin,
-                      const size_t expected[2], size_t most);
+ *  seen [array_count] belongs to the caller and is widened. False: no memory (call
+ * redcc_access_log_end all the same). */
+bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
+                            const struct partition *partition, struct range *seen, redcc_int begin,
+                            const size_t expected[2], size_t most);
 
 /** Frees its memory. */
-void redcc_told_end(struct told *told);
+void redcc_access_log_end(struct access_log *logged);
 
 /** Appends entries [first, end); one iteration's may come in several calls. */
-void redcc_told_take(struct told *told, const redcc_entry *first, const redcc_entry *end);
+void redcc_access_log_take(struct access_log *logged, const redcc_entry *first,
+                           const redcc_entry *end);
 
 /** The position of a reader in a list. */
-struct told_reading {
+struct access_log_reader {
     const struct unit_list *list;
     size_t at;
 };
 
 /** The next unit of the current iteration, or REDCC_NO_UNIT; sets *last if it is the last one. */
-static inline uint32_t redcc_told_read(struct told_reading *reading, bool *last) {
+static inline uint32_t redcc_access_log_read(struct access_log_reader *reading, bool *last) {
     const uint32_t item = reading->list->item[reading->at++];
     *last = item & REDCC_LAST;
     return item & ~REDCC_LAST;

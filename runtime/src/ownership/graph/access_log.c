@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "ownership/graph/told.h"
+#include "ownership/graph/access_log.h"
 
 #include "base/memory.h"
 
@@ -31,40 +31,40 @@ void redcc_unit_list_end(struct unit_list *list) {
     *list = (struct unit_list){0};
 }
 
-bool redcc_told_begin(struct told *told, const struct units *units,
-                      const struct partition *partition, struct range *seen, redcc_int begin,
-                      const size_t expected[2], size_t most) {
-    *told = (struct told){.units = units->count, .begin = begin, .most = most};
-    told->of = redcc_memory_take(partition->array_count * sizeof *told->of);
-    for (uint32_t array = 0; told->of && array < partition->array_count; array++) {
+bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
+                            const struct partition *partition, struct range *seen, redcc_int begin,
+                            const size_t expected[2], size_t most) {
+    *logged = (struct access_log){.units = units->count, .begin = begin, .most = most};
+    logged->of = redcc_memory_take(partition->array_count * sizeof *logged->of);
+    for (uint32_t array = 0; logged->of && array < partition->array_count; array++) {
         const uint32_t group = partition->group_of[array];
         const bool leads = units->of[group].begin < units->leading;
-        told->of[array] = (struct told_array){
-            units->of[group], leads ? &told->leading : &told->further, &seen[group]};
+        logged->of[array] = (struct logged_array){
+            units->of[group], leads ? &logged->leading : &logged->further, &seen[group]};
     }
     const bool several = units->count > units->leading;
-    return told->of && list_begin(&told->leading, expected[0] + 64) &&
-           (!several || list_begin(&told->further, expected[1] + 64));
+    return logged->of && list_begin(&logged->leading, expected[0] + 64) &&
+           (!several || list_begin(&logged->further, expected[1] + 64));
 }
 
-void redcc_told_end(struct told *told) {
-    redcc_memory_give(told->of);
-    redcc_unit_list_end(&told->leading);
-    redcc_unit_list_end(&told->further);
-    *told = (struct told){0};
+void redcc_access_log_end(struct access_log *logged) {
+    redcc_memory_give(logged->of);
+    redcc_unit_list_end(&logged->leading);
+    redcc_unit_list_end(&logged->further);
+    *logged = (struct access_log){0};
 }
 
 /* The list is full. */
-static bool room_for_unit(struct told *told, struct unit_list *list) {
-    if (told->failed || told->too_much)
+static bool room_for_unit(struct access_log *logged, struct unit_list *list) {
+    if (logged->failed || logged->too_much)
         return false;
-    if (list->count >= told->most) {
-        told->too_much = true;
+    if (list->count >= logged->most) {
+        logged->too_much = true;
         return false;
     }
     uint32_t *item = redcc_memory_resize(list->item, list->capacity * 2 * sizeof *item);
     if (!item) {
-        told->failed = true;
+        logged->failed = true;
         return false;
     }
     list->item = item;
@@ -72,7 +72,7 @@ static bool room_for_unit(struct told *told, struct unit_list *list) {
     return true;
 }
 
-static inline void enter(struct told *told, struct unit_list *list, uint32_t unit) {
+static inline void enter(struct access_log *logged, struct unit_list *list, uint32_t unit) {
     const size_t count = list->count;
     const uint32_t *const open = list->item + list->open;
     const uint32_t *item = list->item + count;
@@ -80,35 +80,35 @@ static inline void enter(struct told *told, struct unit_list *list, uint32_t uni
     while (item > far)
         if (*--item == unit)
             return;
-    if (count == list->capacity && !room_for_unit(told, list))
+    if (count == list->capacity && !room_for_unit(logged, list))
         return;
     list->item[count] = unit;
     list->count = count + 1;
 }
 
-static inline void close_iteration(struct told *told, struct unit_list *list) {
+static inline void close_iteration(struct access_log *logged, struct unit_list *list) {
     if (list->count == list->open)
-        enter(told, list, REDCC_NO_UNIT);
+        enter(logged, list, REDCC_NO_UNIT);
     if (list->count > list->open)
         list->item[list->count - 1] |= REDCC_LAST;
     list->open = list->count;
 }
 
 /* A touch of several units, or of memory outside of units. */
-static void take_wide(struct told *told, const struct told_array *array, uint64_t into,
+static void take_wide(struct access_log *logged, const struct logged_array *array, uint64_t into,
                       uint32_t bytes) {
     const struct group_units *units = &array->units;
     const uint64_t last = redcc_units_in(units, into + bytes - 1);
     if (into > UINT64_MAX / 2 || last >= units->count) {
-        told->beyond = true;
+        logged->beyond = true;
         return;
     }
     for (uint64_t unit = redcc_units_in(units, into); unit <= last; unit++)
-        enter(told, array->list, units->begin + (uint32_t)unit);
+        enter(logged, array->list, units->begin + (uint32_t)unit);
 }
 
-static inline void take_touch(struct told *told, const redcc_entry *entry) {
-    const struct told_array *array = &told->of[entry->array];
+static inline void take_touch(struct access_log *logged, const redcc_entry *entry) {
+    const struct logged_array *array = &logged->of[entry->array];
     const uintptr_t address = (uintptr_t)entry->address, end = address + entry->bytes;
     if (address < array->seen->first)
         array->seen->first = address;
@@ -118,21 +118,22 @@ static inline void take_touch(struct told *told, const redcc_entry *entry) {
     const uint64_t unit = redcc_units_in(&array->units, into);
     const bool is_one = into - unit * array->units.bytes + entry->bytes <= array->units.bytes;
     if (is_one && unit < array->units.count)
-        enter(told, array->list, array->units.begin + (uint32_t)unit);
+        enter(logged, array->list, array->units.begin + (uint32_t)unit);
     else
-        take_wide(told, array, into, entry->bytes);
+        take_wide(logged, array, into, entry->bytes);
 }
 
-void redcc_told_take(struct told *told, const redcc_entry *first, const redcc_entry *end) {
+void redcc_access_log_take(struct access_log *logged, const redcc_entry *first,
+                           const redcc_entry *end) {
     for (const redcc_entry *entry = first; entry != end; entry++) {
         if (entry->array != REDCC_END_OF_ITERATION) {
             if (entry->bytes)
-                take_touch(told, entry);
+                take_touch(logged, entry);
             continue;
         }
-        close_iteration(told, &told->leading);
-        if (told->further.item)
-            close_iteration(told, &told->further);
-        told->iterations++;
+        close_iteration(logged, &logged->leading);
+        if (logged->further.item)
+            close_iteration(logged, &logged->further);
+        logged->iterations++;
     }
 }
