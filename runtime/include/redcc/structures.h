@@ -21,7 +21,8 @@ typedef enum redcc_operator {
     REDCC_PRODUCT,
     REDCC_MINIMUM,
     REDCC_MAXIMUM,
-    REDCC_AND, /**< bitwise */
+    REDCC_SATURATING, /**< 1 is added while the element is below the array's limit */
+    REDCC_AND,        /**< bitwise */
     REDCC_OR,
     REDCC_XOR
 } redcc_operator;
@@ -59,6 +60,7 @@ typedef struct redcc_array {
     redcc_u32 element;   /**< bytes of a scalar element */
     redcc_u32 unit;      /**< bytes of what one touch covers at least, and owners are cut at: a row
                               b[i], or the element where there are no rows */
+    redcc_word limit;    /**< REDCC_SATURATING: above 0, a value of the type */
 } redcc_array;
 
 /** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel.
