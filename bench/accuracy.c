@@ -81,7 +81,7 @@ static void add_up(double *b, int from, int to) {
 /* The loop as redcc writes it. */
 static void add_up_by_redcc(double *b) {
     static const redcc_array arrays[] = {
-        {"b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double)}};
+        {"b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double), 0}};
     static const redcc_source sources[] = {{"row", 1}, {"value", 0}};
     static redcc_loop loop = {.file = __FILE__,
                               .line = __LINE__,

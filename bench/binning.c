@@ -69,7 +69,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for ea
             N##_update(&rows[applied->place[n]], &records[n]);                                     \
         }                                                                                          \
     }                                                                                              \
-    static const redcc_array N##_arrays[] = {{"R", OPERATION, TYPE, sizeof(ROW), sizeof(ROW)}};    \
+    static const redcc_array N##_arrays[] = {{"R", OPERATION, TYPE, sizeof(ROW), sizeof(ROW), 0}}; \
     static const redcc_source N##_sources[] = {{"data", 1}};                                       \
     static const redcc_stream N##_streams[] = {                                                    \
         {N##_apply, 1, {0}, {sizeof(ROW)}, BYTES, 0, EXACT}};                                      \

@@ -28,7 +28,7 @@ make_program() { # NAME FLAGS...
   objcopy "${renamed[@]}" "$work/serial.o"
   "$compiler" "$@" -Ibench -Iruntime/include -c "$work/translated.c" -o "$work/translated.o"
   "$compiler" -O2 -Wl,-u,redcc_run -Ibench -Iruntime/include -Iruntime/src bench/lanes.c bench/lanes_data.c \
-    "$work/serial.o" "$work/translated.o" "$runtime" -lm -o "$programs/$name"
+    "$work/serial.o" "$work/translated.o" "$runtime" -lgomp -lm -o "$programs/$name"
 }
 make_program lanes-native -O3 "-march=${ARCH:-native}"
 make_program lanes-O2 -O2

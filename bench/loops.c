@@ -208,8 +208,8 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
     }
 
 #define EXECUTE(trip, ARRAYS, SUBSCRIPTS, SUBSCRIPT_BYTES, INSPECT, BODY)                          \
-    static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *b},             \
-                                         {"a", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *a}};            \
+    static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *b, 0},          \
+                                         {"a", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *a, 0}};         \
     static const redcc_source sources[] = {{"triangle", 1}, {"slot", 1}, {"x", 0}};                \
     static redcc_loop loop = {__FILE__,         __LINE__, __func__, REDCC_ORDER_SERIAL,            \
                               REDCC_VERIFIABLE, ARRAYS,   arrays,   3,                             \

@@ -55,7 +55,8 @@ struct binned_loop {
             STATEMENT;                                                                             \
         }                                                                                          \
     }                                                                                              \
-    static const redcc_array NAME##_arrays[] = {{"R", OPERATION, TYPE, sizeof(ROW), sizeof(ROW)}}; \
+    static const redcc_array NAME##_arrays[] = {                                                   \
+        {"R", OPERATION, TYPE, sizeof(ROW), sizeof(ROW), 0}};                                      \
     static const redcc_source NAME##_sources[] = {{"k", 1}, {"value", 0}};                         \
     static const redcc_stream NAME##_streams[] = {                                                 \
         {NAME##_apply, 1, {0}, {sizeof(ROW)}, sizeof(RECORD), 0, EXACT}};                          \

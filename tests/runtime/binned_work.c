@@ -69,9 +69,9 @@ static void apply_other(const redcc_applied *applied) {
     }
 }
 
-static const redcc_array arrays[] = {{"count", REDCC_SUM, REDCC_INT64, 8, 8},
-                                     {"sum", REDCC_SUM, REDCC_DOUBLE, 8, 8},
-                                     {"other", REDCC_SUM, REDCC_OTHER_TYPE, 8, 8}};
+static const redcc_array arrays[] = {{"count", REDCC_SUM, REDCC_INT64, 8, 8, 0},
+                                     {"sum", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0},
+                                     {"other", REDCC_SUM, REDCC_OTHER_TYPE, 8, 8, 0}};
 static const redcc_source sources[] = {{"x", 0}, {"value", 0}};
 static const redcc_stream streams[] = {{apply_means, 2, {0, 1}, {8, 8}, 8, 0, 0},
                                        {apply_other, 1, {2}, {8}, 8, TAG_BITS, 0}};

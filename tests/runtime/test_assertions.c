@@ -30,7 +30,7 @@ enum { NO_ROW = -1 };
 static int row[TRIP], other[TRIP]; /* NO_ROW: none */
 static double b[TRIP];
 
-static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8};
+static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
 static const redcc_source source = {"row", 1};
 static redcc_loop loop = {.file = "test_assertions.c",
                           .line = 5,

@@ -20,7 +20,7 @@ static int pool[TRIP + 2 * MARGIN];
 static int *const p = pool + MARGIN;
 static double b[ROWS], expected[ROWS];
 
-static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
+static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0}};
 static const redcc_source sources[] = {{"p", 1}, {"q", 1}};
 static redcc_loop loop = {"test_beside.c",  1, "execute", REDCC_ORDER_SERIAL,
                           REDCC_VERIFIABLE, 1, arrays,    2,

@@ -244,7 +244,7 @@ static char row[8 * ROWS];
 
 static void begin_told(struct access_log *logged, struct units *units, struct partition *partition,
                        struct range *seen) {
-    static const redcc_array arrays[] = {{"row", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
+    static const redcc_array arrays[] = {{"row", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0}};
     static const redcc_loop loop = {.arrays = arrays, .array_count = 1};
     void *const bases[] = {row};
     const struct range touched = {(uintptr_t)row, (uintptr_t)(row + 8 * ROWS)};

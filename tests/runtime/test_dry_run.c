@@ -23,8 +23,8 @@ static int at[PLACES][TRIP], pool[POOL];
 static bool updated[POOL]; /* in the dry run at hand */
 static long dry_runs, stale_reads;
 
-static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_INT32, 4, 4},
-                                     {"d", REDCC_SUM, REDCC_INT32, 4, 4}};
+static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_INT32, 4, 4, 0},
+                                     {"d", REDCC_SUM, REDCC_INT32, 4, 4, 0}};
 static const redcc_source sources[] = {{"x", 1}, {"y", 1}};
 static redcc_loop loop = {"test_dry_run.c",
                           1,

@@ -7,6 +7,7 @@
 #include "problem.h"
 
 #include <complex.h>
+#include <limits.h>
 #include <math.h>
 #include <omp.h>
 #include <setjmp.h>
@@ -18,7 +19,12 @@
 
 #include <cmocka.h>
 
-enum { TRIP = 900, ROWS = 70, GAP = 2 /* elements of a row that no iteration updates */ };
+enum {
+    TRIP = 900,
+    ROWS = 70,
+    LIMIT = 14,
+    GAP = 2 /* elements of a row that no iteration updates */
+};
 
 static int row[TRIP];
 
@@ -30,6 +36,9 @@ static int row[TRIP];
 #define MOST(b, x)                                                                                 \
     if ((x) > b)                                                                                   \
     b = x
+#define BELOW(b, x)                                                                                \
+    if (b < (x))                                                                                   \
+    b++
 #define BITS_AND(b, x) b &= x
 #define BITS_OR(b, x) b |= x
 #define BITS_XOR(b, x) b ^= x
@@ -44,6 +53,7 @@ static int row[TRIP];
     X(NAME##_product, T, REDCC_PRODUCT, PAIR, MULTIPLY, (T)TWOS(t))                                \
     X(NAME##_minimum, T, REDCC_MINIMUM, PAIR, LEAST, (T)VALUE(t))                                  \
     X(NAME##_maximum, T, REDCC_MAXIMUM, PAIR, MOST, (T)VALUE(t))
+#define COUNTER(X, NAME, T, PAIR) X(NAME##_saturating, T, REDCC_SATURATING, PAIR, BELOW, (T)LIMIT)
 #define BITS(X, NAME, T, PAIR)                                                                     \
     X(NAME##_and, T, REDCC_AND, PAIR, BITS_AND, (T) ~(t % 8))                                      \
     X(NAME##_or, T, REDCC_OR, PAIR, BITS_OR, (T)(t % 16))                                          \
@@ -51,20 +61,28 @@ static int row[TRIP];
 #define ALL(X)                                                                                     \
     WHOLE(X, int8, int8_t, REDCC_INT8, SMALL)                                                      \
     BITS(X, int8, int8_t, REDCC_INT8)                                                              \
+    COUNTER(X, int8, int8_t, REDCC_INT8)                                                           \
     WHOLE(X, uint8, uint8_t, REDCC_UINT8, UNSIGNED)                                                \
     BITS(X, uint8, uint8_t, REDCC_UINT8)                                                           \
+    COUNTER(X, uint8, uint8_t, REDCC_UINT8)                                                        \
     WHOLE(X, int16, int16_t, REDCC_INT16, SMALL)                                                   \
     BITS(X, int16, int16_t, REDCC_INT16)                                                           \
+    COUNTER(X, int16, int16_t, REDCC_INT16)                                                        \
     WHOLE(X, uint16, uint16_t, REDCC_UINT16, UNSIGNED)                                             \
     BITS(X, uint16, uint16_t, REDCC_UINT16)                                                        \
+    COUNTER(X, uint16, uint16_t, REDCC_UINT16)                                                     \
     WHOLE(X, int32, int32_t, REDCC_INT32, SMALL)                                                   \
     BITS(X, int32, int32_t, REDCC_INT32)                                                           \
+    COUNTER(X, int32, int32_t, REDCC_INT32)                                                        \
     WHOLE(X, uint32, uint32_t, REDCC_UINT32, UNSIGNED)                                             \
     BITS(X, uint32, uint32_t, REDCC_UINT32)                                                        \
+    COUNTER(X, uint32, uint32_t, REDCC_UINT32)                                                     \
     WHOLE(X, int64, int64_t, REDCC_INT64, SMALL)                                                   \
     BITS(X, int64, int64_t, REDCC_INT64)                                                           \
+    COUNTER(X, int64, int64_t, REDCC_INT64)                                                        \
     WHOLE(X, uint64, uint64_t, REDCC_UINT64, UNSIGNED)                                             \
     BITS(X, uint64, uint64_t, REDCC_UINT64)                                                        \
+    COUNTER(X, uint64, uint64_t, REDCC_UINT64)                                                     \
     WHOLE(X, real_float, float, REDCC_FLOAT, SMALL)                                                \
     WHOLE(X, real_double, double, REDCC_DOUBLE, SMALL)                                             \
     WHOLE(X, real_long_double, long double, REDCC_LONG_DOUBLE, SMALL)                              \
@@ -110,7 +128,8 @@ static int row[TRIP];
     static void NAME(void **unused) {                                                              \
         (void)unused;                                                                              \
         static T expected[ROWS][1 + GAP], found[ROWS][1 + GAP];                                    \
-        const redcc_array arrays[] = {{#NAME, OPERATION, TYPE, sizeof(T), sizeof(T[1 + GAP])}};    \
+        const redcc_array arrays[] = {                                                             \
+            {#NAME, OPERATION, TYPE, sizeof(T), sizeof(T[1 + GAP]), LIMIT}};                       \
         const redcc_source sources[] = {{"row", 1}};                                               \
         for (int threads = 2; threads <= 5; threads += 3) {                                        \
             redcc_loop loop = {__FILE__,         1, #NAME,  REDCC_ORDER_SERIAL,                    \
@@ -149,12 +168,46 @@ static void neutral_elements_change_nothing(void **unused) {
             for (size_t i = 0; i < sizeof array; i++)
                 array[i] = before[i] = (unsigned char)next_random(&random);
             rule->fill(copy, sizeof array / rule->size);
-            rule->merge(array, copy, sizeof array / rule->size);
+            rule->merge(array, copy, sizeof array / rule->size, 0);
             assert_memory_equal(array, before, sizeof array);
             const void *copies[] = {copy, copy};
-            rule->merge_all(array, copies, 2, sizeof array / rule->size);
+            rule->merge_all(array, copies, 2, sizeof array / rule->size, 0);
             assert_memory_equal(array, before, sizeof array);
         }
+}
+
+/* From each value that an element may have, by two threads that update it up to so many times. */
+#define STOPS_AT(NAME, T, TYPE, LOWEST, HIGHEST)                                                   \
+    static void NAME##_stops_at(T limit) {                                                         \
+        const struct element_rule *rule = redcc_element_rule(REDCC_SATURATING, TYPE);              \
+        T copy[2];                                                                                 \
+        rule->fill(copy, 2);                                                                       \
+        for (int n = 0; n < 600; n++) {                                                            \
+            const void *const copies[] = {&copy[0], &copy[1]};                                     \
+            for (int value = LOWEST; value <= HIGHEST; value++) {                                  \
+                T expected = (T)value, one = (T)value, all = (T)value;                             \
+                for (int i = 0; i < n; i++) {                                                      \
+                    BELOW(expected, limit);                                                        \
+                }                                                                                  \
+                rule->merge(&one, &copy[0], 1, (redcc_word)limit);                                 \
+                rule->merge(&one, &copy[1], 1, (redcc_word)limit);                                 \
+                rule->merge_all(&all, copies, 2, 1, (redcc_word)limit);                            \
+                assert_int_equal(one, expected);                                                   \
+                assert_int_equal(all, expected);                                                   \
+            }                                                                                      \
+            BELOW(copy[n % 3 == 0], limit);                                                        \
+        }                                                                                          \
+    }
+STOPS_AT(uint8, uint8_t, REDCC_UINT8, 0, UINT8_MAX)
+STOPS_AT(int8, int8_t, REDCC_INT8, INT8_MIN, INT8_MAX)
+
+static void counters_stop_at_their_limit(void **unused) {
+    (void)unused;
+    uint8_stops_at(1);
+    uint8_stops_at(100);
+    uint8_stops_at(UINT8_MAX);
+    int8_stops_at(1);
+    int8_stops_at(INT8_MAX);
 }
 
 static void what_has_no_rule(void **unused) {
@@ -162,6 +215,7 @@ static void what_has_no_rule(void **unused) {
     assert_null(redcc_element_rule(REDCC_SUM, REDCC_OTHER_TYPE));
     assert_null(redcc_element_rule(REDCC_MINIMUM, REDCC_DOUBLE_COMPLEX));
     assert_null(redcc_element_rule(REDCC_XOR, REDCC_DOUBLE));
+    assert_null(redcc_element_rule(REDCC_SATURATING, REDCC_DOUBLE));
     assert_non_null(redcc_element_rule(REDCC_XOR, REDCC_INT8));
 }
 
@@ -174,7 +228,7 @@ static void signed_zeros(void **unused) {
     rule->fill(copy, 2);
     copy[0] += -0.0;
     copy[1] += -0.0;
-    rule->merge(array, copy, 2);
+    rule->merge(array, copy, 2, 0);
     assert_memory_equal(array, expected, sizeof array);
 }
 
@@ -185,11 +239,24 @@ static void a_minimum_stores_only_what_is_less(void **unused) {
     assert_ptr_not_equal(page, MAP_FAILED);
     const int more[2] = {5, 0}, less[2] = {-5, 0};
     const double above[2] = {0.5, NAN}, below[2] = {-0.5, -0.0};
-    redcc_element_rule(REDCC_MINIMUM, REDCC_INT32)->merge((void *)page, more, 2);
-    redcc_element_rule(REDCC_MAXIMUM, REDCC_INT32)->merge((void *)page, less, 2);
-    redcc_element_rule(REDCC_MINIMUM, REDCC_DOUBLE)->merge((void *)page, above, 2);
-    redcc_element_rule(REDCC_MAXIMUM, REDCC_DOUBLE)->merge((void *)page, below, 2);
+    redcc_element_rule(REDCC_MINIMUM, REDCC_INT32)->merge((void *)page, more, 2, 0);
+    redcc_element_rule(REDCC_MAXIMUM, REDCC_INT32)->merge((void *)page, less, 2, 0);
+    redcc_element_rule(REDCC_MINIMUM, REDCC_DOUBLE)->merge((void *)page, above, 2, 0);
+    redcc_element_rule(REDCC_MAXIMUM, REDCC_DOUBLE)->merge((void *)page, below, 2, 0);
     munmap((void *)page, 4096);
+}
+
+/* Nor do those that found a counter at its limit. */
+static void a_counter_at_its_limit_is_not_stored(void **unused) {
+    (void)unused;
+    int *page = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    const int counted[2] = {INT_MIN + 3, 9};
+    assert_ptr_not_equal(page, MAP_FAILED);
+    page[0] = 9;
+    page[1] = 100;
+    assert_int_equal(mprotect(page, 4096, PROT_READ), 0);
+    redcc_element_rule(REDCC_SATURATING, REDCC_INT32)->merge(page, counted, 2, 9);
+    munmap(page, 4096);
 }
 
 int main(void) {
@@ -199,8 +266,10 @@ int main(void) {
 #define TEST(NAME, T, OPERATION, TYPE, UPDATE, VALUE) cmocka_unit_test(NAME),
         ALL(TEST) cmocka_unit_test(neutral_elements_change_nothing),
         cmocka_unit_test(what_has_no_rule),
+        cmocka_unit_test(counters_stop_at_their_limit),
         cmocka_unit_test(signed_zeros),
         cmocka_unit_test(a_minimum_stores_only_what_is_less),
+        cmocka_unit_test(a_counter_at_its_limit_is_not_stored),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

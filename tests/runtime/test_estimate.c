@@ -15,8 +15,8 @@ enum { ELEMENTS = 4000, ARRAYS = 2 };
 
 static double force[ELEMENTS + 2][3], block[2 * ELEMENTS][9];
 
-static const redcc_array arrays[ARRAYS] = {{"force", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *force},
-                                           {"block", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *block}};
+static const redcc_array arrays[ARRAYS] = {{"force", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *force, 0},
+                                           {"block", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *block, 0}};
 
 /* Element t adds to force[t], [t + 1], [t + 2], to the first of them twice, and to two blocks of
  * its own. */

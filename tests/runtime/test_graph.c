@@ -226,8 +226,8 @@ static void a_path_is_cut_into_even_parts(void **unused) {
 static void what_is_told_is_kept(void **unused) {
     (void)unused;
     static char b[240], a[700];
-    const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 24},
-                                  {"a", REDCC_SUM, REDCC_INT8, 1, 7}};
+    const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 24, 0},
+                                  {"a", REDCC_SUM, REDCC_INT8, 1, 7, 0}};
     const redcc_loop loop = {.arrays = arrays, .array_count = 2};
     void *const bases[] = {b + 48, a};
     const struct range touched[] = {{(uintptr_t)b, (uintptr_t)(b + 240)},

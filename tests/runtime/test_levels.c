@@ -113,7 +113,7 @@ static void check_shares(const struct levels *levels, int threads) {
 
 static void try_touches(const struct touches *it, int units_count, int threads, bool every) {
     static char b[4096];
-    const redcc_array array = {"b", REDCC_SUM, REDCC_INT8, 1, 1};
+    const redcc_array array = {"b", REDCC_SUM, REDCC_INT8, 1, 1, 0};
     const redcc_loop loop = {.arrays = &array, .array_count = 1};
     void *const base = b;
     const struct range touched = {(uintptr_t)b, (uintptr_t)(b + units_count)};

@@ -111,7 +111,7 @@ static uint64_t sum_below(uint64_t t) {
 
 static void expect_all_iterations(redcc_int trip, int threads) {
     static const redcc_array arrays[] = {
-        {"tally", REDCC_SUM, REDCC_UINT64, sizeof(uint64_t), sizeof(struct tally)}};
+        {"tally", REDCC_SUM, REDCC_UINT64, sizeof(uint64_t), sizeof(struct tally), 0}};
     redcc_loop loop = {.file = __FILE__,
                        .line = 1,
                        .function = "run_loop",

@@ -280,7 +280,7 @@ static void classify(const redcc_worker *worker, const void *array, size_t bytes
     static void NAME(redcc_loop *loop, T *array, int threads) {                                    \
         void *const bases[] = {array};                                                             \
         const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)}};            \
-        const redcc_array arrays[] = {{"array", OPERATION, TYPE, sizeof(T), sizeof(T)}};           \
+        const redcc_array arrays[] = {{"array", OPERATION, TYPE, sizeof(T), sizeof(T), 0}};        \
         const redcc_source sources[] = {{"row", 1}};                                               \
         redcc_call call;                                                                           \
         *loop = (redcc_loop){                                                                      \
@@ -439,7 +439,7 @@ static void rows_by_functions(triple *array, int threads) {
     void *const bases[] = {array};
     const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)}};
     static const redcc_array arrays[] = {
-        {"array", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(triple)}};
+        {"array", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(triple), 0}};
     static const redcc_source sources[] = {{"row", 1}};
     redcc_loop loop = {.file = __FILE__,
                        .line = 1,

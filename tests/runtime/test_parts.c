@@ -115,8 +115,8 @@ static void cuts_of_several_arrays_lie_at_the_same_rows(void **unused) {
     (void)unused;
     enum { ROWS = 1000, OWNERS = 7 };
     static char b[ROWS * 24], a[ROWS * 72];
-    const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 24},
-                                  {"a", REDCC_SUM, REDCC_DOUBLE, 8, 72}};
+    const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 24, 0},
+                                  {"a", REDCC_SUM, REDCC_DOUBLE, 8, 72, 0}};
     const redcc_loop loop = {.arrays = arrays, .array_count = 2};
     void *const bases[] = {b, a};
     struct partition partition;
@@ -163,7 +163,7 @@ static void a_sweep_lists_each_owner_once(void **unused) {
     (void)unused;
     enum { OWNERS = 40 };
     static char b[OWNERS * 10];
-    const redcc_array array = {"b", REDCC_SUM, REDCC_INT8, 1, 1};
+    const redcc_array array = {"b", REDCC_SUM, REDCC_INT8, 1, 1, 0};
     const redcc_loop loop = {.arrays = &array, .array_count = 1};
     void *const bases[] = {b};
     struct partition partition;
@@ -214,7 +214,7 @@ static void a_sweep_lists_each_owner_once(void **unused) {
 static void more_iterations_than_32_bits_count(void **unused) {
     (void)unused;
     const redcc_int third = (5ll << 30) / 3 + 4, trip = 3 * third;
-    static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8};
+    static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
     const redcc_loop loop = {.arrays = &array, .array_count = 1};
     double b[4];
     void *bases[] = {b};

@@ -21,8 +21,8 @@ static int row[TRIP], other[TRIP], wide[TRIP], read_at[TRIP];
 static double b[ROWS + WIDEST][3], d[ROWS], x[ROWS];
 static long probed; /* iterations that were not recorded */
 
-static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof b[0]},
-                                     {"d", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
+static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof b[0], 0},
+                                     {"d", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0}};
 static const redcc_source sources[] = {{"row", 1}, {"x", 0}};
 #define LOOP                                                                                       \
     { "test_probe.c", 1, "plan", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE, 2, arrays, 2, sources, 0, 0 }

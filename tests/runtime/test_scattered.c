@@ -28,7 +28,7 @@ static const size_t used = ROWS * WIDTH * sizeof(double);
 static const size_t room = 1 << 16, distance = (size_t)1 << 38;
 
 static const redcc_array arrays[] = {
-    {"rows", REDCC_SUM, REDCC_OTHER_TYPE, sizeof(double), sizeof(double)}};
+    {"rows", REDCC_SUM, REDCC_OTHER_TYPE, sizeof(double), sizeof(double), 0}};
 static const redcc_source sources[] = {{"s", 1}, {"rows", 1}, {"value", 0}};
 
 static redcc_loop new_loop(void) {

@@ -27,7 +27,7 @@ static int row[TRIP];
 static double b[TRIP + 1], expected[TRIP + 1];
 static char executed_by[TRIP][2]; /* thread 0, thread 1: how often */
 
-static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8};
+static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
 static const redcc_source source = {"row", 1};
 static redcc_loop loop = {.file = "test_stealing.c",
                           .line = 5,

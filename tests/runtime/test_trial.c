@@ -19,7 +19,7 @@ enum { TRIP = 120000, ROWS = 200000, MOST_THREADS = 7, ORDERS = 3 };
 static int row[TRIP], other[TRIP];
 static double b[ROWS], expected[ROWS];
 
-static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
+static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0}};
 static const redcc_source sources[] = {{"row", 1}, {"other", 1}};
 static redcc_loop loop = {.file = "test_trial.c",
                           .line = 1,

@@ -71,6 +71,13 @@ static const char *unit_text(loop_text *loop, unsigned number) {
     return arena_format(loop->arena, "%lld", (long long)array->unit);
 }
 
+/** The last member, of counters with a limit. */
+static const char *limit_text(loop_text *loop, const reduction_array *array) {
+    return array->op == REDUCTION_SATURATING && !array->order_is_kept
+               ? arena_format(loop->arena, ", %lluu", (unsigned long long)array->limit)
+               : "";
+}
+
 static void write_arrays(loop_text *loop, writer *out) {
     writer_fill(out, true);
     writer_line(out, "static const redcc_array %s[] =", outlined_name(loop, "arrays"));
@@ -79,10 +86,10 @@ static void write_arrays(loop_text *loop, writer *out) {
         const reduction_array *array = &loop->facts->arrays[i];
         if (!array->element->spelling)
             loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
-        writer_line(out, "    %s{%s, %s, %s, sizeof(%s), %s}%s", i == 0 ? "{" : "",
+        writer_line(out, "    %s{%s, %s, %s, sizeof(%s), %s%s}%s", i == 0 ? "{" : "",
                     text_quoted(loop->arena, array->name), operator_name(array),
                     runtime_type(loop, array), origin_type(loop->arena, array->element),
-                    unit_text(loop, i), i + 1 < count ? "," : "};");
+                    unit_text(loop, i), limit_text(loop, array), i + 1 < count ? "," : "};");
     }
     writer_fill(out, false);
 }

@@ -51,7 +51,8 @@
                 _Pragma("GCC diagnostic ignored \"-Wunused-variable\"")                            \
                     _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")                       \
                         _Pragma("GCC diagnostic ignored \"-Wc++-compat\"")                         \
-                            _Pragma("GCC diagnostic ignored \"-Wpedantic\"") REDCC_QUIET_GCC
+                            _Pragma("GCC diagnostic ignored \"-Wmissing-field-initializers\"")     \
+                                _Pragma("GCC diagnostic ignored \"-Wpedantic\"") REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** Hides from compilers that a context may have no relevant members, which they would report as an

@@ -115,7 +115,7 @@
     REDCC_INLINE void name##_describe(redcc_description *it, const struct name *loop)
 
 #define REDCC_ARRAY(name, operation, type, n)                                                      \
-    { name, operation, REDCC_TYPE_OF(type), sizeof(type), (n) * sizeof(type) }
+    { name, operation, REDCC_TYPE_OF(type), sizeof(type), (n) * sizeof(type), 0 }
 #define REDCC_SUBSCRIPTS(name)                                                                     \
     { name, 1 }
 #define REDCC_READ(name)                                                                           \

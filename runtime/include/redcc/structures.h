@@ -22,7 +22,8 @@ typedef enum redcc_operator {
     REDCC_PRODUCT,
     REDCC_MINIMUM,
     REDCC_MAXIMUM,
-    REDCC_AND, /**< bitwise */
+    REDCC_SATURATING, /**< 1 is added while the element is below the array's limit */
+    REDCC_AND,        /**< bitwise */
     REDCC_OR,
     REDCC_XOR
 } redcc_operator;
@@ -61,6 +62,7 @@ typedef struct redcc_array {
     redcc_u32 unit;      /**< the smallest number of bytes that a touch covers, and the granularity
                           * at which owners are cut: a row b[i], or the element if there are no
                           * rows */
+    redcc_word limit;    /**< REDCC_SATURATING: above 0, a value of the type */
 } redcc_array;
 
 /** An object that the loop reads. If it overlaps a reduction array, the loop must not run in

@@ -24,7 +24,7 @@ static void apply_wide(const redcc_applied *applied, redcc_operator operation, s
 static bool is_plain(const redcc_array *array, const redcc_stream *stream, bool *wide) {
     const struct element_rule *rule =
         redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type);
-    if (!rule || stream->array_count != 1 || stream->tag_bits != 0 ||
+    if (!rule || !rule->apply || stream->array_count != 1 || stream->tag_bits != 0 ||
         stream->rows[0] % rule->size != 0)
         return false;
     *wide = array->type == REDCC_FLOAT && stream->record == 2 * stream->rows[0] &&
@@ -177,7 +177,8 @@ static void merge_stream(const struct binning *binning, const struct binner *bin
         void *to = (void *)redcc_row_address(binning, stream, a, base + first);
         for (int t = 0; t < binner->threads; t++)
             rule->merge(to, binning->binner[t]->buffer[s].push.copy[a] + (size_t)first * row,
-                        (size_t)(end - first) * row / rule->size);
+                        (size_t)(end - first) * row / rule->size,
+                        binning->loop->loop.arrays[stream->arrays[a]].limit);
     }
 }
 

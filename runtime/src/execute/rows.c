@@ -26,6 +26,6 @@ void redcc_rows_settle(redcc_worker *worker, const struct redcc_kept_row *kept, 
         if (!rule)
             worker->call->calls->misuse(worker, "redcc_row is not for elements of this type");
         else if (worker->call->calls->hooked(worker->owner[it->array].hook, it->row))
-            rule->merge(it->row, it->values, it->bytes / rule->size);
+            rule->merge(it->row, it->values, it->bytes / rule->size, arrays[it->array].limit);
     }
 }

@@ -99,7 +99,7 @@ static bool put_together(struct partition *partition, uint32_t a, uint32_t b) {
         partition->group_of[array] = lead;
     }
     if (arrays[a].type != arrays[b].type || arrays[a].operation != arrays[b].operation ||
-        arrays[a].element != arrays[b].element)
+        arrays[a].element != arrays[b].element || arrays[a].limit != arrays[b].limit)
         partition->mixed = true;
     return true;
 }

@@ -192,7 +192,7 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
         const ptrdiff_t end = block.end < held.end ? block.end : held.end;
         if (first < end)
             rule->merge(base + first, copy->memory[group] + (first - held.first),
-                        (size_t)(end - first) / rule->size);
+                        (size_t)(end - first) / rule->size, plan->copies.arrays[group].limit);
     }
 }
 
@@ -211,7 +211,8 @@ static void merge_element_by_element(const struct plan *plan, uint32_t group,
             from[count] = copy->memory[group] + (block.first - copy->held[group].first);
         }
         rule->merge_all(base + block.first, from, (size_t)count,
-                        (size_t)(block.end - block.first) / rule->size);
+                        (size_t)(block.end - block.first) / rule->size,
+                        plan->copies.arrays[group].limit);
     }
 }
 

@@ -32,15 +32,24 @@
       creal(x) == 0 && signbit(creal(x)) && cimag(x) == 0 && signbit(cimag(x)), b + x)             \
     X(T##_PRODUCT, S, 1, creal(x) == 1 && cimag(x) == 0, b * x)
 
+/* A counter that stops at the array's limit (tool/analysis/reduction/saturation.h): a copy has
+ * counted x - LOWEST, or comes to the limit from wherever it begins. */
+#define COUNTER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
+    X(T##_SATURATING, S, LOWEST, x == LOWEST || *to >= (S)limit,                                   \
+      (U)((U)x - (U)LOWEST) >= (U)((U)limit - (U)b) ? (S)limit : (S)(U)((U)b + (U)x - (U)LOWEST))
+
+#define ALL_INTEGERS(RULES, X)                                                                     \
+    RULES(X, INT8, int8_t, uint8_t, INT8_MIN, INT8_MAX)                                            \
+    RULES(X, UINT8, uint8_t, uint8_t, 0, UINT8_MAX)                                                \
+    RULES(X, INT16, int16_t, uint16_t, INT16_MIN, INT16_MAX)                                       \
+    RULES(X, UINT16, uint16_t, uint16_t, 0, UINT16_MAX)                                            \
+    RULES(X, INT32, int32_t, uint32_t, INT32_MIN, INT32_MAX)                                       \
+    RULES(X, UINT32, uint32_t, uint32_t, 0, UINT32_MAX)                                            \
+    RULES(X, INT64, int64_t, uint64_t, INT64_MIN, INT64_MAX)                                       \
+    RULES(X, UINT64, uint64_t, uint64_t, 0, UINT64_MAX)
+
 #define ALL_RULES(X)                                                                               \
-    INTEGER_RULES(X, INT8, int8_t, uint8_t, INT8_MIN, INT8_MAX)                                    \
-    INTEGER_RULES(X, UINT8, uint8_t, uint8_t, 0, UINT8_MAX)                                        \
-    INTEGER_RULES(X, INT16, int16_t, uint16_t, INT16_MIN, INT16_MAX)                               \
-    INTEGER_RULES(X, UINT16, uint16_t, uint16_t, 0, UINT16_MAX)                                    \
-    INTEGER_RULES(X, INT32, int32_t, uint32_t, INT32_MIN, INT32_MAX)                               \
-    INTEGER_RULES(X, UINT32, uint32_t, uint32_t, 0, UINT32_MAX)                                    \
-    INTEGER_RULES(X, INT64, int64_t, uint64_t, INT64_MIN, INT64_MAX)                               \
-    INTEGER_RULES(X, UINT64, uint64_t, uint64_t, 0, UINT64_MAX)                                    \
+    ALL_INTEGERS(INTEGER_RULES, X)                                                                 \
     REAL_RULES(X, FLOAT, float)                                                                    \
     REAL_RULES(X, DOUBLE, double)                                                                  \
     REAL_RULES(X, LONG_DOUBLE, long double)                                                        \
@@ -54,24 +63,27 @@
         for (size_t i = 0; i < count; i++)                                                         \
             element[i] = neutral;                                                                  \
     }                                                                                              \
-    static inline void bring_##NAME(TYPE *to, TYPE x) {                                            \
+    static inline void bring_##NAME(TYPE *to, TYPE x, redcc_word limit) {                          \
+        (void)limit;                                                                               \
         if (!(IS_NEUTRAL)) {                                                                       \
             const TYPE b = *to;                                                                    \
             *to = COMBINED;                                                                        \
         }                                                                                          \
     }                                                                                              \
-    static void merge_##NAME(void *to, const void *from, size_t count) {                           \
+    static void merge_##NAME(void *to, const void *from, size_t count, redcc_word limit) {         \
         TYPE *element = to;                                                                        \
         const TYPE *other = from;                                                                  \
         for (size_t i = 0; i < count; i++)                                                         \
-            bring_##NAME(&element[i], other[i]);                                                   \
+            bring_##NAME(&element[i], other[i], limit);                                            \
     }                                                                                              \
-    static void merge_all_##NAME(void *to, const void *const *from, size_t copies, size_t count) { \
+    static void merge_all_##NAME(void *to, const void *const *from, size_t copies, size_t count,   \
+                                 redcc_word limit) {                                               \
         TYPE *element = to;                                                                        \
         for (size_t i = 0; i < count; i++)                                                         \
             for (size_t copy = 0; copy < copies; copy++)                                           \
-                bring_##NAME(&element[i], ((const TYPE *)from[copy])[i]);                          \
-    }                                                                                              \
+                bring_##NAME(&element[i], ((const TYPE *)from[copy])[i], limit);                   \
+    }
+#define DEFINE_APPLY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                    \
     ALWAYS_INLINE void apply_rows_##NAME(const redcc_applied *applied, size_t count) {             \
         TYPE *const rows = applied->rows[0];                                                       \
         const TYPE *const records = applied->records;                                              \
@@ -96,6 +108,8 @@
             apply_rows_##NAME(applied, count);                                                     \
     }
 ALL_RULES(DEFINE)
+ALL_INTEGERS(COUNTER_RULES, DEFINE)
+ALL_RULES(DEFINE_APPLY)
 
 enum { OPERATORS = REDCC_XOR + 1, NUMBERED = OPERATORS * (REDCC_OTHER_TYPE + 1) };
 
@@ -105,6 +119,7 @@ enum { OPERATORS = REDCC_XOR + 1, NUMBERED = OPERATORS * (REDCC_OTHER_TYPE + 1) 
     PAIR_##T##_PRODUCT = REDCC_##T * OPERATORS + REDCC_PRODUCT,                                    \
     PAIR_##T##_MINIMUM = REDCC_##T * OPERATORS + REDCC_MINIMUM,                                    \
     PAIR_##T##_MAXIMUM = REDCC_##T * OPERATORS + REDCC_MAXIMUM,                                    \
+    PAIR_##T##_SATURATING = REDCC_##T * OPERATORS + REDCC_SATURATING,                              \
     PAIR_##T##_AND = REDCC_##T * OPERATORS + REDCC_AND,                                            \
     PAIR_##T##_OR = REDCC_##T * OPERATORS + REDCC_OR,                                              \
     PAIR_##T##_XOR = REDCC_##T * OPERATORS + REDCC_XOR
@@ -126,7 +141,10 @@ enum {
 
 #define ENTRY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                           \
     [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME, apply_##NAME},
-static const struct element_rule rules[NUMBERED] = {ALL_RULES(ENTRY)};
+#define COUNTER_ENTRY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                   \
+    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME, NULL},
+static const struct element_rule rules[NUMBERED] = {ALL_RULES(ENTRY)
+                                                        ALL_INTEGERS(COUNTER_RULES, COUNTER_ENTRY)};
 
 const struct element_rule *redcc_element_rule(redcc_operator operation, redcc_type type) {
     if ((unsigned)type >= REDCC_OTHER_TYPE || (unsigned)operation >= OPERATORS)

@@ -17,11 +17,14 @@ struct element_rule {
     size_t size; /* bytes of an element */
     /** Sets `count` elements to the neutral element. */
     void (*fill)(void *to, size_t count);
-    /** to[i] = to[i] op from[i]: figure 9 (b) of the paper does this copy by copy. */
-    void (*merge)(void *to, const void *from, size_t count);
+    /** to[i] = to[i] op from[i]: figure 9 (b) of the paper does this copy by copy. limit: the
+     *  array's. */
+    void (*merge)(void *to, const void *from, size_t count, redcc_word limit);
     /** to[i] = to[i] op from[0][i] op from[1][i] ...: figure 9 (a), element by element. */
-    void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count);
-    /** Applies records of `count` elements each to rows of the same length, in order. */
+    void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count,
+                      redcc_word limit);
+    /** Applies records of `count` elements each to rows of the same length, in order; NULL: such
+     *  updates have no records. */
     void (*apply)(const redcc_applied *applied, size_t count);
 };
 

@@ -28,6 +28,74 @@ void no_operator(int n, const int *s, const double *e, double *restrict h, unsig
         h[s[i]] += 0.5 * h[s[i]];
 }
 
+/* A counter that stops at a constant limit has an operator; one limit for all updates, that no step
+ * passes. */
+void saturating(int n, const int *s, const int *r, unsigned limit, unsigned char *restrict h,
+                signed char *restrict g) {
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+limit)
+        if (h[s[i]] < 255)
+            h[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+limit)
+        if (i % 3) {
+            if (30 >= h[s[i]])
+                h[s[i]] = 1 + h[s[i]];
+        }
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+limit)
+        if (h[s[i]] < 20)
+            h[s[i]]++;
+        if (h[r[i]] <= 19)
+            h[r[i]] += 1;
+        if (20 > h[i])
+            ++h[i];
+        if (19 >= h[r[i]])
+            h[r[i]]++;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+limit,kept)
+        if (h[s[i]] < 20)
+            h[s[i]]++;
+        if (h[r[i]] <= 20)
+            h[r[i]]++;
+    }
+    for (int i = 0; i < n; i++) // EXPECT: transform g(+limit)
+        if (g[s[i]] != 127)
+            g[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform g(kept)
+        if (g[s[i]] < 100u)
+            g[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform g(kept)
+        if (g[s[i]] != 126)
+            g[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < 256)
+            h[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] <= 255)
+            h[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < limit)
+            h[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] > 7)
+            h[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (7 < h[s[i]])
+            h[s[i]]++;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < 9)
+            h[s[i]]--;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < 9)
+            h[s[i]] += 2;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < 9)
+            h[s[i]] = 1 - h[s[i]];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < 9)
+            h[s[i]]++;
+        else
+            h[s[i]] = 0;
+}
+
 void rounded(int n, const int *s, int *h, bool *seen) {
     for (int i = 0; i < n; i++) // EXPECT: transform h(+,kept)
         h[s[i]] += 0.5;

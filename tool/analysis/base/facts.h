@@ -93,6 +93,7 @@ typedef struct reduction_array {
     const char *name;       /* its text */
     const ir_type *element; /* scalar */
     reduction_operator op;  /* of its first update, if order_is_kept */
+    int64_t limit;          /* REDUCTION_SATURATING: of all its updates, if they commute */
     bool order_is_kept;     /* its updates do not commute: only methods that execute each element's
                              * updates in the order of the loop apply, without copies */
     int64_t unit;           /* bytes of its largest row (update.row), or of the structure around

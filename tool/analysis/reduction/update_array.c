@@ -126,10 +126,12 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
         /* One base denotes one array; different fields of its elements are disjoint. */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
         bool other_type = !ir_type_equal(known->array.element, update->access.type);
-        bool differs = known->array.op != kind.op || other_type;
+        bool other_limit = known->array.limit != kind.limit;
+        bool differs = known->array.op != kind.op || other_type || other_limit;
         if (meets != OVERLAP_NO && other_type)
             return analysis_refuse(j, REASON_TYPE_PUNNED, target, known->array.name);
-        known->array.order_is_kept |= kind.needs_order || (meets != OVERLAP_NO && differs);
+        known->array.order_is_kept |=
+            kind.needs_order || other_limit || (meets != OVERLAP_NO && differs);
         known->array.is_interleaved |= differs;
         *number = i;
         return true;
@@ -139,6 +141,7 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
                                    .name = expression_text(j->an->memory, base),
                                    .element = update->access.type,
                                    .op = kind.op,
+                                   .limit = kind.limit,
                                    .order_is_kept = kind.needs_order || table,
                                    .is_scattered = table};
     *number = j->arrays.count;

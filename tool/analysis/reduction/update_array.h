@@ -10,6 +10,7 @@
 typedef struct update_kind {
     reduction_operator op;
     bool needs_order;
+    int64_t limit; /* REDUCTION_SATURATING */
 } update_kind;
 
 /** Is the element reached through a local pointer that is set once, in the loop? */

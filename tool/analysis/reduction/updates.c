@@ -8,6 +8,7 @@
 #include "analysis/private/induction.h"
 #include "analysis/reduction/extremum.h"
 #include "analysis/reduction/forward.h"
+#include "analysis/reduction/saturation.h"
 #include "analysis/reduction/scalars.h"
 #include "analysis/reduction/update_array.h"
 #include "analysis/reduction/update_call.h"
@@ -214,13 +215,18 @@ static update_kind kind_of_update(const loop_analysis *j, const loop_access *upd
                                   const ir_node *statement) {
     const update_form *form = &update->access.form;
     if (form->has_operator && statement->kind == IR_EXPRESSION)
-        return (update_kind){form->op, rounds_to_integer(form->target->type, form->value) ||
-                                           reads_itself(j, statement, form->target)};
+        return (update_kind){form->op,
+                             rounds_to_integer(form->target->type, form->value) ||
+                                 reads_itself(j, statement, form->target),
+                             0};
+    int64_t limit;
+    if (saturation_of(statement, form->target, &limit))
+        return (update_kind){REDUCTION_SATURATING, false, limit};
     extremum found =
         extremum_of(statement->kind == IR_EXPRESSION ? statement->children[0] : statement);
     if (found.target && found.has_operator)
-        return (update_kind){found.op, !found.commutes};
-    return (update_kind){REDUCTION_NONE, true};
+        return (update_kind){found.op, !found.commutes, 0};
+    return (update_kind){REDUCTION_NONE, true, 0};
 }
 
 static bool check_update(loop_analysis *j, loop_access *update) {
@@ -275,7 +281,7 @@ static bool check_call(loop_analysis *j, loop_access *write) {
     if (!is_whole_row(&update))
         return refuse_store(j, write);
     const update_kind kind = {found.has_operator ? found.op : REDUCTION_NONE,
-                              !found.has_operator || found.is_by_member};
+                              !found.has_operator || found.is_by_member, 0};
     if (!update_array_find(j, &update, kind, &number))
         return false;
     if (!j->updates.count || j->updates.items[j->updates.count - 1].statement != found.statement)
@@ -310,7 +316,7 @@ static bool check_group(loop_analysis *j, loop_access *store, const update_group
         return analysis_refuse(j, REASON_NO_RANGE, statement, name);
     if (!check_element(j, &update, name) || !update_check_base(j, &update, name))
         return false;
-    const update_kind kind = {REDUCTION_NONE, true};
+    const update_kind kind = {REDUCTION_NONE, true, 0};
     if (!update_array_find(j, &update, kind, &number))
         return false;
     for (unsigned i = 0; i < j->access_count; i++)
