@@ -282,6 +282,18 @@ typedef struct loop_loads {
     VECTOR(load_use) uses;
 } loop_loads;
 
+/** A scalar element t[i], t[i + 1].x, x[i][2] that the iteration stores to, and no other iteration
+ *  touches. A variable stands for it wherever the body names it: it begins with the element's
+ * value, and its last value is kept, and stored when all iterations are over. */
+typedef struct own_element {
+    const ir_node *element; /* the first place that names it */
+    bool is_stored_first;   /* by each iteration, before it reads it: the variable begins with any
+                               value */
+    bool is_in_slice;       /* the inspector asks for its value */
+    bool is_guarded; /* other memory that the loop reads, or keeps so, may be of it: compared before
+                        anything is written */
+} own_element;
+
 /** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations do
  *  nothing but tell rows, perhaps in spans inside of it whose headers stay the same. Rows that
  *  mention what it steps are elements of arrays, one after the other: what its first and its last
@@ -306,6 +318,8 @@ typedef struct loop_variables {
     unsigned captured_count;
     ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
     const loop_loads *loads;      /* NULL: none stands for a pointer */
+    unsigned own_count;
+    const own_element *own;
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */

@@ -8,6 +8,7 @@
 #include "analysis/inspector/slice.h"
 #include "analysis/loop/bases.h"
 #include "analysis/loop/executed.h"
+#include "analysis/loop/own.h"
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
 #include "analysis/overlap/sources.h"
@@ -275,6 +276,7 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
         contents.source.is_subscript = true;
         contents.source.needs_guard = read->needs_guard;
         contents.source.meets_scalars = read->meets_scalars;
+        contents.source.is_scalar = read->is_scalar;
         add_source(j, &contents.source);
     } else if (read->needs_guard) {
         source_plan plan = source_plan_of(j, read, false);
@@ -287,6 +289,12 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
     }
 }
 
+/* Does the slice ask for what the element is when an iteration begins? */
+static bool own_is_read_in_slice(const loop_analysis *j, const loop_access *read) {
+    const own_element *own = &j->own.items[own_named(j, read->access.lvalue)];
+    return own->is_in_slice && !own->is_stored_first;
+}
+
 static void add_sources(loop_analysis *j, const bool *keep) {
     j->slice.is_verifiable = true;
     j->slice.unkept = (unkept_read){0};
@@ -294,7 +302,11 @@ static void add_sources(loop_analysis *j, const bool *keep) {
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
-        if (read->is_scalar)
+        const bool is_own = read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED &&
+                            read->access.lvalue && own_named(j, read->access.lvalue) >= 0;
+        if (is_own) /* what it is when an iteration begins */
+            add_read(j, read, own_is_read_in_slice(j, read));
+        else if (read->is_scalar)
             add_read(j, read, false);
         else if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
@@ -316,6 +328,8 @@ static bool take_slice(loop_analysis *j, const touch_list *touches, reason_id wh
         for (unsigned k = 0; k < result.needed_count && item->is_stepped; k++)
             item->is_in_slice |= result.needed[k] == item->variable;
     }
+    for (unsigned i = 0; i < j->own.count; i++)
+        j->own.items[i].is_in_slice = result.own >> i & 1;
     j->slice.has_floating_work = result.has_floating_work;
     return true;
 }
@@ -324,11 +338,14 @@ static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
 }
 
-/* The slice reads before the loop: nothing that it reads may be a sum in memory. */
+/* The slice reads before the loop: nothing that it reads may be a sum in memory, or another
+ * iteration's own element. Where all of these lie is known, and what the slice reads at places that
+ * are known is compared with them before the slice is executed. */
 static bool are_scalars_apart(loop_analysis *j) {
     bool meets = false;
     for (unsigned i = 0; i < j->sources.count; i++)
-        meets |= j->sources.items[i].is_subscript && j->sources.items[i].meets_scalars;
+        meets |= j->sources.items[i].is_subscript && j->sources.items[i].meets_scalars &&
+                 j->sources.items[i].extent == EXTENT_TOUCHED;
     for (unsigned i = 0; meets && i < j->access_count; i++)
         if (j->accesses[i].is_scalar)
             return analysis_refuse(j, REASON_SCALAR_CARRIED, j->accesses[i].access.node,
@@ -368,8 +385,8 @@ static bool find_slice(loop_analysis *j) {
         is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->exits) { /* before a plan were used again, all would be read that an iteration may never
-                       come to */
+    if (j->left_out.exits) { /* before a plan were used again, all would be read that an iteration
+                       may never come to */
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }
@@ -386,6 +403,7 @@ slice_result check_slice(const loop_analysis *j) {
     find_slice(&own);
     return (slice_result){.why = own.why,
                           .privates = own.privates,
+                          .own = own.own,
                           .sources = own.sources,
                           .key = own.key,
                           .slice = own.slice};

@@ -19,6 +19,7 @@ typedef struct analyser {
     alias_rules rules;
     unit_text *text;
     const user_pragmas *pragmas;
+    bool keeps_own; /* elements of an iteration's own may be stored to after all iterations */
 } analyser;
 
 /** What an access of the loop turned out to be. */
@@ -39,7 +40,8 @@ typedef struct loop_access {
     unsigned array;        /* CLASS_REDUCTION */
     reduction_operator op; /* CLASS_REDUCTION */
     bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known; or is_scalar */
-    bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded */
+    bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded; or the first read
+                              of an own element that is */
     bool meets_scalars;    /* CLASS_SHARED: may be one of these */
 } loop_access;
 
@@ -55,9 +57,16 @@ typedef VECTOR(reduction_update) update_list;
 typedef VECTOR(scalar_update) scalar_list;
 typedef VECTOR(forwarded_store) forward_list;
 typedef VECTOR(private_variable) private_list;
+typedef VECTOR(own_element) own_list;
 typedef VECTOR(ir_variable *) variable_list;
 typedef VECTOR(loop_source) source_list;
 typedef VECTOR(const ir_node *) key_list;
+
+/** Statements of the loop for which others stand while it is analysed. */
+typedef struct left_out {
+    const distribution *distribution; /* NULL: there is none */
+    const loop_exits *exits;          /* as of loop_slice */
+} left_out;
 
 /** What is known of the one loop that is analysed. A check is given it const, with what the checks
  *  before have found, and returns its own result: with a `why` whose id is not REASON_NONE where it
@@ -75,9 +84,9 @@ typedef struct loop_analysis {
     update_list updates;
     scalar_list scalars;
     forward_list forwards;
-    const distribution *distribution; /* NULL: there is none */
-    const loop_exits *exits;          /* as of loop_slice */
+    left_out left_out;
     private_list privates;
+    own_list own;
     variable_list captured;
     source_list sources;
     key_list key;

@@ -16,9 +16,9 @@
 /** The stores of a loop that look like these; NULL: there are none. */
 const distribution *distribution_find(const loop_analysis *j);
 
-/** Given the accesses of a loop out of which j->distribution was taken (base/distributed.h): may
- * its stores be made after all iterations, once it is shown of each array what is shown of all that
- *  the loop reads? */
+/** Given the accesses of a loop out of which j->left_out.distribution was taken
+ * (base/distributed.h): may its stores be made after all iterations, once it is shown of each array
+ * what is shown of all that the loop reads? */
 reason check_distribution(const loop_analysis *j);
 
 #endif
