@@ -141,14 +141,16 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->scalar_count = j->scalars.count;
     facts->forwards = j->forwards.items;
     facts->forward_count = j->forwards.count;
-    facts->distribution = j->distribution;
+    facts->distribution = j->left_out.distribution;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
     facts->variables.privates = j->privates.items;
     facts->variables.private_count = j->privates.count;
     facts->variables.captured = j->captured.items;
     facts->variables.captured_count = j->captured.count;
-    facts->slice.exits = j->exits;
+    facts->variables.own = j->own.items;
+    facts->variables.own_count = j->own.count;
+    facts->slice.exits = j->left_out.exits;
     facts->slice.may_abort = j->found.ends.count > 0;
     facts->slice.holds = j->slice.holds;
     const span_list spans = find_spans(j);
@@ -214,11 +216,13 @@ static bool add_updates(loop_analysis *j) {
     const uint64_t before = analysis_fingerprint(j);
     const update_result result = check_updates(j);
     analysis_assert_unchanged(j, before);
+    j->access_count = result.access_count;
     j->accesses = result.accesses;
     j->arrays = result.arrays;
     j->updates = result.updates;
     j->scalars = result.scalars;
     j->forwards = result.forwards;
+    j->own = result.own;
     j->privates = result.privates;
     return goes_on(j, result.why);
 }
@@ -247,6 +251,7 @@ static bool add_slice(loop_analysis *j) {
     const slice_result result = check_slice(j);
     analysis_assert_unchanged(j, before);
     j->privates = result.privates;
+    j->own = result.own;
     j->sources = result.sources;
     j->key = result.key;
     j->slice = result.slice;
@@ -254,7 +259,7 @@ static bool add_slice(loop_analysis *j) {
 }
 
 /* Adds the properties of this loop, and the user's assertions about it. */
-static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
+static analyser *analyser_for(const analyser *an, const ir_node *loop) {
     analyser *own = ARENA_NEW(an->memory, analyser);
     *own = *an;
     own->rules.loop = loop;
@@ -265,8 +270,7 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 static loop_verdict analysed(const analyser *an, ir_function *function, ir_node *loop,
                              const distribution *stores, const loop_exits *exits,
                              const loop_loads *loads) {
-    loop_analysis j = {
-        .an = an, .function = function, .loop = loop, .distribution = stores, .exits = exits};
+    loop_analysis j = {.an = an, .function = function, .loop = loop, .left_out = {stores, exits}};
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
                    add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
                    add_header_steps(&j) && add_updates(&j);
@@ -331,8 +335,7 @@ static bool is_about_leaving(reason_id why) {
            why == REASON_NO_RETURN || why == REASON_IMPURE_CALL || why == REASON_OPAQUE;
 }
 
-loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
-    const analyser *an = analyser_for(whole, loop);
+static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_verdict found =
         analysed_loading(an, function, loop, NULL, analysed(an, function, loop, NULL, NULL, NULL));
     if (found.kind != VERDICT_REFUSE)
@@ -347,6 +350,23 @@ loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *l
     }
     const loop_verdict rest = analysed_without(an, function, loop);
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
+}
+
+/* An own element that is read may be what was in the way. */
+static bool is_about_stores(reason_id why) {
+    return why == REASON_INDEX_ARRAY_WRITTEN || why == REASON_OTHER_STORE ||
+           why == REASON_ARRAY_READ || why == REASON_ARRAY_STORED;
+}
+
+loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
+    analyser *an = analyser_for(whole, loop);
+    const loop_verdict found = verdict_by(an, function, loop);
+    if (found.kind != VERDICT_REFUSE || !is_about_stores(found.why.id))
+        return found;
+    an->keeps_own = true;
+    const loop_verdict keeping = verdict_by(an, function, loop);
+    an->keeps_own = false;
+    return keeping.kind == VERDICT_TRANSFORM ? keeping : found;
 }
 
 static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "emit/base/names.h"
+#include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
 #include "emit/text/origin.h"
@@ -136,6 +137,14 @@ static void offer_operands(extras *self, unsigned i) {
     }
 }
 
+static void offer_own(extras *self, unsigned i) {
+    arena *a = self->loop->arena;
+    const char *name = kept_own_name(self->loop, i), *type = kept_own_type(self->loop, i);
+    offer(self, (extra_value){name, arena_format(a, "%s *const %s", type, name),
+                              .made = arena_format(a, "(%s *)redcc__attempt->operands[%u]", type,
+                                                   kept_own_number(self->loop, i))});
+}
+
 void for_each_extra(loop_text *loop, const char *text,
                     void (*take)(const extra_value *value, void *context), void *context) {
     extras self = {loop, text, take, context};
@@ -155,6 +164,8 @@ void for_each_extra(loop_text *loop, const char *text,
     }
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         offer_operands(&self, i);
+    for (unsigned i = 0; i < loop->facts->variables.own_count; i++)
+        offer_own(&self, i);
     if (has_series(loop->facts))
         for_each_series_value(loop, offer_to, &self);
 }

@@ -58,7 +58,7 @@ static bool has_values_beside(const loop_facts *facts) {
 
 /** Effects of an iteration other than its updates are needed even if it makes no update. */
 static bool needs_every_iteration(const loop_facts *facts) {
-    return has_values_beside(facts) || facts->sets_errno;
+    return has_values_beside(facts) || facts->variables.own_count > 0 || facts->sets_errno;
 }
 
 static bool needs_order(const loop_facts *facts) {

@@ -25,6 +25,13 @@ const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node 
     return NULL;
 }
 
+int own_element_at(const loop_facts *facts, const ir_node *node) {
+    for (unsigned i = 0; i < facts->variables.own_count; i++)
+        if (expression_same(node, facts->variables.own[i].element))
+            return (int)i;
+    return -1;
+}
+
 int scalar_update_at(const loop_facts *facts, const ir_node *statement) {
     for (unsigned i = 0; i < facts->scalar_count; i++)
         if (facts->scalars[i].statement == statement)
@@ -123,7 +130,7 @@ bool leaves_variables(const loop_facts *facts) {
 }
 
 bool leaves_values(const loop_facts *facts) {
-    return facts->scalar_count > 0 || leaves_variables(facts);
+    return facts->scalar_count > 0 || facts->variables.own_count > 0 || leaves_variables(facts);
 }
 
 int conditional_live_out_of(const loop_facts *facts, const ir_node *statement) {

@@ -11,6 +11,8 @@ int loop_array_of_base(const loop_facts *facts, const ir_node *node);
 const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement);
 /** The forwarded store (read again in the same iteration) of this statement, or NULL. */
 const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement);
+/** The number of the iteration's own element that this node names, or -1. */
+int own_element_at(const loop_facts *facts, const ir_node *node);
 /** The number of this statement's scalar update, or -1. */
 int scalar_update_at(const loop_facts *facts, const ir_node *statement);
 /** Are there scalars with a series of operands per iteration? */

@@ -58,8 +58,15 @@ static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
     return is_known;
 }
 
+/** What the iteration has stored there may be computed from whatever is unverified. */
+static bool is_own(const unverified_reads *s, const ir_node *path) {
+    return own_element_at(s->plan->facts, path) >= 0 &&
+           unverified_has_suspects(s->plan, s->is_suspect);
+}
+
 static bool may_read_unverified(const unverified_reads *s, const ir_node *path) {
-    return hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path));
+    return is_own(s, path) ||
+           (hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path)));
 }
 
 /** A pointer computed by the iteration: its target is not analysed. */

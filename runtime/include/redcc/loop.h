@@ -185,6 +185,14 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
+/** Stores what iteration redcc__k has kept of its own element, of a type with this name, if the
+ *  element has other bits. */
+#define REDCC_STORE_KEPT(redcc_element, redcc_type, redcc_kept)                                    \
+    do {                                                                                           \
+        const redcc_type *const redcc__of_iteration = (const redcc_type *)redcc_kept + redcc__k;   \
+        if (__builtin_memcmp(&(redcc_element), redcc__of_iteration, sizeof(redcc_type)) != 0)      \
+            __builtin_memcpy(&(redcc_element), redcc__of_iteration, sizeof(redcc_type));           \
+    } while (0)
 /** The operands have been used. */
 #define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->give(&redcc__attempt)
 

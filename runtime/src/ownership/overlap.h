@@ -30,6 +30,22 @@ static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
     return true;
 }
 
+/** The same of all that is known to be read before anything is executed. */
+static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
+                                                      const redcc_extent *known,
+                                                      struct overlap *overlap) {
+    for (uint32_t r = 0; r < loop->source_count; r++) {
+        const int what = loop->sources[r].is_subscript;
+        for (uint32_t s = 0; what > 1 && s < loop->source_count; s++)
+            if (s != r && (loop->sources[s].is_subscript & REDCC_IS_SCALAR) &&
+                redcc_ranges_overlap(redcc_range_of(known[r]), redcc_range_of(known[s]))) {
+                *overlap = (struct overlap){r, loop->array_count + s};
+                return false;
+            }
+    }
+    return true;
+}
+
 /**
  * Is everything that the loop reads (read [loop->source_count]) disjoint from everything that it
  * writes (written [written_count])? Checked for a new plan with the inspection's ranges, for a kept

@@ -310,6 +310,18 @@ typedef struct loop_loads {
     VECTOR(load_use) uses;
 } loop_loads;
 
+/** A scalar element t[i], t[i + 1].x, x[i][2] that the iteration stores to, and that no other
+ *  iteration touches. A variable replaces it wherever the body names it: it begins with the
+ *  element's value; its last value is kept, and stored after all iterations. */
+typedef struct own_element {
+    const ir_node *element; /* the first place that names it */
+    bool is_stored_first;   /* by each iteration, before it reads it: the variable begins with any
+                             * value */
+    bool is_in_slice;       /* the inspector needs its value */
+    bool is_guarded;        /* the loop's other reads, or own elements, may overlap it: compared
+                             * before anything is written */
+} own_element;
+
 /** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations
  *  only record rows, perhaps in nested spans with invariant headers. Rows that mention its stepped
  *  variables are consecutive elements of arrays: the first and the last iteration determine the
@@ -334,6 +346,8 @@ typedef struct loop_variables {
     unsigned captured_count;
     ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
     const loop_loads *loads;      /* NULL: no variable replaces a pointer */
+    unsigned own_count;
+    const own_element *own;
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */

@@ -8,6 +8,7 @@
 #include "analysis/inspector/slice.h"
 #include "analysis/loop/bases.h"
 #include "analysis/loop/executed.h"
+#include "analysis/loop/own.h"
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
 #include "analysis/memory/value_bounds.h"
@@ -297,6 +298,7 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
         contents.source.needs_guard = read->needs_guard;
         contents.source.meets_scalars = read->meets_scalars;
         contents.source.meets_arrays = read->meets_arrays;
+        contents.source.is_scalar = read->is_scalar;
         add_source(j, &contents.source);
     } else if (read->needs_guard) {
         source_plan plan = source_plan_of(j, read, false);
@@ -310,6 +312,12 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
     }
 }
 
+/* Does the slice ask for what the element is when an iteration begins? */
+static bool own_is_read_in_slice(const loop_analysis *j, const loop_access *read) {
+    const own_element *own = &j->own.items[own_named(j, read->access.lvalue)];
+    return own->is_in_slice && !own->is_stored_first;
+}
+
 static void add_sources(loop_analysis *j, const bool *keep) {
     j->slice.is_verifiable = true;
     j->slice.unkept = (unkept_read){0};
@@ -317,7 +325,11 @@ static void add_sources(loop_analysis *j, const bool *keep) {
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
-        if (read->is_scalar)
+        const bool is_own = read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED &&
+                            read->access.lvalue && own_named(j, read->access.lvalue) >= 0;
+        if (is_own) /* what it is when an iteration begins */
+            add_read(j, read, own_is_read_in_slice(j, read));
+        else if (read->is_scalar)
             add_read(j, read, false);
         else if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
@@ -339,6 +351,8 @@ static bool take_slice(loop_analysis *j, const touch_list *touches, reason_id wh
         for (unsigned k = 0; k < result.needed_count && item->is_stepped; k++)
             item->is_in_slice |= result.needed[k] == item->variable;
     }
+    for (unsigned i = 0; i < j->own.count; i++)
+        j->own.items[i].is_in_slice = result.own >> i & 1;
     j->slice.has_floating_work = result.has_floating_work;
     return true;
 }
@@ -347,11 +361,14 @@ static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
 }
 
-/* The slice reads before the loop: it must not read a sum in memory. */
+/* The slice reads before the loop: it must not read a sum in memory, or another iteration's own
+ * element. All of these have known places, and the slice's reads at known places are compared with
+ * them before the slice is executed. */
 static bool are_scalars_apart(loop_analysis *j) {
     bool meets = false;
     for (unsigned i = 0; i < j->sources.count; i++)
-        meets |= j->sources.items[i].is_subscript && j->sources.items[i].meets_scalars;
+        meets |= j->sources.items[i].is_subscript && j->sources.items[i].meets_scalars &&
+                 j->sources.items[i].extent == EXTENT_TOUCHED;
     for (unsigned i = 0; meets && i < j->access_count; i++)
         if (j->accesses[i].is_scalar)
             return analysis_refuse(j, REASON_SCALAR_CARRIED, j->accesses[i].access.node,
@@ -391,8 +408,8 @@ static bool find_slice(loop_analysis *j) {
         is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->exits) { /* before a plan were reused, reads would be made that an iteration may never
-                     * execute */
+    if (j->left_out.exits) { /* before a plan were reused, reads would be made that an iteration
+                              * may never execute */
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }
@@ -409,6 +426,7 @@ slice_result check_slice(const loop_analysis *j) {
     find_slice(&own);
     return (slice_result){.why = own.why,
                           .privates = own.privates,
+                          .own = own.own,
                           .sources = own.sources,
                           .key = own.key,
                           .slice = own.slice};

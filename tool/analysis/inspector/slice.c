@@ -18,6 +18,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
 #include "analysis/base/stepped.h"
+#include "analysis/loop/own.h"
 #include "analysis/reduction/forward.h"
 
 /* A variable, or one field of a variable that is a record. */
@@ -32,6 +33,7 @@ typedef struct slicer {
     const slice_touch *touches;
     bool *keep;
     VECTOR(needed_part) needed;
+    uint64_t own;         /* bits, by number: own elements whose values are needed */
     bool is_integer_only; /* of the attempt: floating-point values are an obstacle */
     bool has_floating_work;
     const ir_node *obstacle;
@@ -267,7 +269,27 @@ static void need_forward(slicer *s, const forwarded_store *store) {
     keep_around(s, store->statement, NULL);
 }
 
+/* As a variable that is written by the statements that store to it. */
+static void need_own(slicer *s, unsigned number) {
+    const uint64_t bit = (uint64_t)1 << number;
+    if (s->own & bit)
+        return;
+    s->own |= bit;
+    for (unsigned i = 0; i < s->j->access_count; i++) {
+        const access *a = &s->j->accesses[i].access;
+        if (a->kind != ACCESS_READ && a->lvalue && own_named(s->j, a->lvalue) == (int)number)
+            keep_statement(s, expression_place(a->node), NULL);
+    }
+}
+
 static void need_expression(slicer *s, const ir_node *node) {
+    const int own = own_named(s->j, node);
+    if (own >= 0) {
+        if (s->is_integer_only && node->type->kind == IR_FLOATING)
+            fail(s, node);
+        need_own(s, (unsigned)own);
+        return;
+    }
     const int forward = forward_read(s->j, node);
     if (forward >= 0) {
         need_forward(s, &s->j->forwards.items[forward]);
@@ -309,12 +331,13 @@ static void keep_statement(slicer *s, const ir_node *statement, const ir_variabl
 typedef struct snapshot {
     bool *keep;
     unsigned needed;
+    uint64_t own;
     bool has_floating_work;
 } snapshot;
 
 static snapshot take_snapshot(const slicer *s) {
     unsigned count = s->j->function->node_count;
-    snapshot before = {ARENA_ARRAY(s->j->an->memory, bool, count + 1), s->needed.count,
+    snapshot before = {ARENA_ARRAY(s->j->an->memory, bool, count + 1), s->needed.count, s->own,
                        s->has_floating_work};
     memcpy(before.keep, s->keep, sizeof(bool) * count);
     return before;
@@ -334,6 +357,7 @@ static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
         return true;
     memcpy(s->keep, before.keep, sizeof(bool) * s->j->function->node_count);
     s->needed.count = before.needed;
+    s->own = before.own;
     s->has_floating_work = before.has_floating_work;
     s->obstacle = NULL;
     return false;
@@ -483,7 +507,7 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
 
 /* Does it skip code that may end the loop or the program? */
 static bool skips_exit(const slicer *s, const ir_node *loop, const ir_node *jump) {
-    const loop_exits *exits = s->j->exits;
+    const loop_exits *exits = s->j->left_out.exits;
     for (unsigned i = 0; exits && i < exits->count; i++)
         if (exits->items[i].rest->id > jump->id && ir_contains(loop, exits->items[i].rest))
             return true;
@@ -531,7 +555,7 @@ static void need_touch(slicer *s, const slice_touch *touch) {
 /* The conditions by which an iteration leaves the loop, or the program, are computed exactly, and
  * only in the iterations that reach them. */
 static void keep_exits(slicer *s) {
-    const loop_exits *exits = s->j->exits;
+    const loop_exits *exits = s->j->left_out.exits;
     for (unsigned i = 0; exits && i < exits->count && !s->obstacle; i++)
         keep_statement(s, exits->items[i].rest, NULL);
     for (unsigned i = 0; exits && i < s->j->found.ends.count && !s->obstacle; i++)
@@ -560,5 +584,5 @@ slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_to
         ARENA_ARRAY(j->an->memory, const ir_variable *, s.needed.count + 1);
     for (unsigned i = 0; i < s.needed.count; i++)
         needed[i] = s.needed.items[i].variable;
-    return (slice){s.keep, s.needed.count, needed, s.has_floating_work, s.obstacle};
+    return (slice){s.keep, s.needed.count, needed, s.own, s.has_floating_work, s.obstacle};
 }

@@ -258,7 +258,7 @@ static reason check_all(const loop_analysis *j, const access_list *found) {
     reason why = check_values(j, found);
     if (why.id == REASON_NONE)
         why = first_problem(j, found);
-    if (why.id == REASON_NONE && found->ends.count && !j->exits)
+    if (why.id == REASON_NONE && found->ends.count && !j->left_out.exits)
         why = analysis_reason(j, REASON_NO_RETURN, found->ends.items[0], "assert");
     if (why.id != REASON_NONE)
         return why;

@@ -26,6 +26,7 @@ loop_analysis analysis_copy(const loop_analysis *known) {
     OWN_LIST(a, &own.scalars);
     OWN_LIST(a, &own.forwards);
     OWN_LIST(a, &own.privates);
+    OWN_LIST(a, &own.own);
     OWN_LIST(a, &own.captured);
     OWN_LIST(a, &own.sources);
     OWN_LIST(a, &own.key);
@@ -63,6 +64,7 @@ uint64_t analysis_fingerprint(const loop_analysis *known) {
     all = HASH_LIST(all, known->scalars);
     all = HASH_LIST(all, known->forwards);
     all = HASH_LIST(all, known->privates);
+    all = HASH_LIST(all, known->own);
     all = HASH_LIST(all, known->captured);
     all = HASH_LIST(all, known->sources);
     return HASH_LIST(all, known->key);

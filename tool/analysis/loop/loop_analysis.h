@@ -19,6 +19,7 @@ typedef struct analyser {
     alias_rules rules;
     unit_text *text;
     const user_pragmas *pragmas;
+    bool keeps_own; /* elements of an iteration's own may be stored to after all iterations */
 } analyser;
 
 /** The classification of an access of the loop. */
@@ -40,7 +41,8 @@ typedef struct loop_access {
     reduction_operator op; /* CLASS_REDUCTION */
     bool needs_guard;      /* CLASS_SHARED: may overlap an array, according to the analysis; or
                             * is_scalar */
-    bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded */
+    bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded; or the first read
+                            * of an own element that is */
     bool meets_scalars;    /* CLASS_SHARED: may be one of these */
     bool meets_arrays;     /* CLASS_SHARED: may overlap an array; else needs_guard for a scalar */
 } loop_access;
@@ -57,9 +59,16 @@ typedef VECTOR(reduction_update) update_list;
 typedef VECTOR(scalar_update) scalar_list;
 typedef VECTOR(forwarded_store) forward_list;
 typedef VECTOR(private_variable) private_list;
+typedef VECTOR(own_element) own_list;
 typedef VECTOR(ir_variable *) variable_list;
 typedef VECTOR(loop_source) source_list;
 typedef VECTOR(const ir_node *) key_list;
+
+/** Statements of the loop that are replaced while it is analysed. */
+typedef struct left_out {
+    const distribution *distribution; /* NULL: none */
+    const loop_exits *exits;          /* as in loop_slice */
+} left_out;
 
 /** Facts about the analysed loop. A check gets it as const, with the results of earlier checks, and
  *  returns its own result: with a `why` other than REASON_NONE if it found an obstacle, the rest
@@ -77,9 +86,9 @@ typedef struct loop_analysis {
     update_list updates;
     scalar_list scalars;
     forward_list forwards;
-    const distribution *distribution; /* NULL: none */
-    const loop_exits *exits;          /* as in loop_slice */
+    left_out left_out;
     private_list privates;
+    own_list own;
     variable_list captured;
     source_list sources;
     key_list key;

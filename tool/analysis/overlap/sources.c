@@ -11,6 +11,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/bases.h"
 #include "analysis/loop/executed.h"
+#include "analysis/loop/own.h"
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
 #include "analysis/overlap/row_address.h"
@@ -481,7 +482,7 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
 static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *other) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {
-        if (!j->accesses[i].is_scalar)
+        if (!j->accesses[i].is_scalar || other == &j->accesses[i])
             continue;
         const overlap meets =
             locations_overlap(&j->an->rules, &other->where, &j->accesses[i].where);
@@ -500,7 +501,7 @@ static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
 static bool check_scalars_in_memory(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *scalar = &j->accesses[i];
-        if (!scalar->is_scalar)
+        if (!scalar->is_scalar || own_named(j, scalar->access.lvalue) >= 0)
             continue;
         const source_plan plan = source_plan_of(j, scalar, false);
         if (!plan.is_possible || plan.source.extent != EXTENT_INVARIANT)
@@ -508,8 +509,9 @@ static bool check_scalars_in_memory(loop_analysis *j) {
         scalar->needs_guard = true;
         for (unsigned k = 0; k < j->access_count; k++) {
             const loop_access *other = &j->accesses[k];
+            const bool is_own = other->access.lvalue && own_named(j, other->access.lvalue) >= 0;
             if (other->access.kind != ACCESS_READ && other->class != CLASS_REDUCTION &&
-                !other->is_scalar &&
+                !other->is_scalar && !is_own && /* what is read of it first is compared */
                 locations_overlap(&j->an->rules, &other->where, &scalar->where) != OVERLAP_NO)
                 return refuse_scalar(j, scalar);
         }
@@ -541,7 +543,7 @@ static bool check_reads(loop_analysis *j) {
         }
         read->meets_scalars =
             !read->access.is_presumed && overlap_with_scalars(j, read) != OVERLAP_NO;
-        if ((read->meets_arrays || read->meets_scalars) && !check_guard(j, read))
+        if ((read->meets_arrays || read->meets_scalars || read->is_scalar) && !check_guard(j, read))
             return false;
     }
     return true;

@@ -15,35 +15,13 @@
 #include "analysis/reduction/distribution.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/loop/own.h"
 
 /* ---- the form of such a store
  * -------------------------------------------------------------------- */
 
 static bool is_fixed(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_NUMBER || analysis_leaves(j, node);
-}
-
-/* The counter, perhaps cast, plus constants. A wider type keeps different values distinct, and so
- * do sums that wrap around. */
-static bool differs_always(const loop_analysis *j, const ir_node *node) {
-    if (node->kind == IR_CAST)
-        return ir_type_is_plain_integer(node->type) &&
-               node->type->size >= node->children[0]->type->size &&
-               differs_always(j, node->children[0]);
-    if (node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT)) {
-        const ir_node *left = node->children[0], *right = node->children[1];
-        return ir_type_is_plain_integer(left->type) && ir_type_is_plain_integer(right->type) &&
-               ((differs_always(j, left) && is_fixed(j, right)) ||
-                (is_fixed(j, left) && differs_always(j, right)));
-    }
-    return expression_is_variable(node, j->counted.counter);
-}
-
-static bool is_array(const loop_analysis *j, const ir_node *base) {
-    return base->kind == IR_VARIABLE && base->variable->storage != IR_THREAD_LOCAL &&
-           (base->type->kind == IR_ARRAY
-                ? base->type->count > 0 && !ir_declarator_in(j->loop, base->variable)
-                : base->type->kind == IR_POINTER && analysis_leaves(j, base));
 }
 
 static bool is_value(const loop_analysis *j, const ir_node *node) {
@@ -60,8 +38,7 @@ static bool may_be_distributed(const loop_analysis *j, const ir_node *statement)
     const ir_node *target = store->children[0];
     const ir_type *type = target->type;
     return target->kind == IR_INDEX && !type->is_volatile && !type->is_atomic &&
-           (type->kind == IR_INTEGER || type->kind == IR_FLOATING) &&
-           is_array(j, target->children[0]) && differs_always(j, target->children[1]) &&
+           (type->kind == IR_INTEGER || type->kind == IR_FLOATING) && own_is_element(j, target) &&
            is_value(j, store->children[1]);
 }
 
@@ -155,8 +132,8 @@ static bool is_legal(const loop_analysis *j, const distributed_store *store) {
 }
 
 reason check_distribution(const loop_analysis *j) {
-    for (unsigned i = 0; j->distribution && i < j->distribution->count; i++) {
-        const distributed_store *store = &j->distribution->stores[i];
+    for (unsigned i = 0; j->left_out.distribution && i < j->left_out.distribution->count; i++) {
+        const distributed_store *store = &j->left_out.distribution->stores[i];
         if (!is_legal(j, store))
             return analysis_reason(j, REASON_OTHER_STORE, store->statement,
                                    analysis_name(j, store->assignment->children[0]));

@@ -16,9 +16,9 @@
 /** The stores of a loop that have this form; NULL: none. */
 const distribution *distribution_find(const loop_analysis *j);
 
-/** Given the accesses of a loop from which j->distribution was removed (base/distributed.h): may
- *  its stores be made after all iterations, if the usual conditions on reads and arrays are
- *  shown? */
+/** Given the accesses of a loop from which j->left_out.distribution was removed
+ * (base/distributed.h): may its stores be made after all iterations, if the usual conditions on
+ * reads and arrays are shown? */
 reason check_distribution(const loop_analysis *j);
 
 #endif

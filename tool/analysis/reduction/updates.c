@@ -4,6 +4,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/conflict.h"
+#include "analysis/loop/own.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/private/induction.h"
 #include "analysis/reduction/extremum.h"
@@ -453,12 +454,16 @@ static bool check_writes(loop_analysis *j) {
 
 update_result check_updates(const loop_analysis *j) {
     loop_analysis own = analysis_copy(j);
-    check_writes(&own);
+    own_take(&own);
+    if (check_writes(&own))
+        own_check(&own);
     return (update_result){.why = own.why,
+                           .access_count = own.access_count,
                            .accesses = own.accesses,
                            .arrays = own.arrays,
                            .updates = own.updates,
                            .scalars = own.scalars,
                            .forwards = own.forwards,
+                           .own = own.own,
                            .privates = own.privates};
 }

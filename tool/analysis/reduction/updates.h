@@ -7,11 +7,13 @@
 
 typedef struct update_result {
     reason why;
+    unsigned access_count;
     loop_access *accesses; /* each write with its class, and reads that updates or stores explain */
     array_list arrays;
     update_list updates;
     scalar_list scalars;
     forward_list forwards;
+    own_list own;
     private_list privates; /* all of them, including those that the header steps */
 } update_result;
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "emit/base/names.h"
+#include "emit/base/own.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
 #include "ir/ir_syntax.h"
@@ -158,7 +159,10 @@ static const char *name_in_part(const ir_node *node, void *context) {
     const char *counter = nest_counter_text(its->loop, its->nest, node, its->part);
     if (counter)
         return counter;
-    return its->others ? its->others(node, its->loop) : pointed_name(its->loop, node);
+    if (its->others)
+        return its->others(node, its->loop);
+    const char *own = own_name(its->loop, node);
+    return own ? own : pointed_name(its->loop, node);
 }
 
 static const char *value_text(loop_text *loop, const bins_record *record, unsigned value,

@@ -13,10 +13,12 @@
 #include "analysis/base/loop_loads.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
+#include "emit/base/own.h"
 #include "emit/base/step.h"
 #include "emit/base/wrapping.h"
 #include "emit/bins/bins.h"
 #include "emit/body/live_out.h"
+#include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/text/edit.h"
 #include "emit/text/origin.h"
@@ -43,8 +45,17 @@ static const char *local_name(const ir_node *node, void *context) {
     const int array = loop_array_of_base(loop->facts, node);
     if (array >= 0)
         return loop->arrays[array].local;
-    const char *name = forward_read_name(loop, node);
+    const char *name = own_name(loop, node);
+    if (!name)
+        name = forward_read_name(loop, node);
     return name ? name : pointed_name(loop, node);
+}
+
+/** For spelling an own element itself. */
+static const char *element_name(const ir_node *node, void *context) {
+    const loop_text *loop = context;
+    const int array = loop_array_of_base(loop->facts, node);
+    return array >= 0 ? loop->arrays[array].local : pointed_name(loop, node);
 }
 
 /** The same for code that the program may not execute: sums wrap around. */
@@ -234,7 +245,9 @@ static const char *other_name(const loop_text *loop, const ir_node *node, bool *
         return text_expression(loop->arena, node, NULL, NULL);
     if (node->kind == IR_STRING)
         return says_function_name(loop->plan, node) ? node->text : NULL;
-    const char *name = forward_read_name(loop, node);
+    const char *name = own_name(loop, node);
+    if (!name)
+        name = forward_read_name(loop, node);
     return name ? name : pointed_name(loop, node);
 }
 
@@ -543,6 +556,7 @@ static void declare_variables(loop_text *loop, writer *out) {
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))",
                     stepped_value(loop, i));
     }
+    declare_own(loop, out, false, element_name, loop);
     declare_forwards(loop, out, false);
     declare_repeated_operands(loop, out);
 }
@@ -572,5 +586,6 @@ void write_iteration(loop_text *loop, writer *out) {
     buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");
+    keep_own(loop, out);
     note_live_outs(loop, out);
 }

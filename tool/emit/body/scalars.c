@@ -9,6 +9,7 @@
 #include "emit/body/scalars.h"
 
 #include "emit/base/names.h"
+#include "emit/body/own.h"
 #include "emit/body/series.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
@@ -77,7 +78,7 @@ static bool has_operands(const loop_facts *facts) {
 
 void declare_operands(loop_text *loop, writer *out) {
     declare_series(loop, out);
-    if (!has_operands(loop->facts))
+    if (!has_operands(loop->facts) && loop->facts->variables.own_count == 0)
         return;
     unsigned count = 0;
     writer_line(out, "static const redcc_size redcc__operand_bytes[] = {");
@@ -87,6 +88,8 @@ void declare_operands(loop_text *loop, writer *out) {
                 writer_line(out, "    sizeof(%s),", kept_operand_type(loop, i, k == 1));
                 count++;
             }
+    for (unsigned i = 0; i < loop->facts->variables.own_count; i++, count++)
+        writer_line(out, "    sizeof(%s),", kept_own_type(loop, i));
     writer_line(out, "};");
     writer_line(out, "REDCC_OPERANDS(%u);", count);
 }
@@ -190,9 +193,10 @@ static void name_operands(loop_text *loop, writer *out) {
 }
 
 void apply_operands(loop_text *loop, writer *out) {
-    if (loop->facts->scalar_count == 0)
+    if (loop->facts->scalar_count == 0 && loop->facts->variables.own_count == 0)
         return;
     writer_line(out, "if (redcc__done) {");
+    store_own(loop, out);
     if (has_operands(loop->facts)) {
         writer_line(out, "    redcc_int redcc__i;");
         name_operands(loop, out);

@@ -7,6 +7,7 @@
 #include "analysis/base/row_steps.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
+#include "emit/base/own.h"
 #include "emit/base/wrapping.h"
 #include "emit/slice/slice.h"
 #include "emit/text/origin.h"
@@ -22,7 +23,9 @@ const char *inspector_note_variable(const ir_node *node, void *context) {
             return source_loop_counter(self->loop->arena, i);
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
-    const char *name = forward_read_name(self->loop, node);
+    const char *name = own_name(self->loop, node);
+    if (!name)
+        name = forward_read_name(self->loop, node);
     if (!name)
         name = pointed_name(self->loop, node);
     if (name || !self->is_unconditional)

@@ -11,6 +11,7 @@
 #include "analysis/base/stepped.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
+#include "emit/base/own.h"
 #include "emit/base/step.h"
 #include "emit/slice/access_log.h"
 #include "emit/text/origin.h"
@@ -234,7 +235,15 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
     return false;
 }
 
-static void declare_variables(const inspector *self, writer *out) {
+/** For spelling an own element itself. */
+static const char *note_element_variable(const ir_node *node, void *context) {
+    inspector *self = context;
+    if (node->kind == IR_VARIABLE)
+        self->is_mentioned[node->variable->id] = true;
+    return pointed_name(self->loop, node);
+}
+
+static void declare_variables(inspector *self, writer *out) {
     loop_text *loop = self->loop;
     const loop_facts *facts = loop->facts;
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
@@ -242,6 +251,7 @@ static void declare_variables(const inspector *self, writer *out) {
         if (!item->is_declared_inside && is_needed(self, item->variable))
             writer_line(out, "%s%s;", private_declaration(loop, item), stepped_value(loop, i));
     }
+    declare_own(loop, out, true, note_element_variable, self);
     declare_forwards(loop, out, true);
 }
 

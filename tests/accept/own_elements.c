@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The iteration's own element is read, stored to and read again: stored for good after the loop.
+// covers: row 93
+// THREADS: 1 2 3 7 16 33
+// INTEGERS: no
+#include "case.h"
+
+enum { N = 2500, M = 700, C = 12, F = 5 };
+struct particle {
+    double x, v[2];
+    int cell;
+    float weight;
+};
+static struct particle particle[N + 2];
+static int member[N + 2], at[N], count[M], order[N + 1];
+static double e[N], h[M + C], x[N], y[N], changed;
+static float centre[C][F], feature[N][F], *row[C], *point[N];
+static unsigned char seen[N];
+static short level[N];
+
+/* As k-means writes it: rows behind pointers, a search in a function. */
+static int nearest(const float *f, float **rows, int clusters) {
+    int best = 0;
+    float least = 1e30f;
+    for (int c = 0; c < clusters; c++) {
+        float sum = 0;
+        for (int d = 0; d < F; d++)
+            sum += (f[d] - rows[c][d]) * (f[d] - rows[c][d]);
+        if (sum < least) {
+            least = sum;
+            best = c;
+        }
+    }
+    return best;
+}
+
+static float assign(int n, float **f, float **centres, int *membership, int *length, float **sums) {
+    float delta = 0;
+    int i, d, index;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        index = nearest(f[i], centres, C);
+        if (membership[i] != index)
+            delta += 1.0;
+        membership[i] = index;
+        length[index]++;
+        for (d = 0; d < F; d++)
+            sums[index][d] += f[i][d];
+    }
+    return delta;
+}
+
+/* Moved, wrapped around, and deposited where it is then. */
+static void push(int n, struct particle *p, double *rho, double dt) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        p[t].v[1] -= 0.125 * p[t].x;
+        p[t].x += p[t].v[1] * dt;
+        if (p[t].x < 0)
+            p[t].x += 1;
+        while (p[t].x >= 1)
+            p[t].x -= 1;
+        p[t].cell = (int)(p[t].x * M);
+        rho[p[t].cell] += p[t].weight;
+        rho[p[t].cell + 1] -= p[t].weight * p[t].x;
+    }
+}
+
+/* The subscript is another array's; memory that may be the own element's is compared. */
+static void relax(int n, double *restrict sum, double *own, const double *other, const int *k) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const double before = own[t];
+        own[t] = 0.5 * (before + other[t]);
+        sum[k[t]] += own[t] - before;
+    }
+}
+
+/* Down, by an offset, under conditions, in small types. */
+static void marks(int n, const int *restrict k, int *restrict c, unsigned char *s, short *l) {
+    for (int t = n - 1; t >= 0; t--) { // EXPECT: transformed
+        if (s[t] == 7)
+            continue;
+        s[t]++;
+        c[k[t]] += s[t];
+    }
+    unsigned u = 0;
+    while (u < (unsigned)n) { // EXPECT: transformed
+        if (l[u] > 3)
+            l[u] = (short)-l[u];
+        else if (l[u] == 2)
+            l[u] *= 3;
+        c[k[u]] += l[u];
+        u += 2;
+    }
+}
+
+#define STATE(i) state[(i) + 1]
+static void by_macros(int n, const int *restrict k, double *restrict b, int *state) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        if (STATE(i) % 3 == 1)
+            STATE(i) -= 2;
+        STATE(i) = STATE(i) * 5 % 1009;
+        b[k[STATE(i)]] += STATE(i);
+    }
+}
+
+/* It is left early: what an iteration has made of its own element by then is nobody's. */
+static int until(int n, const int *k, double *restrict b, double *own) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        if (own[i] > 1e6)
+            return i;
+        own[i] += 1;
+        b[k[i]] += own[i];
+        changed += own[i];
+    }
+    return n;
+}
+
+/* Stores beside a read that are more than distribution takes (distributed_stores.c). */
+static void some_iterations_go_on(int n, const int *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        if (r[i] == 3)
+            continue;
+        t[i] = 0;
+    }
+}
+
+static void read_after(int n, const int *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const double v = t[i];
+        t[i] = 0;
+        y[r[i]] -= v + t[i];
+    }
+}
+
+static void read_by_another_pointer(int n, const int *r, double *y, double *t, const double *u) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i] * u[i];
+        t[i] = 0;
+    }
+}
+
+static void read_as_bytes(int n, const unsigned char *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        t[i] = 0;
+    }
+}
+
+static void value_is_of_the_iteration(int n, const int *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const double v = t[i] * 2;
+        y[r[i]] -= v;
+        t[i] = v;
+    }
+}
+
+static void value_is_stepped(int n, const int *r, double *y, double *t, int k) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        t[i] = k;
+        k += 2;
+    }
+}
+
+static void condition_is_of_the_iteration(int n, const int *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int k = r[i];
+        y[k] -= t[i];
+        if (k > 7)
+            t[i] = 0;
+    }
+}
+
+static void other_branch(int n, const int *r, double *y, double *t, double limit) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        if (t[i] > limit)
+            t[i] = 0;
+        else
+            t[i] = 1;
+    }
+}
+
+static void in_a_loop_inside(int n, const int *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        for (int k = 0; k < r[i]; k++)
+            t[i] = 0;
+    }
+}
+
+static void condition_reads_after(int n, const int *r, double *y, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        t[i] = 0;
+        if (t[i] == 0)
+            t[i] = 1;
+    }
+}
+
+static void condition_reads_memory(int n, const int *r, double *y, double *t, const int *limit) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        if (*limit > i)
+            t[i] = 0;
+    }
+}
+
+static void condition_rounds(int n, const int *r, double *y, double *t, double by) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        y[r[i]] -= t[i];
+        if (t[i] * by + 1.0 > 2.0)
+            t[i] = 0;
+    }
+}
+
+static void beside_reads(int n, int round) {
+    static unsigned char small[N];
+    static int bound[N];
+    for (int i = 0; i < N; i++) {
+        small[i] = (unsigned char)at[i];
+        bound[i] = at[i] % 6;
+    }
+    some_iterations_go_on(n, bound, h, e);
+    read_after(n, at, h, x);
+    read_by_another_pointer(n, at, h, e, y);
+    read_as_bytes(n, small, h, y);
+    case_values(e, N);
+    case_values(y, N);
+    value_is_of_the_iteration(n, at, h, x);
+    value_is_stepped(n, at, h, x, round);
+    condition_is_of_the_iteration(n, at, h, e);
+    other_branch(n, at, h, e, 0.25);
+    in_a_loop_inside(n, bound, h, e);
+    condition_reads_after(n, at, h, y);
+    case_values(e, N);
+    condition_reads_memory(n, at, h, e, &round);
+    condition_rounds(n, at, h, e, 0.5);
+    CASE_PRINT(x);
+    CASE_PRINT(e);
+    CASE_PRINT(h);
+}
+
+int main(void) {
+    for (int i = 0; i < N; i++) {
+        for (int d = 0; d < F; d++)
+            feature[i][d] = (float)case_value();
+        point[i] = feature[i];
+        particle[i] = (struct particle){.x = i % 97 / 97.0, .weight = (float)case_value()};
+        particle[i].v[1] = case_value() * 3;
+        seen[i] = (unsigned char)(i * 7 % 251);
+        level[i] = (short)(i % 5);
+    }
+    static float sum[C][F], *sums[C];
+    static int length[C];
+    for (int c = 0; c < C; c++) {
+        row[c] = centre[c];
+        sums[c] = sum[c];
+        for (int d = 0; d < F; d++)
+            centre[c][d] = feature[c * 31][d];
+    }
+    case_values(e, N);
+    case_values(x, N);
+    case_values(y, N);
+    case_subscripts(at, N, M);
+    for (int round = 0; round < 5; round++) {
+        const int n = round == 3 ? N / 2 : N;
+        printf("%a\n", (double)assign(n, point, row, member, length, sums));
+        CASE_PRINT(member);
+        CASE_PRINT(length);
+        CASE_PRINT(sum);
+        for (int c = 0; c < C; c++)
+            for (int d = 0; d < F; d++)
+                centre[c][d] = (centre[c][d] + sum[(c + 1) % C][d] / 100) / 2;
+        push(n, particle, h, 0.0625);
+        CASE_PRINT(particle);
+        CASE_PRINT(h);
+        relax(n - 1, h, x, x + 1, at); /* it overlaps */
+        relax(n, h, x, y, at);
+        CASE_PRINT(x);
+        marks(n, at, count, seen, level);
+        CASE_PRINT(seen);
+        CASE_PRINT(level);
+        CASE_PRINT(count);
+        by_macros(n, at, h, order);
+        CASE_PRINT(order);
+        y[N / 3] = round == 2 ? 1e7 : 1;
+        printf("%d\n", until(n, at, h, y));
+        CASE_PRINT(y);
+        beside_reads(n, round);
+    }
+    printf("%a\n", changed);
+    return 0;
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// An element that is read and stored to, and is not shown to be the iteration's own.
+// covers: row 93
+struct particle {
+    double x, v;
+    unsigned flag : 3;
+};
+union word {
+    int i;
+    float f;
+};
+static int next_of(const int *m, int i) {
+    return m[i] + 1;
+}
+static void put(int *m, int v) {
+    if (*m < v)
+        *m = v;
+}
+
+/* Two iterations have one element. */
+void by_index(int n, const int *restrict k, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse index-array-written
+        const int v = m[k[i]] * 5 % 1000;
+        m[k[i]] = v;
+        c[v]++;
+    }
+}
+
+void by_halves(int n, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        m[i / 2] = m[i / 2] * 5 % 1000;
+        c[m[i / 2]]++;
+    }
+}
+
+void narrow(int n, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        m[(unsigned char)i] = m[(unsigned char)i] * 5 % 1000;
+        c[m[(unsigned char)i]]++;
+    }
+}
+
+/* Another iteration reads it. */
+void neighbour(int n, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        m[i] = (m[i] + m[i + 1]) % 1000;
+        c[m[i]]++;
+    }
+}
+
+void in_a_call(int n, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse callee-reads
+        m[i] = m[i] * next_of(m, i) % 1000;
+        c[m[i]]++;
+    }
+}
+
+void by_another_name(int n, int *restrict m, int *restrict c) {
+    const int *behind = m - 1;
+    for (int i = 1; i < n; i++) { // EXPECT: refuse array-read
+        m[i] = (m[i] + behind[i]) % 1000;
+        c[m[i]]++;
+    }
+}
+
+/* Where that may be, and the inspector would read it. */
+void perhaps_subscripts(int n, const int *k, int *m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        m[i] = m[i] * 5 % 1000;
+        c[k[m[i]]]++;
+    }
+}
+
+/* The base moves, or may. */
+int *shared;
+void of_a_global(int n, const int *restrict k, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        shared[i] = shared[i] * 5 % 1000;
+        c[k[i]] += shared[i];
+    }
+}
+
+/* It may not be there in other iterations. */
+void under_a_condition(int n, const int *restrict k, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse index-array-written
+        if (k[i]) {
+            if (m[i] != k[i])
+                m[i] = k[i];
+            c[m[i]]++;
+        }
+}
+
+/* Its address is known, or its bytes have other names. */
+void by_address(int n, int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        c[m[i]]++;
+        put(&m[i], 5);
+    }
+}
+
+void as_address(int n, const int *restrict k, int *restrict m, int *restrict c, const int *end) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        m[i] = m[i] * 5 % 1000;
+        if (&m[i] < end)
+            c[k[m[i]]]++;
+    }
+}
+
+void of_a_union(int n, union word *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse union
+        m[i].i = m[i].i * 5 % 1000;
+        c[m[i].i]++;
+    }
+}
+
+void of_bits(int n, struct particle *restrict p, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse bit-field
+        p[i].flag = p[i].flag + 1u;
+        c[p[i].flag]++;
+    }
+}
+
+void as_observed(int n, volatile int *restrict m, int *restrict c) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse volatile
+        m[i] = m[i] * 5 % 1000;
+        c[m[i]]++;
+    }
+}
+
+/* The whole record is copied. */
+void as_a_record(int n, struct particle *restrict p, const int *restrict k, double *restrict h) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
+        struct particle q = p[i];
+        p[i].x += q.v;
+        h[k[i]] += p[i].x;
+    }
+}

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * A variable may stand for the element where
+ * - its subscript has another value in each iteration, and nothing else on the way to it changes:
+ * no two iterations have one element, and its address may be computed at any time;
+ * - each iteration reads it, before it stores to it. So reading it at the beginning does nothing
+ * that the program would not do, and it has this type from before the loop on: what other
+ * iterations read as another type is no part of it (C17 6.5p7), since no store of the loop lies
+ * between. Or each iteration stores to it, before it reads it: then nothing is read at the
+ * beginning, and types tell only declared objects apart (6.5p6);
+ * - whatever else the loop reads is apart from it, by proof or by a comparison before anything is
+ *   written, and whatever else it writes is an update, with which all reads are compared. So no
+ *   iteration sees that the store is made later;
+ * - the text names it by this expression alone, and nowhere asks for its address.
+ */
+#include "analysis/loop/own.h"
+
+#include "analysis/base/expression.h"
+
+enum { MOST_OWN = 16 };
+
+/* ---- what such an element looks like --------------------------------------------------------- */
+
+static bool is_fixed(const loop_analysis *j, const ir_node *node) {
+    return node->kind == IR_NUMBER || analysis_leaves(j, node);
+}
+
+/* The counter, cast or not, and what is added to it. A wider type keeps different values apart, and
+ * sums that wrap around do so too. */
+static bool differs_always(const loop_analysis *j, const ir_node *node) {
+    if (node->kind == IR_CAST)
+        return ir_type_is_plain_integer(node->type) &&
+               node->type->size >= node->children[0]->type->size &&
+               differs_always(j, node->children[0]);
+    if (node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT)) {
+        const ir_node *left = node->children[0], *right = node->children[1];
+        return ir_type_is_plain_integer(left->type) && ir_type_is_plain_integer(right->type) &&
+               ((differs_always(j, left) && is_fixed(j, right)) ||
+                (is_fixed(j, left) && differs_always(j, right)));
+    }
+    return expression_is_variable(node, j->counted.counter);
+}
+
+static bool is_array(const loop_analysis *j, const ir_node *base) {
+    return base->kind == IR_VARIABLE && base->variable->storage != IR_THREAD_LOCAL &&
+           (base->type->kind == IR_ARRAY
+                ? base->type->count > 0 && !ir_declarator_in(j->loop, base->variable)
+                : base->type->kind == IR_POINTER && analysis_leaves(j, base));
+}
+
+/* One of the elements that an array inside has for certain. */
+static bool is_constant_inside(const ir_node *node) {
+    int64_t value;
+    return node->kind == IR_INDEX && node->children[0]->type->kind == IR_ARRAY &&
+           expression_constant(node->children[1], &value) && value >= 0 &&
+           value < node->children[0]->type->count;
+}
+
+bool own_is_element(const loop_analysis *j, const ir_node *lvalue) {
+    const ir_node *node = lvalue;
+    while ((node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) || is_constant_inside(node)) {
+        if (node->kind == IR_MEMBER && (!node->field || node->field->is_bit_field))
+            return false;
+        node = node->children[0];
+    }
+    return j->counted.counter->type->kind == IR_INTEGER && node->kind == IR_INDEX &&
+           is_array(j, node->children[0]) && differs_always(j, node->children[1]);
+}
+
+/* Of a type that is copied bit by bit, and stored indivisibly. */
+static bool has_type(const ir_type *type) {
+    return type && type->spelling && !type->is_const && !type->is_volatile && !type->is_atomic &&
+           (type->kind == IR_INTEGER || type->kind == IR_FLOATING) &&
+           (type->size == 1 || type->size == 2 || type->size == 4 || type->size == 8);
+}
+
+/* ---- what else the loop does ------------------------------------------------------------------
+ */
+
+static bool is_of(const loop_access *a, const ir_node *element) {
+    return !a->access.callee && a->access.is_exact && a->access.lvalue &&
+           a->access.lvalue == a->access.node && expression_same(a->access.lvalue, element);
+}
+
+/* What each iteration does to the element first, for certain. */
+typedef enum first_use { FIRST_UNKNOWN, FIRST_READ, FIRST_STORED } first_use;
+
+static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
+    unsigned certain_read = UINT32_MAX, certain_store = UINT32_MAX;
+    unsigned any_read = UINT32_MAX, any_store = UINT32_MAX;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const access *a = &j->accesses[i].access;
+        if (!is_of(&j->accesses[i], element))
+            continue;
+        const bool reads =
+            a->kind == ACCESS_READ || (a->kind == ACCESS_UPDATE && a->form.has_operator);
+        /* it is stored once the value is known */
+        const unsigned at = reads ? a->node->id : expression_last_id(a->node->parent);
+        unsigned *any = reads ? &any_read : &any_store;
+        unsigned *certain = reads ? &certain_read : &certain_store;
+        *any = at < *any ? at : *any;
+        *certain = !a->is_conditional && at < *certain ? at : *certain;
+    }
+    return certain_read < UINT32_MAX && certain_read <= any_store   ? FIRST_READ
+           : certain_store < UINT32_MAX && certain_store < any_read ? FIRST_STORED
+                                                                    : FIRST_UNKNOWN;
+}
+
+/* Statements of their own, that update nothing else. */
+static bool stores_alone(const loop_analysis *j, const ir_node *element) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const access *a = &j->accesses[i].access;
+        if (a->kind == ACCESS_READ || !is_of(&j->accesses[i], element))
+            continue;
+        const ir_node *assignment = a->node->parent;
+        const ir_node *statement = assignment ? assignment->parent : NULL;
+        if (!statement || expression_written(assignment) != a->node ||
+            statement->kind != IR_EXPRESSION || statement->range.begin >= statement->range.end)
+            return false;
+    }
+    return true;
+}
+
+/* Is its address asked for, or may it be named where nothing is read? */
+static bool has_other_use(const ir_node *node, const ir_node *element) {
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+        expression_same(node->children[0], element))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_other_use(node->children[i], element))
+            return true;
+    return false;
+}
+
+/* An element behind a pointer, or in an object, with its own type. */
+static location location_of_element(const loop_analysis *j, const ir_node *element) {
+    location where = location_of(j->an->facts, element, j->loop);
+    where.type = element->type;
+    return where;
+}
+
+/* Does the other access meet that of another iteration to the element? */
+static overlap meets(const loop_analysis *j, const loop_access *other, const location *where,
+                     first_use first) {
+    if (!other->access.lvalue)
+        return other->access.kind == ACCESS_READ ? OVERLAP_MAYBE : OVERLAP_SAME;
+    return other->access.kind == ACCESS_READ && first == FIRST_STORED
+               ? locations_overlap_store(&j->an->rules, &other->where, where)
+               : locations_overlap(&j->an->rules, &other->where, where);
+}
+
+static bool may_be_own(const loop_analysis *j, const ir_node *element, own_element *item) {
+    const location where = location_of_element(j, element);
+    const first_use first = first_use_of(j, element);
+    *item = (own_element){.element = element, .is_stored_first = first == FIRST_STORED};
+    if (!has_type(element->type) || where.is_inexact || where.is_punned || where.has_union ||
+        where.has_bit_field || !where.base || first == FIRST_UNKNOWN || !stores_alone(j, element) ||
+        has_other_use(j->loop, element))
+        return false;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const loop_access *other = &j->accesses[i];
+        if (is_of(other, element))
+            continue;
+        const overlap found = meets(j, other, &where, first);
+        if (found == OVERLAP_SAME)
+            return false;
+        item->is_guarded |= found == OVERLAP_MAYBE &&
+                            (other->access.kind == ACCESS_READ ||
+                             (other->access.lvalue && own_is_element(j, other->access.lvalue)));
+    }
+    return true;
+}
+
+/* ---- the loop's --------------------------------------------------------------------------------
+ */
+
+int own_named(const loop_analysis *j, const ir_node *node) {
+    for (unsigned i = 0; i < j->own.count; i++)
+        if (expression_same(node, j->own.items[i].element))
+            return (int)i;
+    return -1;
+}
+
+static void class_accesses(loop_analysis *j) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        loop_access *a = &j->accesses[i];
+        for (unsigned k = 0; k < j->own.count; k++)
+            if (is_of(a, j->own.items[k].element))
+                a->class = a->access.kind == ACCESS_READ ? CLASS_FORWARDED : CLASS_SCALAR;
+    }
+}
+
+static void add_first_reads(loop_analysis *j) {
+    loop_access *all = ARENA_ARRAY(j->an->memory, loop_access, j->access_count + j->own.count + 1);
+    for (unsigned i = 0; i < j->access_count; i++)
+        all[i] = j->accesses[i];
+    for (unsigned i = 0; i < j->own.count; i++) {
+        const ir_node *element = j->own.items[i].element;
+        all[j->access_count + i] = (loop_access){.access = {.kind = ACCESS_READ,
+                                                            .lvalue = element,
+                                                            .is_exact = true,
+                                                            .type = element->type,
+                                                            .node = element},
+                                                 .where = location_of_element(j, element),
+                                                 .is_scalar = j->own.items[i].is_guarded};
+    }
+    j->accesses = all;
+    j->access_count += j->own.count;
+}
+
+void own_take(loop_analysis *j) {
+    if (!j->an->keeps_own)
+        return;
+    for (unsigned i = 0; i < j->access_count && j->own.count < MOST_OWN; i++) {
+        const access *a = &j->accesses[i].access;
+        own_element item;
+        if (a->kind == ACCESS_READ || a->callee || !a->lvalue || !own_is_element(j, a->lvalue) ||
+            own_named(j, a->lvalue) >= 0 || !may_be_own(j, a->lvalue, &item))
+            continue;
+        VECTOR_PUSH(j->an->memory, &j->own, item);
+    }
+    if (j->own.count == 0)
+        return;
+    class_accesses(j);
+    add_first_reads(j);
+}
+
+bool own_check(loop_analysis *j) {
+    for (unsigned i = 0; i < j->own.count; i++) {
+        const location where = location_of_element(j, j->own.items[i].element);
+        for (unsigned k = 0; k < j->access_count; k++) {
+            const loop_access *other = &j->accesses[k];
+            if (other->access.kind == ACCESS_READ || other->class == CLASS_REDUCTION ||
+                other->is_scalar ||
+                (other->access.lvalue && own_named(j, other->access.lvalue) >= 0))
+                continue;
+            if (!other->access.lvalue ||
+                locations_overlap(&j->an->rules, &other->where, &where) != OVERLAP_NO)
+                return analysis_refuse(j, REASON_OTHER_STORE, j->own.items[i].element,
+                                       analysis_name(j, j->own.items[i].element));
+        }
+    }
+    return true;
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The variables that stand for an iteration's own elements (analysis/loop/own.h). */
+#ifndef EMIT_BASE_OWN_H
+#define EMIT_BASE_OWN_H
+
+#include "emit/base/loop.h"
+
+/** The variable that this node stands for, or NULL. */
+const char *own_name(const loop_text *loop, const ir_node *node);
+/** Declares the variables with the elements' values, those of the slice only or all. `rename`
+ * spells the elements. */
+void declare_own(loop_text *loop, writer *out, bool of_slice, ir_c_rename rename, void *context);
+
+#endif
