@@ -96,18 +96,3 @@ int counts_compilations(int n, const int *k, double *h) {
     }
     return UNIQUE;
 }
-
-/* The directive behind the loop is compiled, and its clause reads `last`. */
-int directive_behind(int n, const int *k, double *h) {
-    int last = 1, count = 0;
-    for (int t = 0; t < n; t++) // EXPECT: refuse last-value
-        if (k[t] > 2)
-            for (last = 0; last < k[t]; last++)
-                h[k[t]] += 1;
-#ifndef OTHER
-#pragma omp parallel num_threads(last) reduction(+ : count)
-#endif
-    count++;
-    last = 0;
-    return count + last;
-}
