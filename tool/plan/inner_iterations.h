@@ -17,13 +17,15 @@
  * variable but its own, so that nobody can see whether the thread executed it; and the rows that it
  * updates can be named before it. It may also add to variables that only updates outside of the
  * inner loop read, as in `p += e; ... f[i] += p;`: then the thread must not own their rows either.
+ * What it adds to series, and errno, which a mathematical function in it may set, are those of the
+ * thread that leads in the iteration.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H
 
 #include "plan/plan.h"
 
-enum { MOST_SKIP_ROWS = 4 };
+enum { MOST_SKIP_ROWS = 8 };
 
 /** Rows that an inner iteration updates. */
 typedef struct skip_row {
@@ -36,14 +38,17 @@ typedef struct inner_skip {
     const ir_node *loop;
     const char *declined;  /* why none is left out; NULL: */
     const ir_node *before; /* the statement of the body in front of which ownership is checked */
-    bool adds_to_series; /* what is left out; the thread that keeps the operands leaves nothing out
-                          */
+    bool needs_leader; /* what is left out adds to series, or may set errno: the thread that leads
+                          in an iteration leaves nothing out */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
 /** Sets skips: of the form whose body is a function of its own. */
 void plan_inner_skips(loop_plan *plan);
+
+/** Must one of the threads that execute an iteration go through all of it? */
+bool plan_has_leaders(const loop_plan *plan);
 
 /** What the plan says of this inner loop; NULL: nothing of it is left out. */
 const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop);

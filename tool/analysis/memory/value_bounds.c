@@ -244,7 +244,8 @@ static bool requires(bounding *b, const ir_node *value) {
 /* A function of the C library whose result is not negative, of an argument that is not, or always.
  */
 static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *is_always) {
-    static const char *const names[] = {"sqrt", "fabs", "floor", "trunc", "ceil", "rint", "nearbyint"};
+    static const char *const names[] = {"sqrt", "fabs", "floor",    "trunc",
+                                        "ceil", "rint", "nearbyint"};
     const ir_function *function =
         call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
     const library_function *found =
@@ -291,7 +292,7 @@ static bool is_never_negative(bounding *b, const ir_node *node) {
     if (node->kind == IR_NUMBER)
         return true; /* the sign is an operator */
     if (stays(b, node))
-        return requires(b, node);
+    return requires(b, node);
     if (node->kind == IR_VARIABLE) {
         const known_value known = used(b, node->variable);
         return known.has_least && (!known.least || requires(b, known.least));
@@ -347,9 +348,9 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
         return;
     }
     b->needs = 0;
-    const value_bounds limit =
-        ir_type_is_plain_integer(bound->type) && bound->type->is_signed ? integer_of(b, bound)
-                                                                        : nothing_known();
+    const value_bounds limit = ir_type_is_plain_integer(bound->type) && bound->type->is_signed
+                                   ? integer_of(b, bound)
+                                   : nothing_known();
     const int64_t open = op == IR_OP_LESS || op == IR_OP_GREATER;
     const bool is_above = op == IR_OP_GREATER || op == IR_OP_GREATER_EQUAL || op == IR_OP_EQUAL;
     const bool is_below = op == IR_OP_LESS || op == IR_OP_LESS_EQUAL || op == IR_OP_EQUAL;
@@ -413,9 +414,9 @@ static void join(bounding *b, const known_values *other) {
         }
         item->needs |= there->needs;
         item->integer = either(item->integer, there->integer);
-        item->has_least &= there->has_least && (item->least && there->least
-                                                    ? expression_same(item->least, there->least)
-                                                    : !item->least && !there->least);
+        item->has_least &= there->has_least &&
+                           (item->least && there->least ? expression_same(item->least, there->least)
+                                                        : !item->least && !there->least);
     }
 }
 
@@ -444,8 +445,8 @@ static void execute_if(bounding *b, const ir_node *statement, const ir_node *sit
 }
 
 static void execute_expression(bounding *b, const ir_node *node) {
-    const bool is_plain_set = node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
-                              node->children[0]->kind == IR_VARIABLE;
+    const bool is_plain_set =
+        node->kind == IR_ASSIGN && node->op == IR_OP_NONE && node->children[0]->kind == IR_VARIABLE;
     if (is_plain_set)
         set(b, node->children[0]->variable, node->children[1]);
     else
