@@ -97,8 +97,8 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number) {
     for (unsigned i = 0; i < bounds->condition_count; i++)
         conditions = arena_format(a, "%s%s%s >= 0", conditions, i ? " && " : "",
                                   value_text(&self, bounds->conditions[i]));
-    const char *all = arena_format(a, "%s%s%s", self.all, *self.all && *conditions ? " && " : "",
-                                   conditions);
+    const char *all =
+        arena_format(a, "%s%s%s", self.all, *self.all && *conditions ? " && " : "", conditions);
     writer_line(out, "if (%s) {", *all ? all : "1");
     for (unsigned i = 0; i < bounds->term_count; i++)
         writer_line(out,

@@ -1,20 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/region.h"
 
+#include <assert.h>
+
 #include "emit/bins/bins.h"
 #include "emit/body/live_out.h"
 #include "emit/body/series.h"
+#include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
 void write_region(loop_text *loop, writer *out) {
     const char *kind = loop->bins ? "_BINNED" : loop->lanes.name ? "_LANES" : "";
-    const char *series = has_series(loop->facts) ? "_SERIES" : "";
+    const bool has_leaders = plan_has_leaders(loop->plan);
+    assert(!has_leaders || !loop->lanes.name); /* errno and series are other values (lanes.c) */
+    const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
     writer_line(out, "REDCC_PARALLEL%s%s(%sREDCC_CHUNK_%u,%s%s%s", kind, series,
                 loop->bins ? streams_argument(loop) : "", loop->facts->array_count,
                 loop->bins ? " " : "", loop->bins ? bins_phase(loop) : "", loop->bins ? "," : "");
-    if (has_series(loop->facts))
-        writer_line(out, "    (%s),", series_go_on(loop));
+    if (has_leaders)
+        writer_line(out, "    (%s),", has_series(loop->facts) ? series_go_on(loop) : "0");
     writer_line(out, "    %s,", loop->outline.slice_call);
     writer_line(out, "    %s%s", loop->outline.body_call, loop->lanes.name ? "," : ")");
     if (loop->lanes.name)

@@ -5,6 +5,7 @@
 #include "analysis/base/stepped.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
+#include "plan/only_read.h"
 #include "plan/unconditional.h"
 
 /* An additional ownership check in each inner iteration pays from this number of operations on
@@ -71,7 +72,8 @@ static bool may_write(const inner_rest *t, const ir_node *call) {
         const bool is_named = callee && i <= callee->parameter_count;
         const ir_node *argument = call->children[i];
         if (may_be_written_by_call(t, argument,
-                                   is_named ? callee->parameters[i - 1]->type : argument->type))
+                                   is_named ? callee->parameters[i - 1]->type : argument->type) &&
+            !(is_named && only_reads_through(callee, i - 1)))
             return true;
     }
     return !callee;
@@ -382,7 +384,7 @@ static void find_skips(const loop_plan *plan, const ir_node *node, skip_list *li
         if (!skip.declined) {
             skip.before = t.block->children[t.rest];
             skip.row_count = t.row_count;
-            skip.adds_to_series = t.adds_to_series;
+            skip.needs_leader = t.adds_to_series || plan->facts->sets_errno;
             for (unsigned i = 0; i < t.row_count; i++)
                 skip.rows[i] = t.rows[i];
         }
@@ -394,11 +396,16 @@ static void find_skips(const loop_plan *plan, const ir_node *node, skip_list *li
 
 void plan_inner_skips(loop_plan *plan) {
     skip_list list = {0};
-    if (plan->facts->sets_errno) /* each iteration may be the one that sets it */
-        return;
     find_skips(plan, plan->facts->counted.body, &list);
     plan->skip_count = list.count;
     plan->skips = list.items;
+}
+
+bool plan_has_leaders(const loop_plan *plan) {
+    bool needs_leader = has_series(plan->facts);
+    for (unsigned i = 0; i < plan->skip_count; i++)
+        needs_leader |= !plan->skips[i].declined && plan->skips[i].needs_leader;
+    return needs_leader;
 }
 
 const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop) {

@@ -16,13 +16,15 @@
  * private variables, so that skipping it cannot be observed; and the rows that it updates are known
  * before it. It may also add to variables that are read only by updates outside of the inner loop,
  * as in `p += e; ... f[i] += p;`: then the thread must not own their rows either.
+ * Additions to series, and errno, which a mathematical function in it may set, are those of the
+ * thread that leads in the iteration.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H
 
 #include "plan/plan.h"
 
-enum { MOST_SKIP_ROWS = 4 };
+enum { MOST_SKIP_ROWS = 8 };
 
 /** Rows that an inner iteration updates. */
 typedef struct skip_row {
@@ -35,14 +37,17 @@ typedef struct inner_skip {
     const ir_node *loop;
     const char *declined;  /* the reason why none is skipped; NULL: */
     const ir_node *before; /* the statement of the body before which ownership is checked */
-    bool adds_to_series;   /* the skipped part does; the thread that keeps the operands skips
-                            * nothing */
+    bool needs_leader;     /* the skipped part adds to series, or may set errno: the thread that
+                            * leads in an iteration skips nothing */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
 } inner_skip;
 
 /** Sets skips, for the form whose body is a separate function. */
 void plan_inner_skips(loop_plan *plan);
+
+/** Must one of the threads that execute an iteration execute all of it? */
+bool plan_has_leaders(const loop_plan *plan);
 
 /** The plan's entry for this inner loop; NULL: no part of it is skipped. */
 const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop);

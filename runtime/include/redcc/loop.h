@@ -461,6 +461,8 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_TURN(redcc_owned)                                                                    \
     if (redcc__guarded == 1 && !(redcc_owned))                                                     \
         continue;
+/** Is the thread to go through all of the iteration, of a loop without series? */
+#define REDCC_LEADS_ALONE (!redcc__worker->manner.follows)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
@@ -583,7 +585,8 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 
-/** The same if iterations may be handed out once more (redcc/series.h). */
+/** The same if iterations may be handed out once more (redcc/series.h), and if one of the threads
+ *  that execute an iteration leads. */
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \

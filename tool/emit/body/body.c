@@ -393,7 +393,9 @@ static const char *row_question(loop_text *loop, const skip_row *skipped) {
 /** The expression that checks whether the thread owns any of the rows; NULL: it cannot be
  *  spelled. */
 static const char *skip_question(loop_text *loop, const inner_skip *skip) {
-    const char *question = skip->adds_to_series ? "REDCC_LEADS(redcc__writers[0]) || " : "";
+    const char *question = !skip->needs_leader       ? ""
+                           : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "
+                                                     : "REDCC_LEADS_ALONE || ";
     for (unsigned i = 0; i < skip->row_count; i++) {
         const skip_row *skipped = &skip->rows[i];
         const char *one =

@@ -12,6 +12,7 @@
 #include "emit/slice/slice.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
+#include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
@@ -179,7 +180,7 @@ static unsigned loops_around(const loop_facts *facts, const ir_node *row) {
 
 static void log_leader(inspector *self, const ir_node *row) {
     const loop_facts *facts = self->loop->facts;
-    if (!has_series(facts))
+    if (!plan_has_leaders(self->loop->plan))
         return;
     const unsigned own = loops_around(facts, row);
     for (unsigned i = 0; i < facts->update_count; i++)
