@@ -149,14 +149,16 @@ int barrier_init(barrier *b, const mesh *cloth, const scene *s, const double *ma
         self_collision_init(&b->search, &b->surface, reach / 2, 0, s->time.step) != 0)
         return -1;
     b->search.bodies_from = cloth->triangle_count;
+    b->margin = reach / 2;
     const size_t n = (size_t)b->surface.vertex_count + 1;
     b->driven = calloc(n, 1);
     b->begin = calloc(n, sizeof *b->begin);
     b->x = calloc(n, sizeof *b->x);
     b->way = calloc(n, sizeof *b->way);
     b->goal = calloc(n, sizeof *b->goal);
+    b->searched = calloc(n, sizeof *b->searched);
     set_stiffness(b, reach, mass);
-    return b->driven && b->begin && b->x && b->way && b->goal ? 0 : -1;
+    return b->driven && b->begin && b->x && b->way && b->goal && b->searched ? 0 : -1;
 }
 
 void barrier_free(barrier *b) {
@@ -171,6 +173,7 @@ void barrier_free(barrier *b) {
     free(b->x);
     free(b->way);
     free(b->goal);
+    free(b->searched);
     free(b->list.pair);
     free(b->list.contact);
     free(b->list.grip);

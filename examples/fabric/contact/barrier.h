@@ -74,7 +74,10 @@ typedef struct barrier {
     unsigned char *driven; /* [surface's vertices] moved by a pin or a body */
     double stiffness;      /* J */
     double slip_speed;     /* m/s, below which friction grows from 0 */
-    self_collision search; /* the grid */
+    self_collision search; /* the grid and its candidates; */
+    double margin;         /* m, displacement of vertices for which candidates are kept; */
+    double (*searched)[3]; /* [surface's vertices] m, positions of the search; */
+    int has_candidates;    /* they may be reused */
     barrier_list list;
     double (*begin)[3]; /* [surface's vertices] m, positions at the step's beginning, */
     double (*x)[3];     /* current ones, */
@@ -93,6 +96,12 @@ void barrier_place_bodies(const barrier *b, double time, double (*x)[3]);
 /** Lists the pairs that may come within their reach while x moves by part of `way` (NULL: rests).
  *  0, or -1: out of memory, or not all is finite. */
 int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3]);
+
+/** Forgets the candidates of earlier searches. The order of pairs depends on them, hence the bits:
+ *  those of a step must not depend on the steps before. */
+static inline void barrier_begin_search(barrier *b) {
+    b->has_candidates = 0;
+}
 
 /** Lists those of the pairs that are within their reach at x. 0, or -1: out of memory. */
 int barrier_find_contacts(barrier *b, const double (*x)[3]);

@@ -124,11 +124,60 @@ static void add_plane(const barrier *b, int point, const double (*x)[3], const d
     }
 }
 
+/* The largest distance from the searched positions during the displacement, m. */
+static double distance_from_search(const barrier *b, const double (*x)[3], const double (*way)[3]) {
+    double most = 0;
+#pragma omp parallel for schedule(static) reduction(max : most)
+    for (int i = 0; i < b->surface.vertex_count; i++) {
+        double from[3];
+        vector_subtract(x[i], b->searched[i], from);
+        most = fmax(most, vector_length(from));
+        if (way)
+            vector_add_scaled(from, 1, way[i], from);
+        most = fmax(most, vector_length(from));
+    }
+    return most;
+}
+
+/* Keeps the candidates that may come within their reach while all vertices stay in the margin. */
+static void drop_far_candidates(barrier *b, const double (*x)[3]) {
+    self_pair *candidate = b->search.pair;
+    const int found = b->search.pair_count;
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < found; k++) {
+        barrier_pair pair = pair_of(b, &candidate[k]);
+        pair.reach = pair.reach > 0 ? pair.reach + 2 * b->margin : 0;
+        candidate[k].is_far = !(pair.reach > 0) || boxes_apart(&pair, x, NULL);
+    }
+    b->search.pair_count = 0;
+    for (int k = 0; k < found; k++)
+        if (!candidate[k].is_far)
+            candidate[b->search.pair_count++] = candidate[k];
+}
+
+/* Candidates for pairs. A displacement within the margin is found in advance: the boxes are larger
+ * by the margin, and the search is valid until a vertex leaves it. */
+static int search(barrier *b, const double (*x)[3], const double (*way)[3]) {
+    const double gap = b->search.gap;
+    if (b->has_candidates && distance_from_search(b, x, way) <= b->margin)
+        return 0;
+    memcpy(b->searched, x, (size_t)b->surface.vertex_count * sizeof *b->searched);
+    b->has_candidates = distance_from_search(b, x, way) <= b->margin;
+    if (!b->has_candidates)
+        return self_grid_find(&b->search, 1, x, way);
+    b->search.gap += b->margin;
+    const int status = self_grid_find(&b->search, 0, x, x);
+    b->search.gap = gap;
+    if (status == 0)
+        drop_far_candidates(b, x);
+    return status;
+}
+
 int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3]) {
     barrier_list *list = &b->list;
     const int vertices = b->cloth->vertex_count;
     list->pairs = 0;
-    if (self_grid_find(&b->search, way ? 1 : 0, x, way ? way : x) != 0)
+    if (search(b, x, way) != 0)
         return -1;
     const int found = b->search.pair_count;
     const long all = found + (long)vertices * count_planes(b);

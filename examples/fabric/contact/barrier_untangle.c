@@ -104,6 +104,7 @@ static int find_sides(untangling *u) {
     b->search.gap = u->longest;
     const int status = self_grid_find(&b->search, 0, read_only(b->x), read_only(b->x));
     b->search.gap = gap;
+    barrier_begin_search(b);
     for (int k = 0; status == 0 && k < b->search.pair_count; k++) {
         const int *v = b->search.pair[k].vertex, one = u->part[v[0]], other = u->part[v[1]];
         double at[4][3], up[3], vertical[3];

@@ -19,6 +19,7 @@
 typedef struct self_pair {
     int vertex[4];
     int is_edges;
+    int is_far;       /* of no interest to the barrier (barrier_pairs.c) */
     int near_at_rest; /* nearer than the gap in the flat cloth: only kept from passing */
 } self_pair;
 

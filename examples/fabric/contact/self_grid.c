@@ -201,7 +201,7 @@ static int add_if_apart(const self_collision *s, const int vertex[4], int is_edg
             if (vertex[p] == vertex[q])
                 return 0;
     const self_pair pair = {
-        {vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, near_at_rest(s, vertex, firsts)};
+        {vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, 0, near_at_rest(s, vertex, firsts)};
     return add_pair(to, &pair);
 }
 

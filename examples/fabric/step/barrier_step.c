@@ -128,6 +128,7 @@ void barrier_step_detect(simulation *sim) {
     barrier *b = &s->contact;
     set_begin(sim);
     set_goals(sim, timing_end(sim));
+    barrier_begin_search(b);
     sim->step.out_of_memory |= barrier_find_pairs(b, read_only(b->x), NULL) != 0 ||
                                barrier_find_contacts(b, read_only(b->x)) != 0 ||
                                barrier_grip_contacts(b) != 0;

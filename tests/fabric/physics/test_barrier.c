@@ -240,6 +240,63 @@ static void gradients_are_those_of_the_energy(void **state) {
             compare_pair(kind, 1.5, n % 2 ? 3e-3 : 3e-2, &seed);
 }
 
+static int by_bytes(const void *a, const void *b) {
+    return memcmp(a, b, sizeof(barrier_pair));
+}
+
+/* Pairs found among the candidates of an earlier search are those of a new search: a wavy sheet, a
+ * ball and a floor; vertices move at random. */
+static void kept_candidates_miss_no_pair(void **state) {
+    unsigned seed = 3;
+    char error[256];
+    collider bodies[2] = {
+        {.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .gap = 0.01},
+        {.kind = COLLIDER_SPHERE, .position = {0.1, 0.1, 0.03}, .size = {0.02}, .gap = 0.01}};
+    mesh m = cloth_sheet(6, 6, 0.04, 0.2, 3);
+    scene s = cloth_scene();
+    double mass[36], (*x)[3], (*way)[3];
+    barrier kept, fresh;
+    (void)state;
+    s.self_collision.gap = 0.01;
+    s.colliders = bodies;
+    s.collider_count = 2;
+    for (int i = 0; i < 36; i++) {
+        mass[i] = 1e-3;
+        m.position[i][2] = 0.055 + 0.03 * sin(60 * m.position[i][0]);
+    }
+    assert_int_equal(barrier_init(&kept, &m, &s, mass, error), 0);
+    assert_int_equal(barrier_init(&fresh, &m, &s, mass, error), 0);
+    fresh.margin = -1;
+    x = kept.x;
+    way = kept.way;
+    memcpy(x, m.position, sizeof(double[36][3]));
+    barrier_place_bodies(&kept, 0, x);
+    int reused = 0, pairs = 0;
+    for (int n = 0; n < 60; n++) {
+        double before[3];
+        memcpy(before, kept.searched[0], sizeof before);
+        for (int i = 0; i < kept.surface.vertex_count; i++)
+            for (int a = 0; a < 3; a++) {
+                x[i][a] += i < 36 ? 0.2 * kept.margin * random_number(&seed) : 0;
+                way[i][a] = i < 36 ? 0.5 * kept.margin * random_number(&seed) : 0;
+            }
+        assert_int_equal(barrier_find_pairs(&kept, read_only(x), read_only(way)), 0);
+        assert_int_equal(barrier_find_pairs(&fresh, read_only(x), read_only(way)), 0);
+        reused += memcmp(before, kept.searched[0], sizeof before) == 0;
+        pairs += kept.list.pairs;
+        assert_int_equal(kept.list.pairs, fresh.list.pairs);
+        qsort(kept.list.pair, (size_t)kept.list.pairs, sizeof *kept.list.pair, by_bytes);
+        qsort(fresh.list.pair, (size_t)fresh.list.pairs, sizeof *fresh.list.pair, by_bytes);
+        assert_memory_equal(kept.list.pair, fresh.list.pair,
+                            (size_t)kept.list.pairs * sizeof *kept.list.pair);
+    }
+    assert_in_range(reused, 20, 55);
+    assert_true(pairs > 60 * 100);
+    barrier_free(&kept);
+    barrier_free(&fresh);
+    cloth_free(&m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nearest_points),
@@ -248,6 +305,7 @@ int main(void) {
         cmocka_unit_test(many_ways_do_not_pass),
         cmocka_unit_test(parallel_edges_do_not_push),
         cmocka_unit_test(gradients_are_those_of_the_energy),
+        cmocka_unit_test(kept_candidates_miss_no_pair),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
