@@ -76,6 +76,9 @@ enum {
     /** nor a source that is not known to be apart. */
     REDCC_MEETS_SCALARS = 4
 };
+/** Elements of each iteration's own, which are scalars so: those behind one base are known to be
+ *  apart. */
+#define REDCC_BEHIND(redcc_base) ((redcc_base)*256)
 
 /** Any function, by its address. */
 typedef void (*redcc_code)(void);
