@@ -13,7 +13,7 @@ struct particle {
 };
 static struct particle particle[N + 2];
 static int member[N + 2], at[N], count[M], order[N + 1];
-static double e[N], h[M + C], x[N], y[N], changed;
+static double e[N], h[M + C], x[N], y[N], place[N][3], speed[N][3], changed;
 static float centre[C][F], feature[N][F], *row[C], *point[N];
 static unsigned char seen[N];
 static short level[N];
@@ -61,6 +61,29 @@ static void push(int n, struct particle *p, double *rho, double dt) {
         p[t].cell = (int)(p[t].x * M);
         rho[p[t].cell] += p[t].weight;
         rho[p[t].cell + 1] -= p[t].weight * p[t].x;
+    }
+}
+
+/* Parts of rows, and velocities that may be anywhere. */
+static void drift(int n, double (*p)[3], const double (*v)[3], double *restrict rho) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        p[t][0] += v[t][0];
+        p[t][2] -= v[t][2] * p[t][0];
+        if (p[t][0] > 8)
+            p[t][0] = 0;
+        rho[at[t]] += p[t][0] * p[t][2];
+    }
+}
+
+/* Fields of one record, and others that may be anywhere. */
+struct body {
+    double at[2], speed;
+};
+static void fall(int n, struct body *b, const double *g, double *restrict rho) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        b[t].speed += g[t];
+        b[t].at[1] += b[t].speed;
+        rho[at[t]] -= b[t].at[1] * b[t].speed;
     }
 }
 
@@ -241,6 +264,8 @@ static void beside_reads(int n, int round) {
     CASE_PRINT(h);
 }
 
+static struct body body[N];
+
 int main(void) {
     for (int i = 0; i < N; i++) {
         for (int d = 0; d < F; d++)
@@ -259,6 +284,8 @@ int main(void) {
         for (int d = 0; d < F; d++)
             centre[c][d] = feature[c * 31][d];
     }
+    case_values(&place[0][0], 3 * N);
+    case_values(&speed[0][0], 3 * N);
     case_values(e, N);
     case_values(x, N);
     case_values(y, N);
@@ -275,6 +302,13 @@ int main(void) {
         push(n, particle, h, 0.0625);
         CASE_PRINT(particle);
         CASE_PRINT(h);
+        drift(n / 2, place, (const double(*)[3])place + n / 4, h); /* it overlaps */
+        drift(n, place, (const double(*)[3])speed, h);
+        CASE_PRINT(place);
+        fall(n, body, e, h);
+        fall(n / 2, body, &body[1].speed, h); /* it overlaps */
+        fall(n, body, e, h);
+        CASE_PRINT(body);
         relax(n - 1, h, x, x + 1, at); /* it overlaps */
         relax(n, h, x, y, at);
         CASE_PRINT(x);

@@ -7,6 +7,7 @@
 #include "emit/call.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
+#include "ir/ir_syntax.h"
 #include "plan/bins.h"
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
@@ -94,6 +95,19 @@ static void write_arrays(loop_text *loop, writer *out) {
     writer_fill(out, false);
 }
 
+static bool is_own_element(const logged_source *item) {
+    return item->is_scalar && item->fact->extent == EXTENT_AFFINE;
+}
+
+/** Several elements of an iteration's own behind one base are told apart by their places in it. */
+static const char *base_text(loop_text *loop, unsigned number) {
+    const logged_source *all = loop->plan->sources;
+    for (unsigned i = 0; is_own_element(&all[number]) && i < loop->plan->source_count; i++)
+        if (is_own_element(&all[i]) && syntax_same(all[i].fact->base, all[number].fact->base))
+            return arena_format(loop->arena, " | REDCC_BEHIND(%u)", i + 1);
+    return "";
+}
+
 static void write_sources(loop_text *loop, writer *out) {
     if (loop->plan->source_count == 0)
         return;
@@ -106,9 +120,9 @@ static void write_sources(loop_text *loop, writer *out) {
                              : !item->meets_scalars ? ""
                              : meets_no_array ? " | REDCC_MEETS_SCALARS | REDCC_MEETS_NO_ARRAY"
                                               : " | REDCC_MEETS_SCALARS";
-        writer_line(out, "    %s{%s, %d%s}%s", i == 0 ? "{" : "",
+        writer_line(out, "    %s{%s, %d%s%s}%s", i == 0 ? "{" : "",
                     text_quoted(loop->arena, item->fact->name), item->is_subscript, scalar,
-                    i + 1 < loop->plan->source_count ? "," : "};");
+                    base_text(loop, i), i + 1 < loop->plan->source_count ? "," : "};");
     }
     writer_fill(out, false);
 }

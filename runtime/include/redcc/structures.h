@@ -83,6 +83,9 @@ enum {
      *  their records. It may overlap scalars only. */
     REDCC_MEETS_NO_ARRAY = 8
 };
+/** Elements of each iteration's own, which are scalars so: those behind one base are known to be
+ *  apart. */
+#define REDCC_BEHIND(redcc_base) ((redcc_base)*256)
 
 /** Any function, by its address. */
 typedef void (*redcc_code)(void);

@@ -16,33 +16,37 @@ static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t so
     return !(loop->sources[source].is_subscript & REDCC_MEETS_NO_ARRAY);
 }
 
-/** Is the source disjoint from the scalars in memory that the loop adds to? */
+/** May the source overlap number `kept`, a scalar in memory that the loop adds to, or an
+ * iteration's own element, as far as the translator knows? */
+static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source, uint32_t kept) {
+    const int a = loop->sources[source].is_subscript, b = loop->sources[kept].is_subscript;
+    const bool are_behind_one = a >= REDCC_BEHIND(1) && a / REDCC_BEHIND(1) == b / REDCC_BEHIND(1);
+    return source != kept && a > 1 && (b & REDCC_IS_SCALAR) && !are_behind_one;
+}
+
+/** Is the source disjoint from all of these? */
 static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
                                                      const struct range *read, uint32_t source,
                                                      struct overlap *overlap) {
-    const int what = loop->sources[source].is_subscript;
-    for (uint32_t s = 0; what > 1 && s < loop->source_count; s++)
-        if (s != source && (loop->sources[s].is_subscript & REDCC_IS_SCALAR) &&
-            redcc_ranges_overlap(read[source], read[s])) {
+    for (uint32_t s = 0; s < loop->source_count; s++)
+        if (redcc_may_meet_scalar(loop, source, s) && redcc_ranges_overlap(read[source], read[s])) {
             *overlap = (struct overlap){source, loop->array_count + s};
             return false;
         }
     return true;
 }
 
-/** The same of all that is known to be read before anything is executed. */
+/** The same for all extents that are known before execution. */
 static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
                                                       const redcc_extent *known,
                                                       struct overlap *overlap) {
-    for (uint32_t r = 0; r < loop->source_count; r++) {
-        const int what = loop->sources[r].is_subscript;
-        for (uint32_t s = 0; what > 1 && s < loop->source_count; s++)
-            if (s != r && (loop->sources[s].is_subscript & REDCC_IS_SCALAR) &&
+    for (uint32_t r = 0; r < loop->source_count; r++)
+        for (uint32_t s = 0; s < loop->source_count; s++)
+            if (redcc_may_meet_scalar(loop, r, s) &&
                 redcc_ranges_overlap(redcc_range_of(known[r]), redcc_range_of(known[s]))) {
                 *overlap = (struct overlap){r, loop->array_count + s};
                 return false;
             }
-    }
     return true;
 }
 

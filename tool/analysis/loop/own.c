@@ -56,14 +56,20 @@ static bool is_constant_inside(const ir_node *node) {
            value < node->children[0]->type->count;
 }
 
-bool own_is_element(const loop_analysis *j, const ir_node *lvalue) {
+/* t[i + c], of which the lvalue is all or a part. NULL: of a bit-field. */
+static const ir_node *row_of(const ir_node *lvalue) {
     const ir_node *node = lvalue;
     while ((node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) || is_constant_inside(node)) {
         if (node->kind == IR_MEMBER && (!node->field || node->field->is_bit_field))
-            return false;
+            return NULL;
         node = node->children[0];
     }
-    return j->counted.counter->type->kind == IR_INTEGER && node->kind == IR_INDEX &&
+    return node;
+}
+
+bool own_is_element(const loop_analysis *j, const ir_node *lvalue) {
+    const ir_node *node = row_of(lvalue);
+    return node && j->counted.counter->type->kind == IR_INTEGER && node->kind == IR_INDEX &&
            is_array(j, node->children[0]) && differs_always(j, node->children[1]);
 }
 
@@ -139,11 +145,22 @@ static location location_of_element(const loop_analysis *j, const ir_node *eleme
     return where;
 }
 
+/* x[t][0] and x[t][2]: scalars at other places of one row, and of different rows. */
+static bool is_other_part(const loop_analysis *j, const loop_access *other,
+                          const ir_node *element) {
+    const ir_node *lvalue = other->access.lvalue;
+    return !other->access.callee && other->access.is_exact && lvalue == other->access.node &&
+           lvalue->type && ir_type_is_scalar(lvalue->type) && own_is_element(j, lvalue) &&
+           !expression_same(lvalue, element) && expression_same(row_of(lvalue), row_of(element));
+}
+
 /* Does the other access meet that of another iteration to the element? */
-static overlap meets(const loop_analysis *j, const loop_access *other, const location *where,
-                     first_use first) {
+static overlap meets(const loop_analysis *j, const loop_access *other, const ir_node *element,
+                     const location *where, first_use first) {
     if (!other->access.lvalue)
         return other->access.kind == ACCESS_READ ? OVERLAP_MAYBE : OVERLAP_SAME;
+    if (is_other_part(j, other, element))
+        return OVERLAP_NO;
     return other->access.kind == ACCESS_READ && first == FIRST_STORED
                ? locations_overlap_store(&j->an->rules, &other->where, where)
                : locations_overlap(&j->an->rules, &other->where, where);
@@ -161,7 +178,7 @@ static bool may_be_own(const loop_analysis *j, const ir_node *element, own_eleme
         const loop_access *other = &j->accesses[i];
         if (is_of(other, element))
             continue;
-        const overlap found = meets(j, other, &where, first);
+        const overlap found = meets(j, other, element, &where, first);
         if (found == OVERLAP_SAME)
             return false;
         item->is_guarded |= found == OVERLAP_MAYBE &&
@@ -232,7 +249,8 @@ bool own_check(loop_analysis *j) {
             const loop_access *other = &j->accesses[k];
             if (other->access.kind == ACCESS_READ || other->class == CLASS_REDUCTION ||
                 other->is_scalar ||
-                (other->access.lvalue && own_named(j, other->access.lvalue) >= 0))
+                (other->access.lvalue && own_named(j, other->access.lvalue) >= 0) ||
+                (other->access.lvalue && is_other_part(j, other, j->own.items[i].element)))
                 continue;
             if (!other->access.lvalue ||
                 locations_overlap(&j->an->rules, &other->where, &where) != OVERLAP_NO)
