@@ -49,6 +49,38 @@ static void by_parts(int n, struct body *b, const int *begin, const int *end) {
         }
 } // BINNED: 45
 
+/* The same places by pointers to records: made where the counters are what they are in the update, */
+static void by_pointers(int n, struct body *b, double scale) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        struct body *p = &b[i];
+        for (int j = i + 1; j < n; j++) {
+            struct body *const q = &b[j];
+            const double d = (p->at.x - q->at.y) * scale;
+            p->pull.x += d * q->mass;
+            q->pull.x -= d * p->mass;
+            (&b[j])->pull.y += d;
+        }
+    }
+}
+
+/* before they become others, of a number that a list has, and in one branch only. */
+static void by_moved_pointers(int n, struct body *b, const int *first, const int *second) {
+    struct body *r;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int k = first[t];
+        struct body *p = &b[k];
+        k = second[t];
+        struct body *q = &b[k];
+        p->spare[0] += q->mass;
+        for (k = 0; k < 3; k++)
+            q->spare[k & 1] -= p->mass;
+        if (t % 3) {
+            r = &b[k + second[t] % 2];
+            r->pull.z += 0.5;
+        }
+    }
+}
+
 static void fill(void) {
     for (int i = 0; i <= N; i++) {
         double *part = &memory[i].at.x;
@@ -76,6 +108,8 @@ int main(void) {
         CASE_PRINT(&energy);
         by_list(4 * N, memory, first, second);
         by_parts(N, memory + round % 2, begin, end);
+        by_pointers(N - round, memory + round / 2, 0.25);
+        by_moved_pointers(4 * N, memory, first, second);
         CASE_PRINT(memory);
     }
 }

@@ -172,6 +172,88 @@ bool update_array_find(loop_analysis *j, const loop_access *update, update_kind 
            check_neighbours(j, update, kind, &j->arrays.items[*number], *number);
 }
 
+/* ---- rows of pointers to records -------------------------------------------------------------
+ * p = &b[k]; ... p->x += v: the row is b[k].x, where k is still what it was. Spans see how it
+ * steps.
+ */
+
+/* Does it mention, besides numbers, only the loop's counter and variables of the iteration? */
+static bool is_of_iteration_alone(const loop_analysis *j, const ir_node *index) {
+    if (index->kind == IR_VARIABLE)
+        return !index->variable->address_taken && variable_is_automatic(index->variable) &&
+               (index->variable == j->counted.counter ||
+                variable_is_written_in(j->counted.body, index->variable));
+    const bool is_sum =
+        index->kind == IR_BINARY && (index->op == IR_OP_ADD || index->op == IR_OP_SUBTRACT);
+    if (index->kind != IR_NUMBER && index->kind != IR_CAST && !is_sum)
+        return false;
+    for (unsigned i = 0; i < index->child_count; i++)
+        if (!is_of_iteration_alone(j, index->children[i]))
+            return false;
+    return true;
+}
+
+static bool writes_any_of(const ir_node *block, const ir_node *index) {
+    if (index->kind == IR_VARIABLE)
+        return variable_is_written_in(block, index->variable);
+    for (unsigned i = 0; i < index->child_count; i++)
+        if (writes_any_of(block, index->children[i]))
+            return true;
+    return false;
+}
+
+/* The pointer is made in a block around the statement, before it, and nothing in that block writes
+ * what it is made of. */
+static bool is_made_before(const loop_analysis *j, const ir_node *element,
+                           const ir_node *statement) {
+    const ir_node *made = element;
+    while (made->parent && made->parent->kind != IR_BLOCK)
+        made = made->parent;
+    const ir_node *block = made->parent;
+    return block && ir_contains(j->loop, block) && ir_contains(block, statement) &&
+           made->id < statement->id && !ir_contains(made, statement) &&
+           !writes_any_of(block, element->children[1]);
+}
+
+/* b[k] of p = &b[k], NULL: it is nothing of that kind. */
+static const ir_node *element_of_pointer(const loop_analysis *j, const loop_access *update,
+                                         const ir_node *statement) {
+    if (!update_is_by_local_pointer(j, update) || !stays(j, update->where.base))
+        return NULL;
+    const ir_node *pointer =
+        variable_single_definition(j->an->facts, ir_root_variable(update->access.form.target));
+    const ir_node *element =
+        pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS ? pointer->children[0] : NULL;
+    return element && element->kind == IR_INDEX &&
+                   expression_same(element->children[0], update->where.base) &&
+                   is_of_iteration_alone(j, element->children[1]) &&
+                   is_made_before(j, element, statement)
+               ? element
+               : NULL;
+}
+
+/* `p->x`, with the element that p points to. */
+static const ir_node *spelled_by_element(const loop_analysis *j, const ir_node *target,
+                                         const ir_node *element) {
+    const ir_variable *pointer = ir_root_variable(target);
+    ir_node *copy = ir_substitute(j->an->memory, target, NULL, NULL);
+    ir_node *member = copy;
+    while (member->child_count > 0 && member->children[0]->kind != IR_VARIABLE)
+        member = member->children[0];
+    if (member->kind != IR_MEMBER || !(member->flags & IR_ARROW))
+        return target;
+    member->flags &= ~(unsigned)IR_ARROW;
+    member->children[0] = ir_substitute(j->an->memory, element, NULL, NULL);
+    member->children[0]->parent = member;
+    return expression_mentions(copy, pointer) ? target : copy;
+}
+
+static const ir_node *row_of(const loop_analysis *j, const loop_access *update,
+                             const ir_node *statement, const ir_node *target) {
+    const ir_node *element = element_of_pointer(j, update, statement);
+    return access_row(element ? spelled_by_element(j, target, element) : target);
+}
+
 void update_array_add(loop_analysis *j, loop_access *update, update_kind kind,
                       const ir_node *statement, const ir_node *target, unsigned number) {
     update->class = CLASS_REDUCTION;
@@ -181,8 +263,10 @@ void update_array_add(loop_analysis *j, loop_access *update, update_kind kind,
         if (j->updates.items[i].statement == statement)
             return; /* if (R < v) R = v; else R = 0; is one update */
     reduction_array *array = &j->arrays.items[number].array;
-    reduction_update item = {
-        .statement = statement, .target = target, .row = access_row(target), .array = number};
+    reduction_update item = {.statement = statement,
+                             .target = target,
+                             .row = row_of(j, update, statement, target),
+                             .array = number};
     int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
     if (unit > array->unit)
         array->unit = unit;
