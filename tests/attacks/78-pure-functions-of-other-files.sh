@@ -111,7 +111,7 @@ parallel="by_body by_library"
 check loops
 "$ATTACK_REDCC" --analyze loops.c 2>remarks
 for name in level_at scaled twice; do
-  grep -q "R412: '$name' is declared pure or const, but its body is not seen" remarks || fail "no reason names $name"
+  grep -q "R412: '$name' is declared pure or const, but its body is unknown" remarks || fail "no reason names $name"
 done
 grep -qF -- '--pure=NAME, or #pragma redcc pure(NAME)' remarks || fail "what a user can do is not said"
 parallel="by_body by_library by_word"
