@@ -142,7 +142,7 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead = {0, 0, 0, 0, 0}, redcc__farther = {0, 0, 0, 0, 0};                  \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
-    const int redcc__wished = redcc__prefetches > 0 && redcc__worker->manner.prefetches;           \
+    const int redcc__wished = redcc__prefetches > 0 && redcc__worker->variant.prefetches;          \
     if (redcc__wished) {                                                                           \
         redcc_ahead_begin(&redcc__ahead, redcc__worker, redcc_distance);                           \
         redcc_ahead_begin(&redcc__farther, redcc__worker, 2 * (redcc_distance));                   \
