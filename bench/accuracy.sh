@@ -24,7 +24,7 @@ table() {
 } | column -s, -t
 
 plot=$results/accuracy.png
-# One panel for each mesh: a row for each way, time over any across; beside each point its largest error,
+# One panel for each mesh: a row for each variant, time over any across; at each point its largest error,
 # and * where results differ between runs or with the thread count.
 panel() { # rows: gnuplot commands, their data in $work
   awk -F, -v r="$1" '

@@ -7,7 +7,7 @@
 # highest. Results are compared bit for bit.
 # The -short ones, of 0.1 to 0.3 ms, are parts of others: CALLS="400 4000 20000" tells of them.
 # Of the loops of `script/bench methods`, force is its heavy and springs its light one, by rows alone.
-# NEIGHBOURS: processes that only compute run beside all of it, the sequential program as well.
+# NEIGHBOURS: number of compute-bound processes running throughout, also with the sequential program.
 #   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..." NEIGHBOURS=1
 . bench/common.sh
 rounds=${ROUNDS:-5}

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # What the bits cost over ranks: fabric-mpi with --bits=serial against --bits=any, where PETSc solves, on
 # the large mesh, to the same tolerance; fabric-serial in the same rounds. Block-jacobi is the same
-# preconditioner on both sides. Against gauss-seidel stand PETSc's sor within each rank, and gamg.
+# preconditioner on both sides. Gauss-seidel is compared with PETSc's sor within each rank, and gamg.
 #   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
 #   MORE=1 adds the rounds to those in the file
 # Seconds are those of the steps, wall time: on a machine with other work they say little of several

@@ -3,7 +3,7 @@
 # CSparse's cs_gaxpy, its file as it is, compiled by gcc and by redcc-cc: y = A*x + y for a matrix of
 # a million rows and ten million entries, of four shapes (bench/gaxpy.c). Rounds are interleaved;
 # ratios are of one round. The source comes from Debian (build/packages; the first time by network).
-# By default subscripts that nobody writes to are watched from the 14th call on and not read any
+# By default unmodified subscripts are write-tracked from the 14th call on and not read any
 # more (docs/decisions/0007), which the median of so many calls shows; compared: with REDCC_WATCH=off.
 #   ROUNDS=5 CALLS=41 SIDE=1000 SHAPES="banded mesh shuffled random"
 . bench/common.sh

@@ -38,7 +38,7 @@ if [ -n "${PROGRAMS:-}" ]; then
 fi
 load_note
 head=build,kernel,order,threads,serial_seconds
-for manner in plain prefetch lanes both auto; do head+=,$manner,${manner}_low,${manner}_high; done
+for variant in plain prefetch lanes both auto; do head+=,$variant,${variant}_low,${variant}_high; done
 echo "$head" | tee "$csv"
 for threads in ${THREADS:-1 2}; do
   for name in lanes-native lanes-O2; do

@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c),
-# against the sequential loop of the same run, and beside what a user could write himself. Then
+# against the sequential loop of the same run, and with hand-written alternatives. Then
 # `auto` with order any. WARM: seconds of executions before `auto` is timed; its credit for cutting the
 # access graph of the heavy loop, a tenth of the loop's time, takes some seconds to gather.
 . bench/common.sh

@@ -1,6 +1,6 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The paper's evaluation on this machine, beside docs/paper.md: table 1 (a cache model), figures 11
+# The paper's evaluation on this machine, for docs/paper.md: table 1 (a cache model), figures 11
 # and 12 (speed-up and efficiency by method, sorted and not: measured up to the cores there are; by
 # more threads modelled from the schedule), figure 13 (memory). One CSV with all of it, and a plot.
 #   PAPER_WARM=1              seconds of executions before each measurement

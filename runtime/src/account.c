@@ -196,13 +196,13 @@ static void tell_team(struct execution *execution) {
                         woken > 0 ? woken - call->entered : 0, call->started);
 }
 
-static void note_manner(const struct execution *execution, struct statistics *statistics) {
-    double seconds[MANNER_PARTS] = {0}, iterations[MANNER_PARTS] = {0};
+static void note_variant(const struct execution *execution, struct statistics *statistics) {
+    double seconds[VARIANT_PARTS] = {0}, iterations[VARIANT_PARTS] = {0};
     for (int t = 0; t < execution->call.threads; t++)
         redcc_parts_add(&execution->state->thread[t]->runner.parts, seconds, iterations);
-    redcc_run_note_manner(&execution->run, &execution->state->manners, seconds, iterations);
-    statistics->last.lanes = execution->run.manner.lanes;
-    statistics->last.lanes_reason = execution->run.manner.why;
+    redcc_run_note_variant(&execution->run, &execution->state->variants, seconds, iterations);
+    statistics->last.lanes = execution->run.variant.lanes;
+    statistics->last.lanes_reason = execution->run.variant.why;
 }
 
 /* Threads that find their iterations during execution know their number afterwards. */
@@ -242,7 +242,7 @@ static void account_execution(struct execution *execution, double now) {
     statistics->last.length = plan->length;
     statistics->last.compensated = redcc_lost_bytes(plan) > 0;
     count_nodes(execution, statistics);
-    note_manner(execution, statistics);
+    note_variant(execution, statistics);
     trace_execution(execution, now);
     if (!execution->call.method)
         tell_auto(execution, now);

@@ -201,7 +201,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->reason = REASON_NONE;
     execution->woken = 0;
     redcc_run_begin(&execution->run);
-    redcc_run_choose_manner(&execution->run, &state->manners);
+    redcc_run_choose_variant(&execution->run, &state->variants);
     const bool is_validated = call->validate && !state->temporary;
     execution->run.validated = is_validated ? &state->reported.statistics.validated : NULL;
     redcc_bins_begin(&state->binning,

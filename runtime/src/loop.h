@@ -60,7 +60,7 @@ struct loop_state {
     atomic_int busy;
     bool temporary; /* of one execution, in addition to the loop's own; not in the report */
     struct chooser chooser;
-    struct manners manners;
+    struct variants variants;
     struct plan_cache cache;
     struct execution execution;
     struct binning binning;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Operands of floating scalars, any number per iteration (redcc/series.h). An iteration that
- * several threads execute, each for its own elements, has the same operands in each of them. So it
- * does not matter which of them stores its part last, and whether one stores none.
+ * several threads execute, each for its own elements, has the same operands, or none, in each of
+ * them. So it does not matter which of them stores its part last.
  *
  * If memory runs out during the loop, the arrays are already written, and the original loop cannot
  * run. Only operands are lost, and they do not depend on anything that the loop updates: executing

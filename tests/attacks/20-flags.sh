@@ -53,5 +53,5 @@ done
 for option in -O3 -fno-math-errno -fno-trapping-math -mfpmath=sse -fPIC -ffp-contract=off -g -Wall -fno-plt; do
     expect "transformed transformed" "$option"
 done
-# who gives up the bits has the loop translated
+# with the bits given up the loop is translated
 [ "$(verdicts --order=any -- -ffast-math)" = "transformed transformed" ]

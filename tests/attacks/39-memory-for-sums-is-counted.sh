@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Sums beside a histogram keep operands for each iteration: a limit on memory must count them.
+# Sums in a histogram's loop keep operands for each iteration: a limit on memory must count them.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

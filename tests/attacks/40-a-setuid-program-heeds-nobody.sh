@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Who starts a setuid program may not have it write a report where he could not, nor change its results.
+# A user who starts a setuid program must not make it write a report elsewhere, nor change its results.
 set -euo pipefail
 if [ "$(id -u)" != 0 ] || ! command -v setpriv >/dev/null; then
     exit 0 # cannot be tried

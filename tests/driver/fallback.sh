@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Whatever stands in the way, the build gives what it gives without redcc-cc.
+# Whatever fails, the build gives the same result as without redcc-cc.
 . "$(dirname "$0")/library.sh"
 make_root "$work/root"
 export REDCC_ROOT="$work/root"

@@ -68,7 +68,7 @@ if in_small_disk 4096 true 2>/dev/null; then
       status=$?
       [ $status = 0 ] || [ -s messages ] || fail "$case_name: $size $options: link: no message"
       [ $status != 0 ] || ./p2 | grep -qx ran || fail "$case_name: $size: wrong program"
-      # an error of the user's is told all the same
+      # an error of the user's is still reported
       echo 'int f(void) { return undeclared; }' >e.c
       TMPDIR="$PWD/disk" in_small_disk $size "$redcc_cc" gcc -pipe e.c -o p3 2>messages &&
         fail "$case_name: an error was missed"

@@ -16,7 +16,7 @@ export LC_ALL=C.UTF-8
 work=$(mktemp -d "${TMPDIR:-/tmp}/redcc driver é.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 
-# Failures are counted in a file: assertions may stand in a pipe or a subshell.
+# Failures are counted in a file: assertions may be in a pipe or a subshell.
 fail() { echo "FAIL: $*" >&2; echo "$*" >>"$work/failures"; }
 finish() { [ ! -e "$work/failures" ] || exit 1; echo "all passed"; exit 0; }
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Enough iterations for a trial to slice them (execute/manner.h). */
+/* Enough iterations for a trial to slice them (execute/variant.h). */
 enum { NODES = 300, COUNT = 2503 };
 
 struct element {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A trial of manners within one execution. The execution is cut into parts, and the manner changes
- * from part to part. Every iteration is executed once, in the loop's order for each element:
+/* A trial of variants within one execution. The execution is cut into parts, and the variant
+ * changes from part to part. Every iteration is executed once, in the loop's order for each
+ * element:
  *
  *     for (t = 0; t < trip; t++) { b[row[t]] = b[row[t]] * 0.5 + t; b[other[t]] += t; }
  */
@@ -33,7 +34,7 @@ static redcc_loop loop = {.file = "test_trial.c",
                           .sources = sources};
 
 /* Handed out, by variant: iterations, and the number of changes of variant. */
-static long iterations[MANNERS], changes;
+static long iterations[VARIANTS], changes;
 
 static void tell_all(redcc_worker *worker) {
     for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
@@ -59,15 +60,15 @@ static void execute_run(const redcc_worker *worker, redcc_iterations run) {
 static void execute_all(redcc_worker *worker) {
     int before = -1;
     while (redcc_next(worker)) {
-        const int manner = worker->manner.prefetches != 0;
+        const int variant = worker->variant.prefetches != 0;
         long count = 0;
         for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {
             execute_run(worker, *run);
             count += run->count_and_guard / 2;
         }
-        __atomic_fetch_add(&iterations[manner], count, __ATOMIC_RELAXED);
-        __atomic_fetch_add(&changes, before >= 0 && before != manner, __ATOMIC_RELAXED);
-        before = manner;
+        __atomic_fetch_add(&iterations[variant], count, __ATOMIC_RELAXED);
+        __atomic_fetch_add(&changes, before >= 0 && before != variant, __ATOMIC_RELAXED);
+        before = variant;
     }
 }
 
@@ -113,14 +114,14 @@ static void one_execution_is_a_trial(void **unused) {
             draw(order);
             redcc_loop_forget(&loop);
             execute(counts[c]);
-            for (unsigned manner = 0; manner < MANNERS; manner++)
-                assert_true(iterations[manner] >= TRIP / MANNERS / 2 / MOST_THREADS);
+            for (unsigned variant = 0; variant < VARIANTS; variant++)
+                assert_true(iterations[variant] >= TRIP / VARIANTS / 2 / MOST_THREADS);
             /* with stealing one thread may have executed nearly all */
-            assert_in_range(changes, MANNER_PARTS - 1, counts[c] * (MANNER_PARTS - 1));
+            assert_in_range(changes, VARIANT_PARTS - 1, counts[c] * (VARIANT_PARTS - 1));
             execute(counts[c]);
             int taken = 0;
-            for (unsigned manner = 0; manner < MANNERS; manner++)
-                taken += iterations[manner] > 0;
+            for (unsigned variant = 0; variant < VARIANTS; variant++)
+                taken += iterations[variant] > 0;
             assert_int_equal(taken, 1);
         }
     redcc_loop_forget(&loop);

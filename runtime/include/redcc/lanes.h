@@ -221,7 +221,7 @@ redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const voi
         {                                                                                          \
             redcc_chunk redcc_block redcc__block;                                                  \
             redcc_ahead redcc__from;                                                               \
-            const int redcc__at_once = redcc__worker->manner.lanes && redcc_lanes_round_alike();   \
+            const int redcc__at_once = redcc__worker->variant.lanes && redcc_lanes_round_alike();  \
             REDCC_PREFETCH_BEGIN(redcc__prefetches < REDCC_WIDTH ? REDCC_WIDTH                     \
                                                                  : redcc__prefetches)              \
             redcc__worker->call->calls->ahead->begin(&redcc__from, redcc__worker, 0);              \

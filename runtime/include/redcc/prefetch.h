@@ -96,7 +96,7 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead, redcc__farther;                                                      \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
-    const int redcc__wished = redcc__prefetches > 0 && redcc__worker->manner.prefetches;           \
+    const int redcc__wished = redcc__prefetches > 0 && redcc__worker->variant.prefetches;          \
     if (redcc__wished) {                                                                           \
         const redcc_ahead_calls *const redcc__calls = redcc__worker->call->calls->ahead;           \
         redcc__calls->begin(&redcc__ahead, redcc__worker, redcc_distance);                         \

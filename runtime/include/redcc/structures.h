@@ -265,12 +265,12 @@ typedef struct redcc_entry {
 #define REDCC_LONGEST_TOUCH 0x40000000
 
 /** How a chunk is executed; it does not affect the result. */
-typedef struct redcc_manner {
+typedef struct redcc_variant {
     int prefetches; /**< prefetch what later iterations touch? */
     int lanes;      /**< iterations at once, as in the descriptor; 0: one by one */
     int follows;    /**< another thread keeps the operands that owner-checked iterations add to
                      * series */
-} redcc_manner;
+} redcc_variant;
 
 /** One thread's part in an execution; lives on that thread's stack. */
 typedef struct redcc_worker {
@@ -297,7 +297,7 @@ typedef struct redcc_worker {
                                * from all updates */
     void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
-    redcc_manner manner; /* set by redcc_next */
+    redcc_variant variant; /* set by redcc_next */
     redcc_int position;
 } redcc_worker;
 

@@ -167,7 +167,7 @@ static void begin_running(redcc_worker *worker) {
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
     }
     redcc_parts_begin(&runner->parts, redcc_run_parts(run, plan), iterations_of(runner));
-    worker->manner = redcc_run_manner(run, plan, 0);
+    worker->variant = redcc_run_variant(run, plan, 0);
 }
 
 /* Hands out iterations [begin, end) in order and in place. */
@@ -178,7 +178,7 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
     runner->step = begin < end ? step : STEP_END;
     runner->in_order_end = end;
     worker->position = begin;
-    worker->manner = (redcc_manner){0, 0, 0};
+    worker->variant = (redcc_variant){0, 0, 0};
     worker->base = runner->base;
     worker->owner = runner->owner; /* not used: no owner checks */
     worker->run_end = NULL;
@@ -302,7 +302,7 @@ static void turn_to_part(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
     if (parts->count > 0 && redcc_parts_turn(parts))
-        worker->manner = redcc_run_manner(runner->run, runner->plan, parts->number);
+        worker->variant = redcc_run_variant(runner->run, runner->plan, parts->number);
 }
 
 /* Reads some runs, of one part. Returns how many. */
@@ -392,7 +392,7 @@ static int hand_out_selected(redcc_worker *worker) {
         worker->run = runner->piece;
         worker->run_end = runner->piece + runs;
         turn_to_part(worker);
-        worker->manner.follows = selection->follows;
+        worker->variant.follows = selection->follows;
         parts->left -= parts->count > 0 ? iterations : 0;
         if (runs > 0)
             return 1;

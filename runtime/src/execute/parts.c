@@ -18,7 +18,7 @@ static void begin_part(struct parts *it, unsigned number) {
 }
 
 void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations) {
-    assert(count <= MANNER_PARTS && iterations >= 0);
+    assert(count <= VARIANT_PARTS && iterations >= 0);
     it->count = count;
     if (count == 0)
         return;

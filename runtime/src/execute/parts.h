@@ -3,7 +3,7 @@
 #ifndef REDCC_EXECUTE_PARTS_H
 #define REDCC_EXECUTE_PARTS_H
 
-#include "execute/manner.h"
+#include "execute/variant.h"
 
 #include <stdbool.h>
 
@@ -17,10 +17,10 @@ struct parts {
     struct {
         double seconds;
         redcc_int iterations;
-    } part[MANNER_PARTS];
+    } part[VARIANT_PARTS];
 };
 
-/** Begins slice 0 of `count` (at most MANNER_PARTS) now, for this number of iterations in all. */
+/** Begins slice 0 of `count` (at most VARIANT_PARTS) now, for this number of iterations in all. */
 void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations);
 
 /** If the current slice has no iterations left, ends it and begins the next one. Returns whether it

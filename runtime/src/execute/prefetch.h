@@ -11,7 +11,7 @@
 /** Values of REDCC_PREFETCH. */
 enum prefetch_setting {
     PREFETCH_OFF,
-    PREFETCH_AUTO, /* if it has been found to pay (manner.h) */
+    PREFETCH_AUTO, /* if it has been found to pay (variant.h) */
     PREFETCH_ON    /* wherever the loop permits it */
 };
 

@@ -6,18 +6,18 @@
 #include "base/call.h"
 #include "execute/hook.h"
 #include "execute/lanes.h"
-#include "execute/manner.h"
 #include "execute/parts.h"
 #include "execute/prefetch.h"
 #include "execute/select.h"
 #include "execute/validate.h"
+#include "execute/variant.h"
 #include "plan/plan.h"
 
 enum { REDCC_RUNS = 128 };
 
 /** The variants that an execution may have, and results so far. */
-struct manner_choice {
-    const struct manners *known;
+struct variant_choice {
+    const struct variants *known;
     bool is_open;  /* with or without prefetches is to be found out */
     bool is_asked; /* prefetches are requested */
     int lanes;     /* iterations at once; 0: one by one, */
@@ -28,7 +28,7 @@ struct manner_choice {
 struct run {
     const struct call *call;
     struct plan *plan; /* NULL: none (yet) */
-    struct manner_choice manner;
+    struct variant_choice variant;
     struct barrier *barrier;
     struct validated *validated; /* NULL: no validation */
     struct validation validation;
@@ -75,17 +75,17 @@ struct runner {
 void redcc_run_begin(struct run *run);
 
 /** Chooses the variants of the beginning execution, from run->call. `known` must outlive it. */
-void redcc_run_choose_manner(struct run *run, const struct manners *known);
+void redcc_run_choose_variant(struct run *run, const struct variants *known);
 
 /** Number of timing slices of an execution with the plan; 0 if variants are not compared. */
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan);
 
 /** The variant of a slice, by its number; without a trial, slice 0 is the whole execution. */
-redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, unsigned part);
+redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, unsigned part);
 
 /** The execution is over: records seconds and iterations of each slice, summed over the threads. */
-void redcc_run_note_manner(const struct run *run, struct manners *known, const double *seconds,
-                           const double *iterations);
+void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,
+                            const double *iterations);
 
 /** Has the thread's redcc_next hand out the iterations from `from` on, in order and in place; from
  *  == trip: none. */

@@ -22,7 +22,7 @@ struct selection {
     bool asked;           /* classes for worker->first, ... were requested, and are not evaluated
                            * yet */
     redcc_int taken;      /* the number of them already handed out, */
-    bool follows;         /* the last ones with this flag (redcc_manner) */
+    bool follows;         /* the last ones with this flag (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
 };
 

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Decisions: what a loop can afford, and what it does. What came of them is outcome.c's. */
+/** Decisions: the actions that a loop can afford, and the one it takes. outcome.c processes the
+ *  results. */
 #include "learn/learner.h"
 
 #include <assert.h>
 
-/* ---- what it can afford -----------------------------------------------------------------------
- */
+/* ---- affordable actions
+ * -------------------------------------------------------------------------- */
 
 /* A loop at trip counts of one size, in a call. */
 struct choice {
@@ -35,7 +36,7 @@ static double usual_of(const struct choice *c) {
     return redcc_usual(c->size) * (double)c->now->trip;
 }
 
-/* Until bins are known to be the faster way, an execution by them is a trial, which stops. */
+/* Until bins are known to be faster, an execution by them is a trial, which may stop. */
 static bool is_trial(const struct choice *c, enum way way) {
     const bool compared = c->size->stand == STAND_COMPARING && c->size->comparison.contender == way;
     return way == WAY_BINS && (compared || !c->size->arm[way].measured);
@@ -45,14 +46,14 @@ static bool is_clear(const struct choice *c, enum way way) {
     return redcc_expected(c->size, way) < LEARN_CLEAR * redcc_usual(c->size);
 }
 
-/* Seconds that may be lost by this way now, beside what one execution by it may lose. */
+/* Seconds that this strategy may lose now, in addition to the risk of one execution. */
 static double room_for(const struct choice *c, enum way way) {
     const double risk = is_trial(c, way) ? LEARN_SHARE : is_clear(c, way) ? 0 : LEARN_RISK;
-    const double lent = redcc_is_planned(way) ? 0 : c->ledger->loan; /* for a set-up */
+    const double lent = redcc_is_planned(way) ? 0 : c->ledger->loan; /* for a plan construction */
     return credit_of(c->ledger) - lent - risk * usual_of(c);
 }
 
-/* One that was measured and is clearly the faster way repays what is owed, as long as it does. */
+/* A measured strategy that is clearly faster repays the debt while it stays so. */
 static bool may_execute(const struct choice *c, enum way way) {
     const bool gains =
         c->size->gained && c->size->arm[way].measured && !is_trial(c, way) && is_clear(c, way);
@@ -65,8 +66,8 @@ static bool fits(const struct choice *c, enum way way) {
             (c->size->arm[way].possible && room_for(c, way) >= c->now->start));
 }
 
-/* Of the ways that this call can have at once, the one with the least expected time below `current`
- * seconds an iteration. guessed: of those of which only a trial can tell. */
+/* Of the strategies available in this call, the one with the least expected time below `current`
+ * seconds per iteration. guessed: of those that only a trial can evaluate. */
 static enum way ready_way(const struct choice *c, double current, bool guessed) {
     enum way best = WAY_SEQUENTIAL;
     double least = LEARN_BETTER * current;
@@ -79,7 +80,7 @@ static enum way ready_way(const struct choice *c, double current, bool guessed) 
     return best;
 }
 
-/* Subscripts that were not met lately, as far as is known; ones that are likely to stay. */
+/* Subscripts that were not seen lately, as far as known; and ones that are likely to stay. */
 static bool are_new(const struct choice *c) {
     return !c->now->verified && c->now->steady < LEARN_SURE / 2;
 }
@@ -88,8 +89,8 @@ static bool are_sure(const struct choice *c) {
     return c->now->verified || c->now->steady >= LEARN_SURE;
 }
 
-/* Seconds of a set-up from now on, and of starting threads. What was spent so far may show that
- * less is left than is likely: no less than half of what the inspection itself takes. A plan for
+/* Remaining seconds of a plan construction, including starting threads. The time spent so far may
+ * leave less than is likely: the result is at least half of the inspection's own cost. A plan for
  * subscripts that are new each time must not count on a slice that is cheaper than the body. */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
@@ -99,9 +100,9 @@ static double cost_of(const struct choice *c, enum way way) {
     return left + c->now->start + (counts_body ? usual_of(c) / c->now->threads : 0);
 }
 
-/* How many executions a plan made now may serve: as many as there were (rent or buy), or this one
- * alone where the subscripts were not yet met. Where plans were ended by other subscripts: until
- * these are as old as those of the last one were, or, where they are older, as long again. */
+/* The expected number of executions by a plan constructed now: as many as there were (rent or buy),
+ * or only this one if the subscripts are new. If changed subscripts ended earlier plans: until
+ * these are as old as those of the last one were or, if they are older, as long again. */
 static double horizon_of(const struct choice *c) {
     const struct set_ups *it = &c->size->set_ups;
     if (it->lifetime == 0)
@@ -123,15 +124,15 @@ static bool is_affordable(const struct choice *c, enum way way) {
     return all <= room_for(c, way) && has_waited_for(c, all);
 }
 
-/* One loan at a time, and none after a set-up that did not earn its cost. */
+/* One overdraft at a time, and none after a plan construction that did not earn its cost. */
 static bool may_borrow(const struct choice *c) {
     return c->size->stand == STAND_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
            (c->ledger->loan > 0 || credit_of(c->ledger) >= 0);
 }
 
-/* Do two executions repay the set-up, or half as many as its subscripts were there for? Where they
- * may change, the first one must. Where samples may have missed a change, the plan may serve once:
- * that may lose a share of the time so far. */
+/* Do two executions repay the plan construction, or half the number of executions that its
+ * subscripts have lasted? If these may change, the first one must. If samples may have missed a
+ * change, the plan may serve only once: that may lose a share of the time so far. */
 static bool is_worth_loan(const struct choice *c, enum way way) {
     const double usual = usual_of(c), set_up = cost_of(c, way);
     const double gained = usual - redcc_expected(c->size, way) * (double)c->now->trip;
@@ -144,8 +145,8 @@ static bool is_worth_loan(const struct choice *c, enum way way) {
 
 typedef bool allows(const struct choice *, enum way);
 
-/* The plan that is the cheapest over so many executions, set-up included, of those that are allowed
- * and better than `current` seconds an iteration. */
+/* The cheapest plan over `executions` executions, including its construction, of those that are
+ * allowed and better than `current` seconds per iteration. */
 static enum way best_plan(const struct choice *c, double current, double executions,
                           allows *is_allowed) {
     enum way best = WAY_SEQUENTIAL;
@@ -165,7 +166,7 @@ static enum way affordable_way(const struct choice *c, double current) {
     return best_plan(c, current, horizon_of(c), is_affordable);
 }
 
-/* Can the loop be executed by owners at once, whatever its subscripts are? */
+/* Can the loop be executed by owners at once, for any subscripts? */
 static bool goes_without_plan(const struct choice *c) {
     return c->now->kept[WAY_DIRECT] == KEPT_FITS && !c->size->arm[WAY_DIRECT].ruled_out;
 }
@@ -199,14 +200,14 @@ static struct decision reuse(const struct choice *c, enum way way, enum rule rul
     return decision;
 }
 
-/* What is spent of a loan already stays lent. */
+/* The spent part of an overdraft remains a debt. */
 static void lend(const struct choice *c, double seconds) {
     c->ledger->loan = most_of(c->ledger->loan, seconds);
 }
 
-/* A set-up that a loan or the credit allows, for a way better than `current` seconds an iteration,
- * if there is one. A loan is twice its cost and a part of an execution, for threads that the system
- * has no core for at once. */
+/* A plan construction within an overdraft or the credit, for a strategy better than `current`
+ * seconds per iteration, if there is one. The overdraft is twice its cost and a fraction of an
+ * execution, for threads that do not get a core at once. */
 static struct decision set_up(const struct choice *c, double current) {
     const double usual = usual_of(c);
     enum way way = may_borrow(c) ? best_plan(c, redcc_usual(c->size), LEARN_FACTOR, is_worth_loan)
@@ -225,9 +226,10 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* By all threads, so that a set-up can follow at once, where the subscripts are likely to stay and
- * the credit covers starting them; where that is little beside an execution, it is lent. Else by
- * one thread, which waits for nobody: most light loops are not worth more than the look. */
+/* By all threads, so that a plan construction can follow at once, if the subscripts are likely to
+ * stay and the credit covers starting the threads; an overdraft covers it if it is small compared
+ * with an execution. Otherwise by one thread, which waits for no other: most light loops are not
+ * worth more than the sample. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool is_lent = (c->now->verified || goes_without_plan(c)) &&
@@ -256,7 +258,7 @@ static struct decision take_up(const struct choice *c, enum way way) {
     return reuse(c, way, RULE_FASTER);
 }
 
-/* By a plan, if there is to be one. */
+/* By a plan, if one is to be constructed. */
 static struct decision decide_set_up(const struct choice *c) {
     if (redcc_misses(&c->size->set_ups) >= LEARN_SURE / 2 && c->now->steady >= 0 &&
         c->now->steady < LEARN_SURE / 2)
@@ -264,8 +266,8 @@ static struct decision decide_set_up(const struct choice *c) {
     return set_up(c, redcc_usual(c->size));
 }
 
-/* Are iterations so heavy that a look may take longer than a trial of bins may lose? They have
- * loops inside, and it tells all that those touch. */
+/* Are iterations so heavy that an inspection may take longer than a trial of bins may lose? They
+ * have inner loops, and the inspection records all rows that those touch. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     return c->now->threads > 1 && !bins->measured && !bins->ruled_out &&
@@ -280,7 +282,7 @@ static struct decision try_first(const struct choice *c) {
     return may ? take_up(c, WAY_BINS) : sequentially(c, RULE_SAVING);
 }
 
-/* What only a trial can tell of is tried where nothing else may be had. */
+/* A strategy that only a trial can evaluate is tried if no other is available. */
 static struct decision decide_saving(const struct choice *c) {
     const double usual = redcc_usual(c->size);
     const enum way ready = ready_way(c, usual, false);
@@ -296,8 +298,8 @@ static struct decision decide_saving(const struct choice *c) {
                : decision;
 }
 
-/* The plan in use is for other subscripts: what was lent for it is still owed, but no more may be
- * spent of it. */
+/* The plan in use is for other subscripts: its overdraft is still owed, but no more of it may be
+ * spent. */
 static struct decision leave_plan(const struct choice *c) {
     c->size->stand = STAND_SAVING;
     c->ledger->loan = 0;
@@ -361,7 +363,7 @@ static struct decision decide_parallel(const struct choice *c) {
     return reuse(c, c->size->way, RULE_FASTER);
 }
 
-/* What a rest was for may be otherwise now. */
+/* The reason for a back-off may no longer hold. */
 static void end_rest(const struct choice *c) {
     const bool was_slower = c->size->rule == RULE_SLOWER;
     c->size->stand = STAND_SAVING;
@@ -424,7 +426,7 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
     return true;
 }
 
-/* A size of another number of threads is a new one. */
+/* With another number of threads the size counts as new. */
 static struct decision take_call(const struct choice *c) {
     if (c->size->threads > 0 && c->size->threads != c->now->threads)
         *c->size = (struct size_state){0};

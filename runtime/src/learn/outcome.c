@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What came of decisions: estimates give way to measurements, comparisons end, and what did not
- *  pay rests. */
+/** Results of decisions: measurements replace estimates, comparisons end, and unprofitable loops
+ *  back off. */
 #include "learn/learner.h"
 
 #include <assert.h>
@@ -18,7 +18,7 @@ double redcc_usual(const struct size_state *size) {
     return t[2] < low ? low : t[2] > high ? high : t[2];
 }
 
-/* What is gained is not to be overestimated. 0: not known. */
+/* Gains must not be overestimated. 0: unknown. */
 static double least_of_last(const struct size_state *size) {
     double low = size->sequential.recent[0];
     for (int i = 1; i < 3 && i < size->sequential.count; i++)
@@ -34,7 +34,7 @@ int redcc_misses(const struct set_ups *it) {
     return missed(it) ? it->misses + 1 : 0;
 }
 
-/* Doubled by each that did not pay, halved by each that did. */
+/* Doubled by each one that did not pay, halved by each that did. */
 double redcc_factor(const struct set_ups *it) {
     const double now = it->factor > 0 ? it->factor : LEARN_FACTOR;
     if (it->invested == 0)
@@ -70,7 +70,7 @@ static void stop_resting(struct size_state *size, enum stand stand) {
     size->stand = stand;
 }
 
-/* The way was tried and failed. Is there one that may be better? */
+/* The strategy was tried and failed. Is there another that may be better? */
 static bool another_may_do(struct size_state *size, enum way failed) {
     size->arm[failed].possible = false;
     size->arm[failed].ruled_out = true;
@@ -80,7 +80,7 @@ static bool another_may_do(struct size_state *size, enum way failed) {
     return false;
 }
 
-/* A way without a set-up has none that is lost with it. */
+/* A strategy without a plan loses none with it. */
 static void return_to_sequential(struct size_state *size, enum way way) {
     if (!redcc_is_planned(way) && another_may_do(size, way))
         stop_resting(size, STAND_SAVING);
@@ -88,7 +88,7 @@ static void return_to_sequential(struct size_state *size, enum way way) {
         rest(size, RULE_SLOWER);
 }
 
-/* A comparison is over: the contender was the faster way, or not. */
+/* A comparison is over: was the contender faster? */
 static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
     struct arm *arm = &size->arm[it->contender];
@@ -109,11 +109,11 @@ enum way redcc_turn(const struct comparison *it) {
     return redcc_turn_of(it->turns.timed) == 0 ? it->contender : it->incumbent;
 }
 
-/* usual: seconds an iteration of the sequential loop, as far as is known of this execution. */
+/* usual: seconds per iteration of the sequential loop, as known in this execution. */
 static void count_in_comparison(struct size_state *size, enum way way, double each, double usual) {
     struct comparison *it = &size->comparison;
     if (way != redcc_turn(it))
-        return; /* sequential for want of credit */
+        return; /* sequential for lack of credit */
     redcc_turns_note(&it->turns, each);
     if (it->turns.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);
@@ -121,7 +121,7 @@ static void count_in_comparison(struct size_state *size, enum way way, double ea
         settle(size, redcc_turns_winner(&it->turns) == 0);
 }
 
-/* More than noise lies between two timings of a loop: the machine is another. */
+/* Two timings of a loop differ by more than noise: the machine's load has changed. */
 static bool is_another(double before, double now) {
     return now * (1 + 2 * LEARN_NOISE) < before || now > (1 + 2 * LEARN_NOISE) * before;
 }
@@ -159,8 +159,8 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
     size->checks = 0;
 }
 
-/* The first execution by a new way starts threads and touches pages: it is only compared where it
- * is clearly the faster way in spite of that. */
+/* The first execution by a new strategy starts threads and touches pages: it is only compared if it
+ * is clearly faster in spite of that. */
 static void begin_trial(struct size_state *size, enum way way, double each, double usual) {
     const bool rival = size->stand == STAND_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
@@ -168,8 +168,7 @@ static void begin_trial(struct size_state *size, enum way way, double each, doub
         count_in_comparison(size, way, each, usual);
 }
 
-/* An execution that was not the sequential loop's. Returns the seconds that one would have taken.
- */
+/* An execution other than by the sequential loop. Returns the seconds that one would have taken. */
 static double enter_in_ledger(struct choice_state *state, struct size_state *size,
                               const struct outcome *outcome) {
     const double each = outcome->usual > 0 ? outcome->usual : least_of_last(size);
@@ -236,7 +235,7 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
     const double expected = whole > twice ? whole : twice;
-    if (outcome->way == WAY_SEQUENTIAL) { /* a look, by its dry run */
+    if (outcome->way == WAY_SEQUENTIAL) { /* a sample, by its dry run */
         size->look = expected;
         return;
     }
@@ -294,7 +293,7 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         state->ledger.overhead += outcome->seconds;
         failed = true;
     }
-    /* A loan is repaid, or what it was given for has failed: nothing more may be spent of it. */
+    /* An overdraft is repaid, or its purpose has failed: no more of it may be spent. */
     if (failed || size->stand == STAND_RESTING || redcc_credit(state) >= state->ledger.loan)
         state->ledger.loan = 0;
 }

@@ -14,21 +14,21 @@
 /* The number of slices executed without and with prefetches in `executions` executions of this many
  * iterations per thread, if an iteration takes seconds[with]; every third slice takes half as long
  * again. */
-static void execute(struct manners *it, bool open, int executions, redcc_int iterations,
-                    const double seconds[MANNERS], int made[MANNERS]) {
-    memset(made, 0, MANNERS * sizeof *made);
+static void execute(struct variants *it, bool open, int executions, redcc_int iterations,
+                    const double seconds[VARIANTS], int made[VARIANTS]) {
+    memset(made, 0, VARIANTS * sizeof *made);
     for (int i = 0; i < executions; i++) {
-        const unsigned parts = redcc_manner_parts(it, open, iterations);
-        double each[MANNER_PARTS];
-        assert_in_range(parts, 0, MANNER_PARTS);
+        const unsigned parts = redcc_variant_parts(it, open, iterations);
+        double each[VARIANT_PARTS];
+        assert_in_range(parts, 0, VARIANT_PARTS);
         for (unsigned part = 0; part < parts; part++) {
-            const bool manner = redcc_manner_of(it, open, part);
-            made[manner]++;
-            each[part] = seconds[manner] * (1 + 0.5 * (((unsigned)i + part) % 3 == 0));
+            const bool variant = redcc_variant_of(it, open, part);
+            made[variant]++;
+            each[part] = seconds[variant] * (1 + 0.5 * (((unsigned)i + part) % 3 == 0));
         }
         if (parts == 0)
-            made[redcc_manner_of(it, open, 0)]++;
-        redcc_manner_note(it, open, parts, each);
+            made[redcc_variant_of(it, open, 0)]++;
+        redcc_variant_note(it, open, parts, each);
     }
 }
 
@@ -36,20 +36,20 @@ enum { SHORT = 100, LONG = 1 << 20 };
 
 static void nothing_is_tried_where_nothing_is_open(void **unused) {
     (void)unused;
-    struct manners it = {0};
-    int made[MANNERS];
-    assert_int_equal(redcc_manner_parts(&it, false, LONG), 0);
-    execute(&it, false, 50, LONG, (const double[MANNERS]){1, 1}, made);
+    struct variants it = {0};
+    int made[VARIANTS];
+    assert_int_equal(redcc_variant_parts(&it, false, LONG), 0);
+    execute(&it, false, 50, LONG, (const double[VARIANTS]){1, 1}, made);
     assert_int_equal(made[0], 50);
 }
 
 /* Of short executions each is a part. */
 static void the_faster_one_is_kept(void **unused) {
     (void)unused;
-    const double gains[MANNERS] = {1.0, 0.9}, loses[MANNERS] = {0.9, 1.0};
-    struct manners it = {0}, other = {0};
-    int made[MANNERS];
-    assert_true(redcc_manner_of(&it, true, 0));
+    const double gains[VARIANTS] = {1.0, 0.9}, loses[VARIANTS] = {0.9, 1.0};
+    struct variants it = {0}, other = {0};
+    int made[VARIANTS];
+    assert_true(redcc_variant_of(&it, true, 0));
     execute(&it, true, 6, SHORT, gains, made);
     assert_int_equal(made[true], 3);
     execute(&it, true, 64, SHORT, gains, made);
@@ -64,63 +64,63 @@ static void the_faster_one_is_kept(void **unused) {
 
 static void one_long_execution_does_for_a_trial(void **unused) {
     (void)unused;
-    int made[MANNERS];
-    for (unsigned best = 0; best < MANNERS; best++) {
-        double seconds[MANNERS] = {1.0, 1.1};
-        struct manners it = {0};
+    int made[VARIANTS];
+    for (unsigned best = 0; best < VARIANTS; best++) {
+        double seconds[VARIANTS] = {1.0, 1.1};
+        struct variants it = {0};
         seconds[best] = 0.9;
         execute(&it, true, 1, LONG, seconds, made);
-        for (unsigned manner = 0; manner < MANNERS; manner++)
-            assert_int_equal(made[manner], MANNER_ROUNDS);
+        for (unsigned variant = 0; variant < VARIANTS; variant++)
+            assert_int_equal(made[variant], VARIANT_ROUNDS);
         execute(&it, true, 64, LONG, seconds, made);
         assert_int_equal(made[best], 64);
         execute(&it, true, 1, LONG, seconds, made);
-        assert_int_equal(made[best], MANNER_ROUNDS);
+        assert_int_equal(made[best], VARIANT_ROUNDS);
     }
 }
 
 /* Five parts an execution: three rounds take two. */
 static void executions_in_between_have_some_parts(void **unused) {
     (void)unused;
-    const double close[MANNERS] = {1.0, 1.1}, clear[MANNERS] = {3.0, 1.0};
-    struct manners it = {0}, other = {0};
-    int made[MANNERS];
-    assert_int_equal(redcc_manner_parts(&it, true, 5 * 512 + 511), 5);
+    const double close[VARIANTS] = {1.0, 1.1}, clear[VARIANTS] = {3.0, 1.0};
+    struct variants it = {0}, other = {0};
+    int made[VARIANTS];
+    assert_int_equal(redcc_variant_parts(&it, true, 5 * 512 + 511), 5);
     execute(&it, true, 2, 5 * 512, close, made);
     assert_int_equal(made[0] + made[1], 10);
-    assert_int_equal(redcc_manner_parts(&it, true, 5 * 512), 0);
+    assert_int_equal(redcc_variant_parts(&it, true, 5 * 512), 0);
     execute(&other, true, 1, 5 * 512, clear, made);
-    assert_int_equal(redcc_manner_parts(&other, true, 5 * 512), 0);
-    assert_true(redcc_manner_of(&other, true, 0));
+    assert_int_equal(redcc_variant_parts(&other, true, 5 * 512), 0);
+    assert_true(redcc_variant_of(&other, true, 0));
 }
 
 /* One execution with slices that become slower, or with one interruption. */
 static bool best_where(bool best, double drift, unsigned interrupted) {
-    struct manners it = {0};
-    double each[MANNER_PARTS];
-    assert_int_equal(redcc_manner_parts(&it, true, LONG), MANNER_PARTS);
-    for (unsigned part = 0; part < MANNER_PARTS; part++)
-        each[part] = (redcc_manner_of(&it, true, part) == best ? 0.9 : 1.0) + drift * part +
+    struct variants it = {0};
+    double each[VARIANT_PARTS];
+    assert_int_equal(redcc_variant_parts(&it, true, LONG), VARIANT_PARTS);
+    for (unsigned part = 0; part < VARIANT_PARTS; part++)
+        each[part] = (redcc_variant_of(&it, true, part) == best ? 0.9 : 1.0) + drift * part +
                      10 * (part == interrupted);
-    redcc_manner_note(&it, true, MANNER_PARTS, each);
-    return redcc_manner_of(&it, true, 0);
+    redcc_variant_note(&it, true, VARIANT_PARTS, each);
+    return redcc_variant_of(&it, true, 0);
 }
 
 static void neither_order_nor_one_part_decides(void **unused) {
     (void)unused;
-    for (int best = 0; best < MANNERS; best++) {
-        assert_int_equal(best_where(best, 0.05, MANNER_PARTS), best);
-        for (unsigned interrupted = 0; interrupted < MANNER_PARTS; interrupted++)
+    for (int best = 0; best < VARIANTS; best++) {
+        assert_int_equal(best_where(best, 0.05, VARIANT_PARTS), best);
+        for (unsigned interrupted = 0; interrupted < VARIANT_PARTS; interrupted++)
             assert_int_equal(best_where(best, 0, interrupted), best);
     }
 }
 
 static void two_rounds_do_where_the_best_is_evident(void **unused) {
     (void)unused;
-    int made[MANNERS];
-    for (int best = 0; best < MANNERS; best++) {
-        double seconds[MANNERS] = {1.0, 1.0};
-        struct manners it = {0}, close = {0};
+    int made[VARIANTS];
+    for (int best = 0; best < VARIANTS; best++) {
+        double seconds[VARIANTS] = {1.0, 1.0};
+        struct variants it = {0}, close = {0};
         seconds[best] = 0.3;
         execute(&it, true, 4, SHORT, seconds, made);
         assert_int_equal(made[0], 2);
@@ -136,22 +136,22 @@ static void two_rounds_do_where_the_best_is_evident(void **unused) {
 /* Executions that prefetches do not affect come in between: the result is kept. */
 static void what_is_known_stays(void **unused) {
     (void)unused;
-    const double seconds[MANNERS] = {1.0, 0.5};
-    struct manners it = {0};
-    int made[MANNERS];
+    const double seconds[VARIANTS] = {1.0, 0.5};
+    struct variants it = {0};
+    int made[VARIANTS];
     execute(&it, true, 1, LONG, seconds, made);
-    assert_int_equal(redcc_manner_parts(&it, true, LONG), 0);
+    assert_int_equal(redcc_variant_parts(&it, true, LONG), 0);
     execute(&it, false, 100, LONG, seconds, made);
     assert_int_equal(made[0], 100);
-    assert_int_equal(redcc_manner_parts(&it, true, LONG), 0);
-    assert_true(redcc_manner_of(&it, true, 0));
+    assert_int_equal(redcc_variant_parts(&it, true, LONG), 0);
+    assert_true(redcc_variant_of(&it, true, 0));
 }
 
 /* Slices of 10 iterations out of 33 executed in four: handed out runs are cut there. */
 static void iterations_are_cut_into_parts(void **unused) {
     (void)unused;
     struct parts it;
-    double seconds[MANNER_PARTS] = {0}, iterations[MANNER_PARTS] = {0};
+    double seconds[VARIANT_PARTS] = {0}, iterations[VARIANT_PARTS] = {0};
     redcc_parts_begin(&it, 4, 39);
     for (int i = 0; i < 33; i++) {
         assert_int_equal(redcc_parts_turn(&it), i > 0 && i % 10 == 0);
@@ -174,11 +174,11 @@ static void iterations_are_cut_into_parts(void **unused) {
     redcc_parts_end(&it);
     assert_int_equal(it.part[0].iterations, 5);
     assert_int_equal(it.part[1].iterations, 28);
-    redcc_parts_begin(&it, MANNER_PARTS, 0);
+    redcc_parts_begin(&it, VARIANT_PARTS, 0);
     redcc_parts_end(&it);
     memset(iterations, 0, sizeof iterations);
     redcc_parts_add(&it, seconds, iterations);
-    for (int part = 0; part < MANNER_PARTS; part++)
+    for (int part = 0; part < VARIANT_PARTS; part++)
         assert_true(iterations[part] == 0); /* NOLINT */
     redcc_parts_begin(&it, 0, 10);
     redcc_parts_end(&it);
@@ -246,9 +246,9 @@ static bool prefetches(unsigned flags, enum prefetch_setting setting, int length
     const redcc_loop loop = {.flags = flags};
     const struct call call = {.request = {.loop = &loop}, .prefetch = (int)setting};
     struct run run = {.call = &call, .plan = &plan};
-    struct manners known = {0};
-    redcc_run_choose_manner(&run, &known);
-    return redcc_run_manner(&run, &plan, 0).prefetches;
+    struct variants known = {0};
+    redcc_run_choose_variant(&run, &known);
+    return redcc_run_variant(&run, &plan, 0).prefetches;
 }
 
 static void light_iterations_prefetch_where_they_come_in_no_order(void **unused) {

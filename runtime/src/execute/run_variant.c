@@ -2,10 +2,10 @@
 /** Chooses the variant of an execution from the settings, the loop's forms and earlier results. */
 #include "execute/run.h"
 
-void redcc_run_choose_manner(struct run *run, const struct manners *known) {
+void redcc_run_choose_variant(struct run *run, const struct variants *known) {
     const struct call *call = run->call;
     const unsigned flags = call->request.loop->flags;
-    struct manner_choice *it = &run->manner;
+    struct variant_choice *it = &run->variant;
     const bool can_prefetch = flags & (REDCC_PREFETCHES | REDCC_LIGHT);
     it->known = known;
     it->lanes = redcc_lanes_width(flags, (enum lanes_setting)call->lanes, &it->why);
@@ -15,27 +15,27 @@ void redcc_run_choose_manner(struct run *run, const struct manners *known) {
 
 /* Does it affect an execution with the plan, and is it to be found out? */
 static bool is_open_with(const struct run *run, const struct plan *plan) {
-    return run->manner.is_open &&
+    return run->variant.is_open &&
            redcc_prefetch_is_of_use(plan, run->call->request.loop->flags & REDCC_LIGHT);
 }
 
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
-    return redcc_manner_parts(run->manner.known, is_open_with(run, plan),
-                              plan->executed / plan->threads);
+    return redcc_variant_parts(run->variant.known, is_open_with(run, plan),
+                               plan->executed / plan->threads);
 }
 
-redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, unsigned part) {
-    const struct manner_choice *it = &run->manner;
+redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, unsigned part) {
+    const struct variant_choice *it = &run->variant;
     const bool prefetches = (it->is_asked && redcc_prefetch_is_possible(plan)) ||
-                            redcc_manner_of(it->known, is_open_with(run, plan), part);
-    return (redcc_manner){prefetches, it->lanes, 0};
+                            redcc_variant_of(it->known, is_open_with(run, plan), part);
+    return (redcc_variant){prefetches, it->lanes, 0};
 }
 
-void redcc_run_note_manner(const struct run *run, struct manners *known, const double *seconds,
-                           const double *iterations) {
+void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,
+                            const double *iterations) {
     const unsigned parts = redcc_run_parts(run, run->plan);
-    double each[MANNER_PARTS];
+    double each[VARIANT_PARTS];
     for (unsigned part = 0; part < parts; part++)
         each[part] = iterations[part] > 0 ? seconds[part] / iterations[part] : 0;
-    redcc_manner_note(known, is_open_with(run, run->plan), parts, each);
+    redcc_variant_note(known, is_open_with(run, run->plan), parts, each);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "execute/manner.h"
+#include "execute/variant.h"
 
 #include <assert.h>
 
@@ -10,42 +10,42 @@ enum { LEAST_PART = 512 };
 /* The minimum number of rounds of a trial: the first slice of an execution finds cold caches. */
 enum { LEAST_ROUNDS = 2 };
 
-static bool is_trial(const struct manners *it, bool open) {
+static bool is_trial(const struct variants *it, bool open) {
     return open && it->executions >= it->rest.until;
 }
 
-unsigned redcc_manner_parts(const struct manners *it, bool open, redcc_int iterations) {
+unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations) {
     if (!is_trial(it, open))
         return 0;
-    const int lacking = MANNER_PARTS - it->turns.timed;
+    const int lacking = VARIANT_PARTS - it->turns.timed;
     const redcc_int possible = iterations / LEAST_PART;
     return possible < 1 ? 1 : possible < lacking ? (unsigned)possible : (unsigned)lacking;
 }
 
-bool redcc_manner_of(const struct manners *it, bool open, unsigned part) {
+bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
     return open &&
            (is_trial(it, open) ? redcc_turn_of(it->turns.timed + (int)part) == 0 : it->best);
 }
 
 /* A trial takes a whole execution: the next one waits for four times as many. */
-static void end_trial(struct manners *it, bool best) {
+static void end_trial(struct variants *it, bool best) {
     it->turns = (struct turns){0};
     it->best = best;
     it->rest.length = redcc_longer(it->rest.length);
     it->rest.until = it->executions + 4 * it->rest.length;
 }
 
-void redcc_manner_note(struct manners *it, bool open, unsigned parts, const double *seconds) {
+void redcc_variant_note(struct variants *it, bool open, unsigned parts, const double *seconds) {
     if (!open)
         return;
     const bool tries = is_trial(it, open);
     it->executions++;
     if (!tries)
         return;
-    assert(it->turns.timed + (int)parts <= MANNER_PARTS);
+    assert(it->turns.timed + (int)parts <= VARIANT_PARTS);
     for (unsigned part = 0; part < parts; part++)
         redcc_turns_note(&it->turns, seconds[part]);
-    const bool is_enough = it->turns.timed >= LEAST_ROUNDS * MANNERS;
+    const bool is_enough = it->turns.timed >= LEAST_ROUNDS * VARIANTS;
     const int best = is_enough ? redcc_turns_winner(&it->turns) : -1;
     if (best >= 0)
         end_trial(it, best == 0);
