@@ -1,6 +1,7 @@
 // Iterations of inner loops: in the owner-checked form a thread skips those in which it owns no row, if the
 // rest of the iteration has only updates and their operands. TURN: an ownership check is expected here.
 // INTEGERS: no
+#include <math.h>
 #include <stdio.h>
 
 #include "case.h"
@@ -317,6 +318,46 @@ static void with_little_work(int n) {
     }
 }
 
+/* Only read through; what may set errno is left to the thread that leads. */
+static void pull(struct atom *from, int j, double *e) {
+    const double *force = from[j].force;
+    *e = sqrt(from[j].mass * from[j].mass) * 0.5 + from[j].charge * force[1];
+}
+static void by_reading(int n, struct atom *from) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            double e; // TURN
+            pull(from, j, &e);
+            e += w[k] * w[k] - r[j][0] * w[k];
+            s[a] += e;
+            s[j] -= e;
+        }
+    }
+}
+
+/* What one turn stores the next one reads. */
+struct hold { double last; };
+static double exchange(struct hold *h, double v) {
+    struct hold *const it = h;
+    const double before = it->last;
+    it->last = v;
+    return before;
+}
+static void by_exchanging(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        struct hold h = {1};
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            const double e = exchange(&h, w[k]) * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            s[a] += e;
+            s[j] -= e;
+        }
+    }
+}
+
 int main(void) {
     static double t[M];
     case_subscripts(own, N, M);
@@ -351,6 +392,8 @@ int main(void) {
         with_late_rows(N);
         with_rows_in_memory(N);
         with_little_work(N);
+        by_reading(N, atom);
+        by_exchanging(N);
         CASE_PRINT(f), CASE_PRINT(g), CASE_PRINT(s), CASE_PRINT(o), CASE_PRINT(t);
         CASE_PRINT(counts);
         CASE_PRINT(atom);

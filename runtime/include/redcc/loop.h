@@ -462,7 +462,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
     if (redcc__guarded == 1 && !(redcc_owned))                                                     \
         continue;
 /** Is the thread to go through all of the iteration, of a loop without series? */
-#define REDCC_LEADS_ALONE (!redcc__worker->manner.follows)
+#define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
