@@ -7,8 +7,9 @@
  * Lets waiting threads sleep soon: GNU's library spins for milliseconds by default, which beside
  * busy processes takes the core from the thread that is waited for: eight runs at once on two cores
  * took 1.27 times as long as eight of fabric-serial, and take 1.04 (script/bench copies). It reads
- * its settings only when the program is loaded, so the program executes itself once more. A wait that the user has
- * chosen stays, and where this cannot be done all is as before. Call it first in main.
+ * its settings only when the program is loaded, so the program executes itself once more. A wait
+ * that the user has chosen stays, and where this cannot be done all is as before. Call it first in
+ * main.
  */
 void waiting_is_short(char **argv);
 
