@@ -51,4 +51,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .settle = redcc_rows_settle,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
-                                   .loads = &loads};
+                                   .loads = &loads,
+                                   .is_alone = redcc_is_alone};

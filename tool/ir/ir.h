@@ -320,6 +320,7 @@ typedef struct ir_dialect {
     bool math_errno;      /* mathematical functions set errno */
     bool is_sanitized;    /* arithmetic without a meaning may end the program */
     bool has_openmp;      /* its directives are on; else compilers pass over them */
+    bool replaces_openmp; /* loops may be executed without theirs, in sequential order */
     const char *refusing_option; /* by it the program is another than this. NULL: none */
     const char *inexact_option;  /* by it floating-point bits, of which the file has some, depend on
                                     what else is compiled. NULL: none */

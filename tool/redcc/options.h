@@ -31,6 +31,7 @@ typedef struct options {
     lanes_wish lanes;
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool sees_project;   /* --files=project */
+    bool keeps_openmp;   /* --openmp=keep */
     bool in_process;     /* no process of its own guards against a parser that crashes */
     bool analyze, assume_noalias, require, verify, dump_ir, help, version;
 } options;

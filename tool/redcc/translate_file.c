@@ -365,6 +365,7 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
         return fail(NULL, wrong);
     if (has_errors(&parsed))
         return fail_to_parse(file, &parsed);
+    parsed.unit->dialect.replaces_openmp = parsed.unit->dialect.has_openmp && !o->keeps_openmp;
     if (o->dump_ir)
         dump(parsed.unit);
     if (!o->analyze && !o->output && !o->verify)

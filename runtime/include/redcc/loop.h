@@ -64,7 +64,7 @@ REDCC_INLINE int redcc_is_there(void *context) {
 /** What one execution is described by: bases, extents of sources, key; and the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
-    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                              \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                           \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
@@ -149,6 +149,12 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
         return calls && calls->bytes >= sizeof *calls; /* else of an older library */
     }
 }
+
+/** May the loop be executed without its OpenMP directives? Where they protect its updates from
+ * other threads than its own (redcc_locks), only if there are none. */
+#define REDCC_REPLACES(redcc_site, redcc_locks)                                                    \
+    (redcc_run && (!(redcc_locks) || (redcc_is_known(&(redcc_site)) &&                             \
+                                      (redcc_site).calls->is_alone(&(redcc_site).binned.loop))))
 
 /** Executes the loop in parallel: 1. 0: nothing was written, the loop must run as it was. Not
  *  expected to: what registers there are is for the loop beside it. */

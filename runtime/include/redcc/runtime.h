@@ -107,6 +107,9 @@ int redcc_are_linked(const redcc_callee *called, redcc_size count,
 /** Counts an execution of the original loop because they are not. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
+/** Is the calling thread the process's only one that runs, OpenMP's idle ones apart? */
+int redcc_is_alone(redcc_loop *loop);
+
 /** Memory for an operand of `size` bytes an iteration, to be given back by redcc_operands_give
  * after redcc_leave. Counted by REDCC_MEMORY_LIMIT. NULL: trip is not positive, or there is no
  * memory (which is reported), and the original loop must run. */

@@ -157,7 +157,9 @@ enum {
     REDCC_PARTS = 262144,
     /** REDCC_BINNED: before any iteration is pushed, all of them tell what they read and update,
      * and these must not overlap. */
-    REDCC_BINS_CHECKED = 524288
+    REDCC_BINS_CHECKED = 524288,
+    /** The attempt says how many threads the program asks for. */
+    REDCC_TEAM = 1048576
 };
 
 enum {
@@ -408,6 +410,8 @@ typedef struct redcc_calls {
     void (*misuse)(const redcc_worker *worker, const char *rule);
     const redcc_series_calls *series;
     const redcc_load_calls *loads;
+    /** Can no other thread of the process run before the loop is over? */
+    int (*is_alone)(redcc_loop *loop);
 } redcc_calls;
 
 #endif

@@ -40,6 +40,19 @@ int redcc_team_missing(int threads);
  *  OpenMP's, so this is for estimates. */
 int redcc_team_to_start(int threads);
 
+/** Is the calling thread the process's first one, outside of parallel regions, and are all others
+ *  idle ones of regions that it had? Then no other thread runs any of the program's code until it
+ *  makes one do so. Threads of regions of the program's own may be taken for such only after a
+ *  region of as many threads of the runtime's, which this begins. */
+bool redcc_team_is_alone(void);
+
+/** To be called by each thread of a region but its first: it is one that OpenMP, or the runtime,
+ *  has made. */
+void redcc_team_note_member(void);
+
+/** In a new process only the calling thread is there. */
+void redcc_team_forked(void);
+
 /** The region has begun, with `threads` threads; to be called by its first thread. */
 void redcc_team_came(int threads);
 

@@ -304,8 +304,10 @@ typedef struct loop_variables {
     unsigned private_count;
     const private_variable *privates; /* counter excluded; includes inner loops' counters */
     unsigned captured_count;
-    ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
-    const loop_loads *loads;      /* NULL: none stands for a pointer */
+    ir_variable *const *captured;     /* declared outside, read only in the loop, in order of use */
+    const loop_loads *loads;          /* NULL: none stands for a pointer */
+    const struct openmp_loop *openmp; /* its directives; where it is transformed it
+                                         is executed without them. NULL: none */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */

@@ -45,9 +45,9 @@ bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
  *  no part of the loop's text; NULL: none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** Do OpenMP directives stand in the loop's text or directly above it that are asleep? Where they
- *  are not, the loop is as it was written. */
-bool loop_text_sleeps(const ir_unit *unit, const ir_node *loop);
+/** Do OpenMP directives stand in the loop's text or directly above it? Where another compilation
+ * has OpenMP and this one has not, or the reverse, the loop is as it was written. */
+bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_node *loop);
 
 /** #pragma omp, or #ifdef _OPENMP. */
 bool directive_is_openmp(const ir_directive *d);

@@ -9,6 +9,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
+#include "analysis/base/openmp_loop.h"
 
 /* The ways that control may go through a piece of the program, up to the first use of the variable.
  * One that writes all of it first, or ends the function, is none of them. */
@@ -213,6 +214,8 @@ bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
     const search s = {variable, loop};
     const ir_unit *unit = variable_facts_unit(facts);
+    if (variable->function && openmp_keeps_value(unit->arena, unit, loop, variable))
+        return false;
     if (!variable->function || text_openmp_in(unit->arena, unit, variable->function))
         return true;
     /* The loop itself may be reached again, by a jump or in a loop around it. */
