@@ -212,8 +212,8 @@ static const char *read_order(arena *a, options *o, const char *value) {
     int number;
     const char *wrong = read_word(a, "--order", order_words, COUNT(order_words), value, &number);
     if (!wrong) {
-        o->order = (result_order)number;
-        o->order_is_given = true;
+        o->order.word = (result_order)number;
+        o->order.is_given = true;
     }
     return wrong;
 }
@@ -443,7 +443,8 @@ static const char *check_together(arena *a, const options *o) {
 }
 
 const char *options_read(arena *a, int argc, char **argv, options *result) {
-    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL, .lanes = LANES_OF_HEAVY};
+    *result =
+        (options){.report.form = REPORT_TEXT, .order.word = ORDER_SERIAL, .lanes = LANES_OF_HEAVY};
     words w = {argc, argv, 1};
     bool only_flags = false;
     while (w.next < w.count) {

@@ -18,6 +18,12 @@ typedef struct report_options {
     const char *inputs_file; /* --inputs-file; NULL: none */
 } report_options;
 
+/** --order */
+typedef struct order_option {
+    result_order word;
+    bool is_given;
+} order_option;
+
 typedef struct options {
     string_list inputs;
     const char *output;          /* -o; "-": standard output; NULL: none */
@@ -26,8 +32,7 @@ typedef struct options {
     string_list pure;            /* --pure */
     report_options report;
     const char *explain; /* --explain: this reason; NULL: none */
-    result_order order;
-    bool order_is_given;
+    order_option order;
     lanes_wish lanes;
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool sees_project;   /* --files=project */

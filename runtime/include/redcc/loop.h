@@ -135,12 +135,12 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
  *  redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
-     (redcc_site).calls->loads->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
+     (redcc_site).calls->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
 #define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
     (redcc_site)                                                                                   \
-        .calls->loads->load(&(redcc_variable),                                                     \
-                            (const char *)((redcc_size)(redcc_through) + (redcc_offset)),          \
-                            sizeof(redcc_variable))
+        .calls->before->load(&(redcc_variable),                                                    \
+                             (const char *)((redcc_size)(redcc_through) + (redcc_offset)),         \
+                             sizeof(redcc_variable))
 REDCC_INLINE int redcc_is_known(redcc_site *site) {
     if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
@@ -153,8 +153,9 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
 /** May the loop be executed without its OpenMP directives? Where they protect its updates from
  * other threads than its own (redcc_locks), only if there are none. */
 #define REDCC_REPLACES(redcc_site, redcc_locks)                                                    \
-    (redcc_run && (!(redcc_locks) || (redcc_is_known(&(redcc_site)) &&                             \
-                                      (redcc_site).calls->is_alone(&(redcc_site).binned.loop))))
+    (redcc_run &&                                                                                  \
+     (!(redcc_locks) || (redcc_is_known(&(redcc_site)) &&                                          \
+                         (redcc_site).calls->before->is_alone(&(redcc_site).binned.loop))))
 
 /** Executes the loop in parallel: 1. 0: nothing was written, the loop must run as it was. Not
  *  expected to: what registers there are is for the loop beside it. */

@@ -370,13 +370,16 @@ typedef struct redcc_series_calls {
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
-/** Pointers that a loop reads under conditions only are read before it. */
-typedef struct redcc_load_calls {
+/** What is asked before a loop begins. */
+typedef struct redcc_before_calls {
+    /** Can no other thread of the process run before the loop is over? */
+    int (*is_alone)(redcc_loop *loop);
+    /* Pointers that a loop reads under conditions only are read before it. */
     /** 0: not in this execution, for the loop is executed too often. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from`, if they can be read: 1. Never a fault. */
     int (*load)(void *to, const char *from, redcc_size bytes);
-} redcc_load_calls;
+} redcc_before_calls;
 
 struct redcc_kept_row;
 
@@ -409,9 +412,7 @@ typedef struct redcc_calls {
     /** Ends the program with a message: the rules of redcc/parallel.h are broken. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
     const redcc_series_calls *series;
-    const redcc_load_calls *loads;
-    /** Can no other thread of the process run before the loop is over? */
-    int (*is_alone)(redcc_loop *loop);
+    const redcc_before_calls *before;
 } redcc_calls;
 
 #endif
