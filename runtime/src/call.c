@@ -102,6 +102,14 @@ int redcc_is_unlinked(redcc_loop *loop) {
     return 0;
 }
 
+int redcc_is_alone(redcc_loop *loop) {
+    if (redcc_team_is_alone())
+        return 1;
+    if (redcc_settings_for(loop)->report)
+        note_serial(loop, REASON_OTHER_THREADS);
+    return 0;
+}
+
 /* May a user be waiting for the end of the execution? Also true if its duration is unknown, as for
  * an inspection. */
 static bool is_long(const struct execution *execution) {

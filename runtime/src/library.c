@@ -30,7 +30,8 @@ static const redcc_series_calls series = {.join = redcc_series_join,
                                           .find = redcc_series_find,
                                           .give = redcc_operands_give_all};
 
-static const redcc_load_calls loads = {.may_load = may_load, .load = redcc_load};
+static const redcc_before_calls before = {
+    .is_alone = redcc_is_alone, .may_load = may_load, .load = redcc_load};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
@@ -50,5 +51,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .settle = redcc_rows_settle,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
-                                   .loads = &loads,
+                                   .before = &before,
                                    .ahead = &redcc_ahead_library};

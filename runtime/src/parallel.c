@@ -21,6 +21,14 @@ struct shared {
     const void *context;
 };
 
+/* As many as the loop's directive asks for, or as any region has. */
+static int threads_of(const redcc_loop *loop, const redcc_attempt *attempt) {
+    enum { MOST = 4096 };
+    if (!(loop->flags & REDCC_TEAM) || attempt->threads < 1)
+        return redcc_region_threads();
+    return attempt->threads < MOST ? attempt->threads : MOST;
+}
+
 static void work(int number, int threads, void *given) {
     struct shared *shared = given;
     redcc_worker worker;
@@ -73,7 +81,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct shared shared = {.attempt = attempt, .member = member, .context = context};
     if (redcc_enter(&shared.call, loop, attempt->trip, attempt->bases, attempt->known, attempt->key,
-                    redcc_region_threads(), redcc_region_is_nested()))
+                    threads_of(loop, attempt), redcc_region_is_nested()))
         redcc_region_run(shared.call.threads, work, &shared);
     if (!redcc_leave(&shared.call)) {
         redcc_operands_give_all(attempt);

@@ -40,6 +40,8 @@ static const char *const advice[REASON_COUNT] = {
         "link the C library dynamically, and leave SIGABRT and __assert_fail to it",
     [REASON_LEAVES] = "nothing: the loop as it was written runs",
     [REASON_UNLINKED] = "compile both files again, together",
+    [REASON_OTHER_THREADS] = "call the loop from the main thread, outside parallel regions, while "
+                             "no other thread exists",
     [REASON_SPREAD] = "name a method with a plan, as localwrite",
     [REASON_TWO_ADDRESSES] = "map the memory once",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};

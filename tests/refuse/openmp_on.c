@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Compiled with OpenMP: its directives are the program's own way to be parallel. */
+/* Compiled with OpenMP, whose directives are to be kept. */
 // covers: row 55
 // FLAGS: -fopenmp
+// OPTIONS: --openmp=keep
 void existing_openmp(int n, const int *restrict s, double *restrict h) {
 #pragma omp parallel for
     for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp

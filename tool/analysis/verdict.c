@@ -8,6 +8,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_exits.h"
 #include "analysis/base/loop_loads.h"
+#include "analysis/base/openmp_loop.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
 #include "analysis/loop/candidate.h"
@@ -20,6 +21,7 @@
 #include "analysis/private/live.h"
 #include "analysis/private/privates.h"
 #include "analysis/reduction/distribution.h"
+#include "analysis/reduction/protection.h"
 #include "analysis/reduction/scalars.h"
 #include "analysis/reduction/updates.h"
 
@@ -129,6 +131,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->loop = j->loop;
     facts->function = j->function;
     facts->counted = j->counted;
+    facts->variables.openmp = openmp_of_loop(j->an->memory, j->an->unit, j->loop);
     finish_arrays(j, facts);
     if (j->why.id != REASON_NONE)
         return facts;
@@ -278,7 +281,7 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
     if (is_fine && j.arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
     is_fine = is_fine && goes_on(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
-              add_slice(&j);
+              add_slice(&j) && goes_on(&j, check_protection(&j));
     if (!is_fine)
         j.arrays = arrays_of_kind(&j, CONFLICT_SHARED);
     loop_facts *facts = finish_facts(&j);

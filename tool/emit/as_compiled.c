@@ -90,7 +90,7 @@ static ir_range looked_at(const loop_text *loop) {
 }
 
 bool has_branches(const loop_text *loop) {
-    if (function_sleeps(loop->whole, loop->facts->function))
+    if (loop_text_depends_on_openmp(loop->whole, loop->facts->function, loop->facts->loop))
         return true;
     const ir_range text = looked_at(loop);
     for (unsigned i = loop_text_first_directive(loop->whole, text.begin);
@@ -110,8 +110,10 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
     unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
     bool is_decided = true;           /* in the current group, a branch is compiled */
     const ir_directive *before = NULL;
-    const bool sleeps = function_sleeps(whole, loop->facts->function);
-    buffer_text(out, sleeps ? "#ifndef _OPENMP\n" : "");
+    const bool depends =
+        loop_text_depends_on_openmp(whole, loop->facts->function, loop->facts->loop);
+    if (depends)
+        buffer_text(out, whole->dialect.has_openmp ? "#ifdef _OPENMP\n" : "#ifndef _OPENMP\n");
     for (unsigned i = loop_text_first_directive(whole, text.begin);
          i < whole->directive_count && whole->directives[i].range.begin < text.end; i++) {
         const ir_directive *d = &whole->directives[i];
@@ -132,7 +134,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
         }
     }
     buffer_text(out, "#define redcc__as_compiled\n");
-    for (depth += sleeps; depth > 0; depth--)
+    for (depth += depends; depth > 0; depth--)
         buffer_text(out, "#endif\n");
 }
 

@@ -19,6 +19,7 @@
 #include "emit/distribution.h"
 #include "emit/macro_names.h"
 #include "emit/outline.h"
+#include "emit/sequential_copy.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
@@ -36,6 +37,7 @@ static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
                 facts->array_count, loop->plan->source_count, loop->plan->execution.key_count);
+    write_team(loop, out);
     if (loop->plan->prefetch.ahead > 0)
         writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
     if (loop->options->linked)
@@ -155,13 +157,14 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
     writer_line(out, "%sREDCC_QUIET_BEGIN", loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "");
+    declare_replaces(loop, out);
     const char *entry = write_trip_count(loop, out, outlined_name(loop, "site"));
     declare_entry_values(loop, out, true);
     declare_live_outs(loop, out);
     declare_conditional_live_outs(loop, out);
     writer_line(out, "int redcc__done = 0;");
     const char *loaded = write_loads(loop, out);
-    writer_line(out, "if (%s%s) {", entry, loaded);
+    writer_line(out, "if (%s%s%s) {", replaced_condition(loop), entry, loaded);
     out->depth++;
     write_attempt(loop, out);
     out->depth--;
@@ -170,6 +173,8 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
+    if (loop->facts->variables.openmp)
+        write_sequential_copy(loop, out);
     buffer_text(&out->out, "#endif\n");
 }
 

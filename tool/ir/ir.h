@@ -323,6 +323,7 @@ typedef struct ir_dialect {
     bool math_errno;      /* mathematical functions set errno */
     bool is_sanitized;    /* undefined arithmetic may end the program */
     bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
+    bool replaces_openmp; /* loops may be executed without their directives, in order */
     const char *refusing_option; /* an option that makes the program differ from this tree. NULL:
                                   * none */
     const char *inexact_option;  /* an option by which the bits of floating-point operations (of

@@ -50,9 +50,10 @@ static void set_options(arena *a, const options *o) {
         buffer_format(&text, " --pure=%s", o->pure.items[i]);
     if (o->assume_noalias)
         buffer_text(&text, " --assume-noalias");
-    if (o->order_is_given)
-        buffer_format(&text, " --order=%s", options_order_word(o->order));
+    if (o->order.is_given)
+        buffer_format(&text, " --order=%s", options_order_word(o->order.word));
     buffer_text(&text, lanes[o->lanes]);
+    buffer_text(&text, o->keeps_openmp ? " --openmp=keep" : "");
     if (text.data && text.length > 0)
         setenv("REDCC_OPTS", arena_string(a, text.data), 1);
     buffer_free(&text);

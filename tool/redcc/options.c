@@ -30,6 +30,8 @@ const char options_help[] =
     "                       (the same bits in every run and at every number of threads), any\n"
     "  --lanes=HOW          four iterations at once in vectors, where possible: auto (default:\n"
     "                       in heavy loops), off, 4 (everywhere)\n"
+    "  --openmp=HOW         OpenMP loops that protect array updates: replace (default: run in\n"
+    "                       the sequential order, same bits at every number of threads), keep\n"
     "  --pure=NAME[,NAME]   assert that these functions have no side effects and return the\n"
     "                       same value in every thread\n"
     "  --assume-noalias     assert that distinct pointers do not overlap\n"
@@ -72,6 +74,7 @@ typedef enum option_name {
     OPTION_IN_PROCESS,
     OPTION_INPUTS_FILE,
     OPTION_LANES,
+    OPTION_OPENMP_LOOPS,
     OPTION_ORDER,
     OPTION_PREDEFINED,
     OPTION_PURE,
@@ -98,6 +101,7 @@ static const struct long_option {
     {"--in-process", OPTION_IN_PROCESS},
     {"--inputs-file=", OPTION_INPUTS_FILE},
     {"--lanes=", OPTION_LANES},
+    {"--openmp=", OPTION_OPENMP_LOOPS},
     {"--order=", OPTION_ORDER},
     {"--predefined=", OPTION_PREDEFINED},
     {"--pure=", OPTION_PURE},
@@ -196,12 +200,21 @@ static const char *read_lanes(arena *a, options *o, const char *value) {
     return wrong;
 }
 
+static const char *read_openmp(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"replace", "keep"};
+    int number;
+    const char *wrong = read_word(a, "--openmp", words, COUNT(words), value, &number);
+    if (!wrong)
+        o->keeps_openmp = number == 1;
+    return wrong;
+}
+
 static const char *read_order(arena *a, options *o, const char *value) {
     int number;
     const char *wrong = read_word(a, "--order", order_words, COUNT(order_words), value, &number);
     if (!wrong) {
-        o->order = (result_order)number;
-        o->order_is_given = true;
+        o->order.word = (result_order)number;
+        o->order.is_given = true;
     }
     return wrong;
 }
@@ -301,6 +314,8 @@ static const char *set_option(arena *a, options *o, option_name name, const char
         return *value ? NULL : "--inputs-file takes the name of a file";
     case OPTION_LANES:
         return read_lanes(a, o, value);
+    case OPTION_OPENMP_LOOPS:
+        return read_openmp(a, o, value);
     case OPTION_ORDER:
         return read_order(a, o, value);
     case OPTION_PREDEFINED:
@@ -430,7 +445,8 @@ static const char *check_together(arena *a, const options *o) {
 }
 
 const char *options_read(arena *a, int argc, char **argv, options *result) {
-    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL, .lanes = LANES_OF_HEAVY};
+    *result =
+        (options){.report.form = REPORT_TEXT, .order.word = ORDER_SERIAL, .lanes = LANES_OF_HEAVY};
     words w = {argc, argv, 1};
     bool only_flags = false;
     while (w.next < w.count) {

@@ -18,6 +18,12 @@ typedef struct report_options {
     const char *inputs_file; /* --inputs-file; NULL: none */
 } report_options;
 
+/** --order */
+typedef struct order_option {
+    result_order word;
+    bool is_given;
+} order_option;
+
 typedef struct options {
     string_list inputs;
     const char *output;          /* -o; "-": standard output; NULL: none */
@@ -26,12 +32,12 @@ typedef struct options {
     string_list pure;            /* --pure */
     report_options report;
     const char *explain; /* --explain: this reason; NULL: none */
-    result_order order;
-    bool order_is_given;
+    order_option order;
     lanes_wish lanes;
     bool knows_compiler; /* --compiler=known: the caller has checked for differences between
                           * compilers */
     bool sees_project;   /* --files=project */
+    bool keeps_openmp;   /* --openmp=keep */
     bool in_process;     /* no separate process guards against a crashing parser */
     bool analyze, assume_noalias, require, verify, dump_ir, help, version;
 } options;

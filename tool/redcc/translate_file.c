@@ -95,7 +95,7 @@ static analysis_options options_of(arena *a, const options *o, const foreign_fun
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
                               .report_all = o->report.all,
-                              .any_order = o->order == ORDER_ANY};
+                              .any_order = o->order.word == ORDER_ANY};
 }
 
 static unsigned long long unknown_pure(const options *o, const ir_unit *unit) {
@@ -177,7 +177,7 @@ static report_input report_on(const options *o, const ir_unit *unit,
                           .analysis = analysis,
                           .lanes = lanes,
                           .version = REDCC_VERSION,
-                          .order = options_order_word(o->order),
+                          .order = options_order_word(o->order.word),
                           .all = o->report.all,
                           .explain = explain_section,
                           .link = explain_link};
@@ -297,8 +297,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                     "redcc's own header redcc/runtime.h, without which the output cannot "
                     "be checked, lies neither beside this program (PREFIX/bin/redcc and "
                     "PREFIX/include) nor below $REDCC_ROOT; nothing was written");
-    plan_options how = {.order = o->order,
-                        .order_is_explicit = o->order_is_given,
+    plan_options how = {.order = o->order.word,
+                        .order_is_explicit = o->order.is_given,
                         .lanes = o->lanes,
                         .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
     how.linked = imports_check(a, unit, &analysed, &how.obstacle);
@@ -365,6 +365,7 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
         return fail(NULL, wrong);
     if (has_errors(&parsed))
         return fail_to_parse(file, &parsed);
+    parsed.unit->dialect.replaces_openmp = parsed.unit->dialect.has_openmp && !o->keeps_openmp;
     if (o->dump_ir)
         dump(parsed.unit);
     if (!o->analyze && !o->output && !o->verify)

@@ -70,10 +70,15 @@ const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
     const char *function = verdict->function->name;
     switch (verdict->kind) {
     case VERDICT_TRANSFORM:
-        return arena_format(a, "loop in '%s' %s: %s", function, plan_words(a, verdict),
-                            array_list(a, verdict->facts));
+        return arena_format(a, "loop in '%s' %s: %s%s", function, plan_words(a, verdict),
+                            array_list(a, verdict->facts),
+                            verdict->facts->variables.openmp
+                                ? "; its directive is replaced: same bits at every thread count"
+                                : "");
     case VERDICT_REFUSE:
-        return arena_format(a, "loop in '%s' stays sequential: %s: %s", function,
+        return arena_format(a, "loop in '%s' stays %s: %s: %s", function,
+                            verdict->facts && verdict->facts->variables.openmp ? "as it is"
+                                                                               : "sequential",
                             reason_code(verdict->why.id), verdict->why.message);
     default:
         return arena_format(a, "loop in '%s' has no update in which iterations may meet", function);

@@ -30,6 +30,7 @@ typedef struct redcc_attempt {
                       * caller frees them (series->give) */
     redcc_u32 series_count;
     redcc_series **series; /* [series_count], of redcc/series.h; likewise */
+    int threads;           /* REDCC_TEAM: that the program asks for; 0: it does not say */
 } redcc_attempt;
 
 /** What each thread does: it inspects and executes the chunks that it is handed. */

@@ -65,7 +65,7 @@ REDCC_INLINE int redcc_is_there(void *context) {
 /** Describes one execution: bases, address ranges of sources, key; and the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
-    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                              \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                           \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
@@ -147,12 +147,12 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
  *  readable: redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
-     (redcc_site).calls->loads->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
+     (redcc_site).calls->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
 #define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
     (redcc_site)                                                                                   \
-        .calls->loads->load(&(redcc_variable),                                                     \
-                            (const char *)((redcc_size)(redcc_through) + (redcc_offset)),          \
-                            sizeof(redcc_variable))
+        .calls->before->load(&(redcc_variable),                                                    \
+                             (const char *)((redcc_size)(redcc_through) + (redcc_offset)),         \
+                             sizeof(redcc_variable))
 REDCC_INLINE int redcc_is_known(redcc_site *site) {
     if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
@@ -161,6 +161,13 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
         return calls && calls->bytes >= sizeof *calls; /* else of an older library */
     }
 }
+
+/** May the loop be executed without its OpenMP directives? If they protect its updates
+ *  (redcc_locks), only while the process has no other running thread. */
+#define REDCC_REPLACES(redcc_site, redcc_locks)                                                    \
+    (redcc_run &&                                                                                  \
+     (!(redcc_locks) || (redcc_is_known(&(redcc_site)) &&                                          \
+                         (redcc_site).calls->before->is_alone(&(redcc_site).binned.loop))))
 
 /** Executes the loop in parallel and returns 1; 0: nothing was written, and the original loop must
  *  run. Marked unlikely, so that the compiler gives the registers to the sequential loop. */

@@ -108,6 +108,9 @@ int redcc_are_linked(const redcc_callee *called, redcc_size count,
 /** Counts an execution of the original loop because they are not. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
+/** Is the calling thread the only running one of the process, except for OpenMP's idle threads? */
+int redcc_is_alone(redcc_loop *loop);
+
 /** Allocates an operand of `size` bytes for each iteration. After redcc_leave it is freed by
  *  redcc_operands_give. REDCC_MEMORY_LIMIT includes it. Returns NULL if trip is not positive, or if
  *  memory is lacking (which is reported); the original loop must run then. */

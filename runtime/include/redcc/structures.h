@@ -170,7 +170,9 @@ enum {
     REDCC_PARTS = 262144,
     /** REDCC_BINNED: before any iteration is pushed, all iterations record their reads and updates,
      *  and these must not overlap. */
-    REDCC_BINS_CHECKED = 524288
+    REDCC_BINS_CHECKED = 524288,
+    /** The attempt has the number of threads that the program requests. */
+    REDCC_TEAM = 1048576
 };
 
 enum {
@@ -385,13 +387,16 @@ typedef struct redcc_series_calls {
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
-/** Reads of pointers before a loop that reads them only under conditions. */
-typedef struct redcc_load_calls {
+/** Calls of the library before a loop begins. */
+typedef struct redcc_before_calls {
+    /** Can no other thread of the process run before the loop ends? */
+    int (*is_alone)(redcc_loop *loop);
+    /* Pointers that a loop reads only under conditions are read before it. */
     /** 0: not in this execution, because the loop is executed too often. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
-} redcc_load_calls;
+} redcc_before_calls;
 
 /** Rows that iterations read: iteration k at first + k * step, in bytes. */
 typedef struct redcc_progression {
@@ -455,7 +460,7 @@ typedef struct redcc_calls {
     /** Ends the program with a message: a rule of redcc/parallel.h is violated. */
     void (*misuse)(const redcc_worker *worker, const char *rule);
     const redcc_series_calls *series;
-    const redcc_load_calls *loads;
+    const redcc_before_calls *before;
     const redcc_ahead_calls *ahead;
 } redcc_calls;
 

@@ -8,6 +8,7 @@
 
 #include "base/memory.h"
 #include "base/system.h"
+#include "base/team.h"
 
 #include <fcntl.h>
 #include <stdatomic.h>
@@ -56,6 +57,7 @@ static void begin_process(bool with_threads) {
     if (with_threads)
         atomic_store(&redcc_had_threads, true);
     redcc_memory_forked();
+    redcc_team_forked();
     if (redcc_process_mark)
         atomic_store(redcc_process_mark, 1);
     process = redcc_process_mark ? 0 : redcc_system_process();

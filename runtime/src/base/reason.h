@@ -42,6 +42,8 @@
     X(REASON_LEAVES, "leaves", "an iteration leaves the loop")                                     \
     X(REASON_UNLINKED, "unlinked",                                                                 \
       "a linked function of another file differs from the analysed one: compile this file again")  \
+    X(REASON_OTHER_THREADS, "other-threads",                                                       \
+      "the loop ran with its OpenMP directives: other threads may update the same array")          \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
 
 enum reason {

@@ -56,6 +56,8 @@ struct region {
 
 static void work_in_openmp(void *given) {
     const struct region *region = given;
+    if (omp_get_thread_num() > 0)
+        redcc_team_note_member();
     region->work(omp_get_thread_num(), omp_get_num_threads(), region->shared);
 }
 

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* pthread_setattr_default_np */
 #include "base/team.h"
 
+#include "base/forked.h"
 #include "base/memory.h"
 #include "base/pool.h"
 #include "base/signals.h"
@@ -280,7 +281,78 @@ void redcc_team_came(int threads) {
     team.stack_before = 0;
 }
 
+/* ---- other threads than those of regions ------------------------------------------------------
+ */
+
+static atomic_int members; /* threads that are there, of regions, but for their first ones */
+
+static void leave_members(void *unused) {
+    (void)unused;
+    atomic_fetch_sub(&members, 1);
+}
+
+void redcc_team_note_member(void) {
+    static _Thread_local bool is_noted __attribute__((__tls_model__("initial-exec")));
+    if (is_noted || !__cxa_thread_atexit_impl)
+        return;
+    is_noted = true;
+    if (__cxa_thread_atexit_impl(leave_members, NULL, (void *)leave_members) == 0)
+        atomic_fetch_add(&members, 1);
+}
+
+void redcc_team_forked(void) {
+    atomic_store(&members, 0);
+}
+
+static void be_noted(int number, int threads, void *unused) {
+    (void)number;
+    (void)threads;
+    (void)unused;
+}
+
+/* Threads that are known neither as the first nor as members; negative: not known. */
+static int count_others(void) {
+    const int tasks = count_tasks(), known = 1 + atomic_load(&members);
+    return tasks == 0 ? -1 : tasks - known;
+}
+
+/* A region has OpenMP's threads noted, and those dismissed that are more than it needs; these take
+ * a while to end. */
+static bool has_others_after_region(void) {
+    enum { PATIENCE = 100 };
+    redcc_region_run(redcc_region_threads(), be_noted, NULL);
+    int others = count_others();
+    for (int wait = 0; wait < PATIENCE && others > 0; wait++) {
+        redcc_system_yield();
+        others = count_others();
+    }
+    return others != 0;
+}
+
+bool redcc_team_is_alone(void) {
+    static int seen; /* so many others there were after a region: it is of no use again */
+    if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
+        return false;
+    (void)redcc_is_forked(); /* members are this process's */
+    const int others = count_others();
+    if (others <= 0 || others == seen)
+        return others == 0;
+    const bool has_others = has_others_after_region();
+    seen = has_others ? count_others() : 0;
+    return !has_others;
+}
+
 #else
+
+bool redcc_team_is_alone(void) {
+    return false;
+}
+
+void redcc_team_note_member(void) {
+}
+
+void redcc_team_forked(void) {
+}
 
 void redcc_team_bind(void) {
 }

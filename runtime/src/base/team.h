@@ -39,6 +39,18 @@ int redcc_team_missing(int threads);
  *  so this is only an estimate. */
 int redcc_team_to_start(int threads);
 
+/** Is the calling thread the process's first one, outside of parallel regions, and are all others
+ *  idle threads of its regions? Then no other thread executes the program's code until this one
+ *  lets it. Threads of the program's own regions are recognised only after a region of the runtime
+ *  with as many threads, which this begins. */
+bool redcc_team_is_alone(void);
+
+/** Called by each thread of a region but its first: OpenMP or the runtime has made it. */
+void redcc_team_note_member(void);
+
+/** In a new process only the calling thread exists. */
+void redcc_team_forked(void);
+
 /** The region has begun, with `threads` threads; called by its first thread. */
 void redcc_team_came(int threads);
 

@@ -348,6 +348,8 @@ typedef struct loop_variables {
     const loop_loads *loads;      /* NULL: no variable replaces a pointer */
     unsigned own_count;
     const own_element *own;
+    const struct openmp_loop *openmp; /* its directives, without which it is executed if it is
+                                       * transformed; NULL: none */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */

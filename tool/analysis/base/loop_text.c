@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "analysis/base/openmp_directive.h"
+
 unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset) {
     unsigned low = 0, high = unit->directive_count;
     while (low < high) {
@@ -97,15 +99,13 @@ static bool is_about_macros(const ir_directive *d) {
 }
 
 bool directive_is_asleep(const ir_unit *unit, const ir_directive *d) {
-    if (unit->dialect.has_openmp || d->kind != IR_DIRECTIVE_PRAGMA || !d->text || *d->text != '#')
-        return false;
-    const char *at = after_word(d->text + 1 + strspn(d->text + 1, " \t"), "pragma");
-    return at && after_word(at, "omp");
+    return !unit->dialect.has_openmp && directive_is_openmp_pragma(d);
 }
 
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d) {
     return directive_is_conditional(d) || (d->is_skipped && !is_about_macros(d)) ||
            directive_is_asleep(unit, d) ||
+           (unit->dialect.replaces_openmp && directive_is_openmp_pragma(d)) ||
            (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
 }
 
@@ -147,7 +147,8 @@ const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop)
             (d->kind == IR_DIRECTIVE_PRAGMA && !is_above && !directive_can_be_left_out(unit, d)) ||
             (d->kind == IR_DIRECTIVE_ELSE && depth == 0) ||
             (d->kind == IR_DIRECTIVE_ENDIF && depth == 0) ||
-            (unit->dialect.has_openmp && directive_is_conditional(d) && asks_for_openmp(d)))
+            (unit->dialect.has_openmp && !unit->dialect.replaces_openmp &&
+             directive_is_conditional(d) && asks_for_openmp(d)))
             return d;
         depth += d->kind == IR_DIRECTIVE_IF;
         depth -= d->kind == IR_DIRECTIVE_ENDIF;
@@ -212,6 +213,17 @@ bool function_sleeps(const ir_unit *unit, const ir_function *function) {
         if (directive_is_openmp(&unit->directives[i]))
             return true;
     return false;
+}
+
+bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *function,
+                                 const ir_node *loop) {
+    if (!unit->dialect.has_openmp)
+        return function_sleeps(unit, function);
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
+         i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++)
+        if (directive_is_openmp(&unit->directives[i]))
+            return true;
+    return loop_text_openmp_above(unit, loop) != NULL;
 }
 
 /* The text of a header's function is unknown: any directive may be in it. */

@@ -45,9 +45,13 @@ bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
  *  part of the loop's text; NULL: none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** Are there inactive OpenMP directives in the function's text? If they are active, its loops stay
- *  as written. */
+/** Are there OpenMP directives in the function's text, in a compilation without OpenMP? */
 bool function_sleeps(const ir_unit *unit, const ir_function *function);
+
+/** Does the loop's translation hold only for compilations that agree with this one about OpenMP?
+ *  In the others it stays as written. */
+bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *function,
+                                 const ir_node *loop);
 
 /** #pragma omp, or #ifdef _OPENMP. */
 bool directive_is_openmp(const ir_directive *d);

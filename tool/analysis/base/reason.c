@@ -74,7 +74,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
     [REASON_BINDING] = "give one of the two another name",
     [REASON_INTERNAL] = "please report this with the source file and the command line",
-    [REASON_EXISTING_OPENMP] = "compile without -fopenmp, or remove the directive",
+    [REASON_EXISTING_OPENMP] = "compile without -fopenmp, or remove what is named here",
 };
 
 const char *reason_code(reason_id id) {

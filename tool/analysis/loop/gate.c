@@ -7,6 +7,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
+#include "analysis/base/openmp_loop.h"
 #include "analysis/base/step_inside.h"
 #include "analysis/loop/conflict.h"
 
@@ -67,20 +68,41 @@ static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
                            arena_copy(j->an->memory, s->text + at, end - at));
 }
 
+static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
+    return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop,
+                           arena_format(j->an->memory, "'%s'", d->text));
+}
+
+/* Directives that are asleep, or that the loop may be executed without as far as the text tells,
+ * are none that matters. */
+static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
+    const ir_unit *unit = j->an->unit;
+    const ir_directive *above = loop_text_openmp_above(unit, j->loop);
+    const bool is_replaced = unit->dialect.replaces_openmp;
+    const openmp_loop *openmp = is_replaced ? openmp_of_loop(j->an->memory, unit, j->loop) : NULL;
+    if (above && !directive_is_asleep(unit, above) &&
+        (!openmp || above->is_skipped || above->range.begin < text_begin))
+        return openmp_reason(j, above);
+    return openmp && openmp->kept
+               ? analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, openmp->kept)
+               : (reason){0};
+}
+
 static reason check_directives(const loop_analysis *j) {
     const ir_unit *unit = j->an->unit;
     const char *fenv_access = unit_text_fenv_access(j->an->text);
     if (fenv_access)
         return analysis_reason(j, REASON_FENV_ACCESS, j->loop, fenv_access);
     const uint32_t begin = loop_text_begin(unit, j->loop);
-    const ir_directive *above = loop_text_openmp_above(unit, j->loop);
-    if (above && !directive_is_asleep(unit, above))
-        return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, above->text);
+    const reason why = check_openmp(j, begin);
+    if (why.id != REASON_NONE)
+        return why;
     const ir_directive *obstacle = loop_text_obstacle(unit, j->loop);
+    if (obstacle && directive_is_openmp(obstacle))
+        return openmp_reason(j, obstacle);
     if (obstacle)
-        return analysis_reason(
-            j, directive_is_openmp(obstacle) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE,
-            j->loop, obstacle->text ? obstacle->text : "#");
+        return analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop,
+                               obstacle->text ? obstacle->text : "#");
     const char *macro =
         text_pragma_macro(j->an->memory, unit, (ir_range){begin, j->loop->range.end});
     return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro)

@@ -328,8 +328,8 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
     } else if (function->body && (openmp = text_openmp_in(w->memory, w->all->unit, function))) {
-        access_problem_add(w, REASON_EXISTING_OPENMP, call, openmp); /* the threads' team is a
-                                                                      * different one */
+        access_problem_add(w, REASON_EXISTING_OPENMP, call,
+                           arena_format(w->memory, "'%s'", openmp)); /* another team of threads */
     } else if (function->body && !function->linkage.is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)

@@ -9,6 +9,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
+#include "analysis/base/openmp_loop.h"
 
 /* Paths of control through a piece of the program up to the first use of the variable. A path that
  * first writes all of it, or ends the function, does not count. */
@@ -213,6 +214,8 @@ bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
     const search s = {variable, loop};
     const ir_unit *unit = variable_facts_unit(facts);
+    if (variable->function && openmp_keeps_value(unit->arena, unit, loop, variable))
+        return false;
     if (!variable->function || (text_openmp_in(unit->arena, unit, variable->function) &&
                                 !function_sleeps(unit, variable->function)))
         return true;

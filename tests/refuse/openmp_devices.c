@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The function may be compiled for a device as well, which knows nothing of the runtime. */
+// covers: row 55
+// FLAGS: -fopenmp
+enum { N = 1000 };
+double h[N], w[N];
+int s[N];
+
+#pragma omp declare target
+void on_a_device(int n) {
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += w[t];
+    }
+}
+#pragma omp end declare target

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* OpenMP directives that are more than a way to be parallel: they stay, and their loops with them. */
+// covers: row 55
+// FLAGS: -fopenmp
+enum { N = 1000 };
+static double h[N], w[N], of_file;
+static int s[N];
+double total;
+
+int omp_get_thread_num(void);
+
+void in_a_region(int n) {
+#pragma omp parallel
+    {
+#pragma omp for nowait
+        for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+#pragma omp atomic
+            h[s[t]] += w[t];
+#pragma omp for
+        for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp critical
+            h[s[t]] += w[t];
+        }
+    }
+}
+
+void orphaned(int n) {
+#pragma omp for
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += w[t];
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += w[t];
+    }
+#pragma omp taskloop
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += w[t];
+#pragma omp critical
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+}
+
+void clauses(int n) {
+#pragma omp parallel for ordered
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp ordered
+        h[s[t]] += w[t];
+    }
+#pragma omp parallel for proc_bind(close)
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += w[t];
+#pragma omp parallel for collapse(2)
+    for (int i = 0; i < n; i++) // EXPECT: nothing
+        for (int t = 0; t < n; t++) // EXPECT: nothing
+#pragma omp atomic
+            h[s[t]] += w[i];
+#pragma omp parallel for simd reduction(+ : h)
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+    int at = 0;
+#pragma omp parallel for linear(at : 1)
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += w[t];
+        at++;
+    }
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        if (t == n / 2) {
+#pragma omp cancel for
+        }
+#pragma omp atomic
+        h[s[t]] += w[t];
+    }
+}
+
+void locks(int n) {
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp atomic seq_cst
+        h[s[t]] += w[t];
+    }
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        double old;
+#pragma omp atomic capture
+        old = h[s[t]]++;
+        w[t] = old;
+    }
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+        double now;
+#pragma omp atomic read
+        now = w[t];
+#pragma omp atomic
+        h[s[t]] += now;
+    }
+    /* it is parallel as it is */
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+        double v = 0;
+#pragma omp critical
+        {
+            v = w[t];
+        }
+        h[s[t]] += v;
+    }
+}
+
+void team(int n) {
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]] += omp_get_thread_num();
+    }
+}
+
+struct sum {
+    double v;
+};
+#pragma omp declare reduction(add : double : omp_out += omp_in)
+
+void reductions(int n) {
+#pragma omp parallel for reduction(add : h)
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+    /* each copy begins with 0, of which the product is 0 */
+#pragma omp parallel for reduction(+ : h)
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]] *= w[t];
+    /* the copy's element is read */
+#pragma omp parallel for reduction(+ : h)
+    for (int t = 0; t < n; t++) // EXPECT: nothing
+        h[s[t]] += h[n];
+#pragma omp parallel for reduction(* : total) reduction(+ : h)
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+        total += w[t];
+    }
+}
+
+void privates(int n) {
+    double sum = 0, kept = 0, *const to = &kept;
+#pragma omp parallel for firstprivate(sum) reduction(+ : h)
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+        sum += w[t];
+    }
+#pragma omp parallel for private(of_file) reduction(+ : h)
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        of_file = w[t];
+        h[s[t]] += of_file;
+    }
+    /* `to` leads to the original */
+#pragma omp parallel for private(kept) reduction(+ : h)
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        kept = w[t];
+        h[s[t]] += kept + *to;
+    }
+    total += sum + kept;
+}
+
+#define LIST(name) private(name)
+#define MANY private(x)
+#define LOOP _Pragma("omp parallel for")
+
+void macros(int n) {
+    double x;
+#pragma omp parallel for MANY reduction(+ : h)
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+        x = w[t];
+        h[s[t]] += x;
+    }
+    _Pragma("omp parallel for reduction(+ : h)")
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]] += w[t];
+    LOOP
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+#pragma omp atomic
+        h[s[t]] += w[t];
+    }
+}

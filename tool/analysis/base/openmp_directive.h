@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One OpenMP directive: which construct, with which clauses (OpenMP 4.5, chapter 2). */
+#ifndef ANALYSIS_OPENMP_DIRECTIVE_H
+#define ANALYSIS_OPENMP_DIRECTIVE_H
+
+#include "analysis/base/facts.h"
+
+typedef enum openmp_construct {
+    OPENMP_PARALLEL_FOR, /* parallel for */
+    OPENMP_ATOMIC,       /* atomic [update] */
+    OPENMP_CRITICAL,
+    OPENMP_OTHER
+} openmp_construct;
+
+typedef enum openmp_clause_kind {
+    OPENMP_PRIVATE,
+    OPENMP_FIRSTPRIVATE,
+    OPENMP_LASTPRIVATE,
+    OPENMP_REDUCTION,
+    OPENMP_IF,
+    OPENMP_NUM_THREADS
+} openmp_clause_kind;
+
+/** One name of a clause's list, or the whole of a clause that holds an expression. Clauses that say
+ *  nothing of the sequential order (shared, default, schedule, collapse(1)) are left out. */
+typedef struct openmp_item {
+    openmp_clause_kind kind;
+    reduction_operator op; /* OPENMP_REDUCTION */
+    const char *text;      /* the name, without its section; or the expression */
+} openmp_item;
+
+typedef struct openmp_directive {
+    openmp_construct construct;
+    unsigned item_count;
+    const openmp_item *items;
+    const char *kept; /* what only the directive itself can do; NULL: nothing */
+} openmp_directive;
+
+/** Is it `#pragma omp ...`, and not made by _Pragma? */
+bool directive_is_openmp_pragma(const ir_directive *d);
+
+/** Reads one for which directive_is_openmp_pragma holds. The result lives in the arena. */
+openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *d);
+
+/** The next identifier, number or other byte of `text`, without blanks before it; its length is 0
+ *  where the text ends. */
+const char *openmp_token(const char *text, size_t *length);
+
+/** Is the token at `at` of `text` a name, and not a member's? */
+bool openmp_is_name(const char *text, const char *at);
+
+/** The directive with its lines joined, and blanks for comments. */
+const char *openmp_plain_text(arena *a, const char *text);
+
+#endif

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What the text says. Whether what it says fits what the loop does is asked once that is known
+ * (reduction/protection.c). */
+#include "analysis/base/openmp_loop.h"
+
+#include <string.h>
+
+#include "analysis/base/loop_text.h"
+
+/* ---- the directives ------------------------------------------------------------------------ */
+
+static bool is_compiled(const ir_directive *d) {
+    return !d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d);
+}
+
+/* Code that devices run as well knows nothing of the runtime. */
+static bool has_devices(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->directive_count; i++)
+        if (is_compiled(&unit->directives[i]) && strstr(unit->directives[i].text, "target"))
+            return true;
+    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
+        if (strstr(unit->text.header_pragmas[i], "target"))
+            return true;
+    return false;
+}
+
+static const char *with_text(arena *a, const char *what, const ir_directive *d) {
+    return arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text));
+}
+
+/* The directive, as one that stands above the loop. */
+static void take_above(arena *a, openmp_loop *result, const openmp_directive *read,
+                       const ir_directive *d) {
+    if (read->construct != OPENMP_PARALLEL_FOR)
+        result->kept = with_text(a, "the construct, which is no 'parallel for'", d);
+    result->items = read->items;
+    result->item_count = read->item_count;
+}
+
+/* A function of OpenMP's that the loop calls. */
+static const char *openmp_function_in(const ir_node *node) {
+    if (node->kind == IR_FUNCTION && strncmp(node->function->name, "omp_", 4) == 0)
+        return node->function->name;
+    const char *found = NULL;
+    for (unsigned i = 0; i < node->child_count && !found; i++)
+        found = openmp_function_in(node->children[i]);
+    return found;
+}
+
+/* Why a loop with locks and no directive above it stays as it is. */
+static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loop) {
+    for (const ir_node *outer = loop->parent; outer; outer = outer->parent) {
+        const openmp_loop *around = ir_is_loop(outer) ? openmp_of_loop(a, unit, outer) : NULL;
+        if (around)
+            return around->kept ? around->kept : "the loop around it stays as it is";
+    }
+    return "a lock in a loop without a 'parallel for' of its own";
+}
+
+const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop) {
+    if (!unit->dialect.has_openmp || !unit->source)
+        return NULL;
+    openmp_loop *result = ARENA_NEW(a, openmp_loop);
+    unsigned above = 0, all = 0;
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
+         i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (!is_compiled(d))
+            continue;
+        all++;
+        const bool is_above = d->range.end <= loop->range.begin;
+        above += is_above;
+        if (!directive_is_openmp_pragma(d)) {
+            result->kept = with_text(a, "a directive that is not written as one", d);
+            return result;
+        }
+        const openmp_directive read = openmp_read(a, unit, d);
+        if (is_above)
+            take_above(a, result, &read, d);
+        else if (read.construct == OPENMP_PARALLEL_FOR)
+            result->kept = with_text(a, "a region in the loop", d);
+        result->has_locks |= !is_above;
+        if (read.kept)
+            result->kept = with_text(a, read.kept, d);
+        if (result->kept)
+            return result;
+    }
+    if (all == 0)
+        return NULL;
+    const char *function = openmp_function_in(loop);
+    if (above == 0)
+        result->kept = kept_around(a, unit, loop);
+    else if (above > 1)
+        result->kept = "several directives above the loop";
+    else if (function)
+        result->kept = arena_format(a, "the loop asks %s", function);
+    else if (has_devices(unit))
+        result->kept = "code for devices in the file";
+    return result;
+}
+
+/* ---- variables ----------------------------------------------------------------------------- */
+
+static const ir_variable *declared_by(const ir_node *declaration, const char *name) {
+    for (unsigned i = 0; declaration->kind == IR_DECLARATION && i < declaration->child_count; i++) {
+        const ir_variable *variable = declaration->children[i]->variable;
+        if (variable && strcmp(variable->name, name) == 0)
+            return variable;
+    }
+    return NULL;
+}
+
+const ir_variable *openmp_variable(const ir_unit *unit, const ir_node *loop,
+                                   const ir_function *function, const char *name) {
+    for (const ir_node *inner = loop; inner->parent; inner = inner->parent) {
+        const ir_node *outer = inner->parent;
+        const bool is_scope = outer->kind == IR_BLOCK || outer->kind == IR_FOR;
+        for (unsigned i = outer->child_count; is_scope && i-- > 0;)
+            if (outer->children[i]->id < inner->id && declared_by(outer->children[i], name))
+                return declared_by(outer->children[i], name);
+    }
+    for (unsigned i = 0; i < function->parameter_count; i++)
+        if (strcmp(function->parameters[i]->name, name) == 0)
+            return function->parameters[i];
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (!unit->variables[i]->function && strcmp(unit->variables[i]->name, name) == 0)
+            return unit->variables[i];
+    return NULL;
+}
+
+/* The variable that the header sets first. */
+static bool is_counter(const ir_node *loop, const ir_variable *variable) {
+    const ir_node *first = loop->kind == IR_FOR ? loop->children[0] : NULL;
+    while (first && first->child_count &&
+           (first->kind == IR_EXPRESSION || first->kind == IR_ASSIGN))
+        first = first->children[0];
+    return first && first->kind == IR_VARIABLE && first->variable == variable;
+}
+
+bool openmp_keeps_value(arena *a, const ir_unit *unit, const ir_node *loop,
+                        const ir_variable *variable) {
+    const openmp_loop *above = unit->dialect.replaces_openmp ? openmp_of_loop(a, unit, loop) : NULL;
+    if (!above || above->kept)
+        return false;
+    bool keeps = is_counter(loop, variable);
+    for (unsigned i = 0; i < above->item_count; i++) {
+        const openmp_item *item = &above->items[i];
+        if (item->kind > OPENMP_LASTPRIVATE ||
+            openmp_variable(unit, loop, variable->function, item->text) != variable)
+            continue;
+        if (item->kind == OPENMP_LASTPRIVATE)
+            return false;
+        keeps = true;
+    }
+    return keeps;
+}

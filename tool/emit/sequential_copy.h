@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** A loop without its OpenMP directives, beside the one that has them (docs/soundness.md). */
+#ifndef EMIT_SEQUENTIAL_COPY_H
+#define EMIT_SEQUENTIAL_COPY_H
+
+#include "emit/base/loop.h"
+
+/** Declares redcc__replaces: may the loop be executed without its directives here and now? Nothing,
+ *  of a loop without directives. */
+void declare_replaces(loop_text *loop, writer *out);
+
+/** "... && ", what must hold besides for it to run in parallel; "" of other loops. */
+const char *replaced_condition(loop_text *loop);
+
+/** Sets how many threads a clause asks for. */
+void write_team(loop_text *loop, writer *out);
+
+/** `if (redcc__replaces) {` the loop in sequential order `} else`, behind an `else`. */
+void write_sequential_copy(loop_text *loop, writer *out);
+
+#endif
