@@ -319,10 +319,10 @@ static int count_others(void) {
 /* A region has OpenMP's threads noted, and those dismissed that are more than it needs; these take
  * a while to end. */
 static bool has_others_after_region(void) {
-    enum { PATIENCE = 100 };
+    enum { MOST_WAITS = 100 };
     redcc_region_run(redcc_region_threads(), be_noted, NULL);
     int others = count_others();
-    for (int wait = 0; wait < PATIENCE && others > 0; wait++) {
+    for (int wait = 0; wait < MOST_WAITS && others > 0; wait++) {
         redcc_system_yield();
         others = count_others();
     }
