@@ -47,6 +47,6 @@ for threads in ${THREADS:-1 2}; do
       sed "s/^/${name#lanes-},/" | tee -a "$csv"
   done
 done
-awk '/^void / {name = $2; sub(/\(.*/, "", name)}
-  sub(/.*redcc: one iteration at a time: /, "") {sub(/ \*\/$/, ""); print name ": not for vectors: " $0}' "$work/translated.c"
+sed '/one iteration at a time/ {/\*\/$/! {N; s/\n */ /}}' "$work/translated.c" | awk '/^void / {name = $2; sub(/\(.*/, "", name)}
+  sub(/.*redcc: one iteration at a time: /, "") {sub(/ \*\/$/, ""); print name ": not for vectors: " $0}'
 echo "kept: $csv"

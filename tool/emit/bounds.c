@@ -87,7 +87,6 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number) {
     arena *a = loop->arena;
     bounds_text self = {.loop = loop, .out = out, .source = number, .all = ""};
     const char *conditions = "";
-    writer_fill(out, true);
     writer_line(out, "{");
     out->depth++;
     const char *base = value_text(&self, bounds->base);
@@ -100,16 +99,19 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number) {
     const char *all =
         arena_format(a, "%s%s%s", self.all, *self.all && *conditions ? " && " : "", conditions);
     writer_line(out, "if (%s) {", *all ? all : "1");
+    out->depth++;
     for (unsigned i = 0; i < bounds->term_count; i++)
         writer_line(out,
-                    "    redcc_known_element(&redcc__known[%u], %s, (redcc_int)%s, %lld, %lld, "
+                    "redcc_known_element(&redcc__known[%u], %s, (redcc_int)%s, %lld, %lld, "
                     "&redcc__lost);",
                     number, base, terms[i], (long long)bounds->terms[i].offset,
                     (long long)bounds->element->size);
+    out->depth--;
     writer_line(out, "} else {");
-    writer_line(out, "    redcc__lost = 1;");
+    out->depth++;
+    writer_line(out, "redcc__lost = 1;");
+    out->depth--;
     writer_line(out, "}");
     out->depth--;
     writer_line(out, "}");
-    writer_fill(out, false);
 }

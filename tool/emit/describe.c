@@ -80,19 +80,18 @@ static const char *limit_text(loop_text *loop, const reduction_array *array) {
 }
 
 static void write_arrays(loop_text *loop, writer *out) {
-    writer_fill(out, true);
-    writer_line(out, "static const redcc_array %s[] =", outlined_name(loop, "arrays"));
+    writer_line(out, "static const redcc_array %s[] = {", outlined_name(loop, "arrays"));
     const unsigned count = loop->facts->array_count;
     for (unsigned i = 0; i < count; i++) {
         const reduction_array *array = &loop->facts->arrays[i];
         if (!array->element->spelling)
             loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
-        writer_line(out, "    %s{%s, %s, %s, sizeof(%s), %s%s}%s", i == 0 ? "{" : "",
+        writer_line(out, "    {%s, %s, %s, sizeof(%s), %s%s},",
                     text_quoted(loop->arena, array->name), operator_name(array),
                     runtime_type(loop, array), origin_type(loop->arena, array->element),
-                    unit_text(loop, i), limit_text(loop, array), i + 1 < count ? "," : "};");
+                    unit_text(loop, i), limit_text(loop, array));
     }
-    writer_fill(out, false);
+    writer_line(out, "};");
 }
 
 static bool is_own_element(const logged_source *item) {
@@ -111,8 +110,7 @@ static const char *base_text(loop_text *loop, unsigned number) {
 static void write_sources(loop_text *loop, writer *out) {
     if (loop->plan->source_count == 0)
         return;
-    writer_fill(out, true);
-    writer_line(out, "static const redcc_source %s[] =", outlined_name(loop, "sources"));
+    writer_line(out, "static const redcc_source %s[] = {", outlined_name(loop, "sources"));
     for (unsigned i = 0; i < loop->plan->source_count; i++) {
         const logged_source *item = &loop->plan->sources[i];
         const bool meets_no_array = !item->is_subscript && !item->meets_arrays;
@@ -120,11 +118,10 @@ static void write_sources(loop_text *loop, writer *out) {
                              : !item->meets_scalars ? ""
                              : meets_no_array ? " | REDCC_MEETS_SCALARS | REDCC_MEETS_NO_ARRAY"
                                               : " | REDCC_MEETS_SCALARS";
-        writer_line(out, "    %s{%s, %d%s%s}%s", i == 0 ? "{" : "",
-                    text_quoted(loop->arena, item->fact->name), item->is_subscript, scalar,
-                    base_text(loop, i), i + 1 < loop->plan->source_count ? "," : "};");
+        writer_line(out, "    {%s, %d%s%s},", text_quoted(loop->arena, item->fact->name),
+                    item->is_subscript, scalar, base_text(loop, i));
     }
-    writer_fill(out, false);
+    writer_line(out, "};");
 }
 
 /* ---- the key ------------------------------------------------------------------------------- */
@@ -210,17 +207,21 @@ static void write_loop_object(loop_text *loop, writer *out) {
                                          "REDCC_ORDER_ANY"};
     _Static_assert(sizeof orders / sizeof *orders == ORDER_ANY + 1, "all orders");
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
-    writer_fill(out, true);
-    writer_line(out, "static redcc_site %s =", outlined_name(loop, "site"));
-    writer_line(out, "    {{{__FILE__, %u, %s, %s, %s,", place.line,
-                text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
-                flags_text(loop));
-    writer_line(out, "    %u, %s, %u, %s, %u, 0}, %u, %s}, 0};", loop->facts->array_count,
-                outlined_name(loop, "arrays"), loop->plan->source_count,
-                loop->plan->source_count > 0 ? outlined_name(loop, "sources") : "0",
-                loop->plan->execution.key_count, loop->bins ? bins_stream_count(loop) : 0,
+    writer_line(out, "static redcc_site %s = {", outlined_name(loop, "site"));
+    out->depth++;
+    writer_line(out, "{{__FILE__, %u, %s, %s,", place.line,
+                text_quoted(loop->arena, loop->facts->function->name),
+                orders[loop->options->order]);
+    writer_line(out, "  %s,", flags_text(loop));
+    writer_line(out, "  %u, %s,", loop->facts->array_count, outlined_name(loop, "arrays"));
+    writer_line(out, "  %u, %s,", loop->plan->source_count,
+                loop->plan->source_count > 0 ? outlined_name(loop, "sources") : "0");
+    writer_line(out, "  %u, 0},", loop->plan->execution.key_count);
+    writer_line(out, " %u, %s},", loop->bins ? bins_stream_count(loop) : 0,
                 loop->bins ? outlined_name(loop, "streams") : "0");
-    writer_fill(out, false);
+    writer_line(out, "0");
+    out->depth--;
+    writer_line(out, "};");
 }
 
 void write_description(loop_text *loop, writer *out) {

@@ -75,7 +75,6 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     if (!has_extents(loop, false))
         return;
     const counted_loop *counted = &loop->facts->counted;
-    writer_fill(out, true);
     writer_line(out, "REDCC_FIRST_AND_LAST {");
     out->depth++;
     writer_line(out, "%s %s = (%s)REDCC_AN_END(%s);", loop->counter_type,
@@ -90,7 +89,6 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     }
     out->depth--;
     writer_line(out, "}");
-    writer_fill(out, false);
 }
 
 /* ---- rows of some iterations, subscripts that may wrap around ------------------------------- */
@@ -196,7 +194,6 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
         loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
         return;
     }
-    writer_fill(out, true);
     writer_line(out, "{");
     out->depth++;
     writer_line(out, "redcc_int redcc__from = %s;", descends ? last : "redcc__lower");
@@ -212,7 +209,6 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
                 exact_address(loop, &address, "redcc__to"), (long long)fact->row->type->size);
     out->depth--;
     writer_line(out, "}");
-    writer_fill(out, false);
 }
 
 /* ---- all of them --------------------------------------------------------------------------- */
@@ -223,9 +219,7 @@ void declare_extents(loop_text *loop, writer *out) {
 }
 
 void fill_extents(loop_text *loop, writer *out) {
-    writer_fill(out, true);
     fill_fixed_extents(loop, out);
-    writer_fill(out, false);
     fill_affine_extents(loop, out);
     for (unsigned i = 0; i < loop->plan->source_count; i++) {
         const loop_source *fact = loop->plan->sources[i].fact;

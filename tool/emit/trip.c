@@ -229,7 +229,6 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     conditions ends = {0};
     require_of_ends(&ends, &h);
     require(&ends, "%s", comparison_text(&h));
-    writer_fill(out, true);
     const bool counts_up =
         !h.stride && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
     if (counts_up && !h.inclusive) {
@@ -253,6 +252,5 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     else if (entry.text.length > before || has_affine_extents(loop) ||
              counter_outlives(loop->facts))
         writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
-    writer_fill(out, false);
     return buffer_take(loop->arena, &entry.text);
 }

@@ -202,14 +202,6 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
 #define REDCC_TOLD_OF_LANES REDCC_BY_CALLS
 #define REDCC_BODY_BESIDE_LANES static __attribute__((__noinline__, __unused__)) void
 
-/** Precedes an update. A function, because it has many call sites and few iterations use it. */
-#define REDCC_UPDATE_OF_LANES(redcc_i, redcc_at)                                                   \
-    if (!redcc__guarded || redcc_asks_apart(redcc__worker, redcc__own_##redcc_i, redcc_at))
-static __attribute__((__noinline__, __unused__)) int
-redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
-    return redcc_asks(worker, owner, address);
-}
-
 /** Executes the chunk, REDCC_WIDTH iterations at once. */
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
@@ -256,7 +248,6 @@ redcc_asks_apart(const redcc_worker *worker, const redcc_owner *owner, const voi
 #define REDCC_SLICE_OF_LANES REDCC_SLICE
 #define REDCC_TOLD_OF_LANES
 #define REDCC_BODY_BESIDE_LANES REDCC_BODY
-#define REDCC_UPDATE_OF_LANES REDCC_UPDATE
 #define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \
                              redcc_arguments)                                                      \
     REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)

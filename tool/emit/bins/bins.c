@@ -94,7 +94,8 @@ static const char *name_in_record(const ir_node *node, void *context) {
 
 /** The updates of a record, on elements and a record. */
 static const char *record_text(loop_text *loop, const bins_record *record) {
-    writer line = {.on_one_line = true};
+    const unsigned its_tags = loop->bins->streams[record->stream].tag_count;
+    writer line = {.depth = 1 + (its_tags > 1)};
     spelling its = {.loop = loop, .record = record};
     printer p = {.arena = loop->arena, .out = &line, .rename = name_in_record, .context = &its};
     for (unsigned i = 0; i < record->update_count; i++) {
@@ -278,7 +279,7 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
     const bins_stream *its = &bins->streams[stream];
     buffer out = {0};
     for (unsigned part = 1; part < its->array_count; part++)
-        buffer_format(&out, "REDCC_APPLY_ALSO(%u, %s, %u) ", part,
+        buffer_format(&out, "\n    REDCC_APPLY_ALSO(%u, %s, %u)", part,
                       row_type(loop, its->arrays[part]), tag_bits(its));
     unsigned tag = 0;
     for (unsigned i = 0; i < bins->record_count; i++) {
@@ -288,9 +289,10 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
         const char *text = record_text(loop, record);
         tag++;
         if (tag < its->tag_count)
-            buffer_format(&out, "if (redcc__tag == %u) { %s} else ", record->tag, text);
+            buffer_format(&out, "%sif (redcc__tag == %u) {\n%s    } else ", tag > 1 ? "" : "\n    ",
+                          record->tag, text);
         else
-            buffer_format(&out, tag > 1 ? "{ %s}" : "%s", text);
+            buffer_format(&out, tag > 1 ? "{\n%s    }" : "\n%s", text);
     }
     return buffer_take(loop->arena, &out);
 }
@@ -319,21 +321,19 @@ static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) 
 
 void write_bins(loop_text *loop, writer *out) {
     const bins_plan *bins = loop->bins;
-    writer_fill(out, true);
     for (unsigned i = 0; i < bins->stream_count; i++) {
         const bins_stream *its = &bins->streams[i];
         const char *row = row_type(loop, its->arrays[0]);
         write_record(loop, out, i);
         if (stream_value_count(its) == 0)
-            writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u, %s)", outlined_name(loop, "apply"),
-                        i, row, tag_bits(its), updates_text(loop, i));
+            writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u,%s)", outlined_name(loop, "apply"), i,
+                        row, tag_bits(its), updates_text(loop, i));
         else
-            writer_line(out, "%sREDCC_APPLY(%s_%u, %s, %s, %u, %s)",
+            writer_line(out, "%sREDCC_APPLY(%s_%u, %s, %s, %u,%s)",
                         rounds_in_between(loop, its) ? "REDCC_ROUNDED " : "",
                         outlined_name(loop, "apply"), i, row, record_name(loop, i), tag_bits(its),
                         updates_text(loop, i));
     }
-    writer_fill(out, false);
 }
 
 /* ---- the loop's description ------------------------------------------------------------------ */
@@ -380,12 +380,10 @@ unsigned bins_stream_count(const loop_text *loop) {
 
 void write_streams(loop_text *loop, writer *out) {
     const unsigned count = bins_stream_count(loop);
+    writer_line(out, "static const redcc_stream %s[] = {", outlined_name(loop, "streams"));
     for (unsigned i = 0; i < count; i++)
-        writer_line(out, "%s%s%s",
-                    i == 0 ? arena_format(loop->arena, "static const redcc_stream %s[] = {",
-                                          outlined_name(loop, "streams"))
-                           : "",
-                    stream_text(loop, i), i + 1 < count ? "," : "};");
+        writer_line(out, "    %s,", stream_text(loop, i));
+    writer_line(out, "};");
 }
 
 /** May all updates be made on private copies? */

@@ -81,9 +81,7 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *brace = needs_braces(update) ? "{ " : "";
     if (loop->bins)
         return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
-    return arena_format(loop->arena, "{ %s(%u, %s) %s",
-                        loop->lanes.is_wanted ? "REDCC_UPDATE_OF_LANES" : "REDCC_UPDATE",
-                        update->array, address, brace);
+    return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 
 static const char *guard_end(const reduction_update *update) {

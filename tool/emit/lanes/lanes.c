@@ -33,8 +33,13 @@ static bool print_update(printer *p, const ir_node *statement) {
         lane_problem(&l->in, NO_LANES_SPELLING, statement);
         return true;
     }
-    writer_line(p->out, "{ REDCC_UPDATE_OF_LANES(%u, %s) %s; }", update->array,
-                macro_argument(p->arena, arena_format(p->arena, "&%s", target)), text);
+    writer_line(p->out, "{");
+    p->out->depth++;
+    writer_line(p->out, "REDCC_UPDATE(%u, %s)", update->array,
+                macro_argument(p->arena, arena_format(p->arena, "&%s", target)));
+    writer_line(p->out, "%s;", text);
+    p->out->depth--;
+    writer_line(p->out, "}");
     return true;
 }
 

@@ -9,43 +9,108 @@
 
 #include "emit/text/origin.h"
 
-enum { SPACES_A_LEVEL = 4, LONGEST_FILLED = 150 };
+enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
 
-/** The width of marked text. */
-static size_t visible_width(const char *at, const char *end) {
-    size_t width = 0;
-    for (; at < end; width++) {
-        const char *after = at;
-        while ((after = origin_skip(at, end)) != at)
-            at = after;
-        at += at < end;
+/** What has been seen of a line of marked text. */
+typedef struct line_scan {
+    size_t columns;  /* without marks */
+    size_t indent;   /* blanks that it begins with */
+    size_t comma;    /* where in the text a blank behind a comma stands, the last one; 0: none */
+    size_t blank;    /* any blank; */
+    bool is_remark;  /* it stands in a comment */
+    char quote;      /* of the literal that has begun; 0: none */
+    bool is_escaped; /* the next byte of it */
+    bool is_comment; /* that has begun */
+} line_scan;
+
+/** The end of the line. Are the user's bytes in it? */
+static const char *line_end(const char *at, const char *end, bool *has_copy) {
+    *has_copy = false;
+    while (at < end && *at != '\n') {
+        const char *after = origin_skip(at, end);
+        *has_copy |= after != at && origin_is_copy(at, end);
+        at = after != at ? after : at + 1;
     }
-    return width;
+    return at;
 }
 
-void writer_fill(writer *w, bool fills) {
-    if (fills && w->fills++ == 0)
-        w->fill_begin = w->out.length;
-    if (!fills)
-        w->fills--;
-}
-
-/** Appends the line from `begin` on to the preceding one, if both are short. */
-static void join_line(writer *w, size_t begin) {
-    char *data = w->out.data;
-    assert(w->fill_begin <= begin);
-    size_t text = begin;
-    while (data[text] == ' ')
-        text++;
-    const size_t width = visible_width(data + w->fill_begin, data + begin) +
-                         visible_width(data + text, data + w->out.length);
-    if (begin == w->fill_begin || width > LONGEST_FILLED) {
-        w->fill_begin = begin;
+/** Takes in a byte that was appended to `out`. */
+static void scan_byte(line_scan *line, const buffer *out, char byte) {
+    const char before = out->length > 1 ? out->data[out->length - 2] : ' ';
+    line->columns++;
+    if (line->is_comment)
+        line->is_comment = byte != '/' || before != '*';
+    else if (line->quote && (line->is_escaped || byte != line->quote))
+        line->is_escaped = byte == '\\' && !line->is_escaped;
+    else if (line->quote)
+        line->quote = 0;
+    else if (byte == '"' || byte == '\'')
+        line->quote = byte;
+    else if (byte == '*' && before == '/')
+        line->is_comment = true;
+    if (byte != ' ' || line->quote || line->columns > MOST_COLUMNS)
         return;
+    if (line->columns == line->indent + 1)
+        line->indent++;
+    else {
+        line->blank = out->length - 1;
+        line->is_remark = line->is_comment;
     }
-    data[begin - 1] = ' ';
-    memmove(data + begin, data + text, w->out.length - text);
-    buffer_shorten(&w->out, text - begin);
+    if (before == ',' && !line->is_comment)
+        line->comma = out->length - 1;
+}
+
+/** Puts a line end and an indentation in the place of the last blank that is far enough from the
+ * beginning. */
+static void break_line(arena *scratch, line_scan *line, buffer *out) {
+    const size_t at = line->comma ? line->comma : line->blank;
+    const char *rest = arena_format(scratch, "%s", out->data + at + 1);
+    buffer_shorten(out, out->length - at);
+    buffer_byte(out, '\n');
+    line_scan next = {.is_comment = !line->comma && line->is_remark};
+    for (size_t i = 0; i < line->indent + SPACES_A_LEVEL; i++) {
+        buffer_byte(out, ' ');
+        scan_byte(&next, out, ' ');
+    }
+    next.indent = line->indent; /* of the lines that follow, the same */
+    for (const char *c = rest, *const end = rest + strlen(rest); c < end;) {
+        const char *after = origin_skip(c, end);
+        for (; c < after; c++)
+            buffer_byte(out, *c);
+        if (c == end)
+            break;
+        buffer_byte(out, *c);
+        scan_byte(&next, out, *c++);
+    }
+    *line = next;
+}
+
+/** Breaks the lines from `begin` on that are too long, and are no directives. */
+static void break_lines(writer *w, size_t begin) {
+    arena *scratch = arena_new();
+    const char *at = arena_format(scratch, "%s", w->out.data + begin);
+    const char *const end = at + strlen(at);
+    buffer_shorten(&w->out, w->out.length - begin);
+    while (at < end) {
+        bool has_copy;
+        const char *const stop = line_end(at, end, &has_copy);
+        const bool stays = has_copy || at[strspn(at, " ")] == '#';
+        line_scan line = {0};
+        while (at < stop) {
+            const char *const after = stays ? stop : origin_skip(at, stop);
+            for (; at < after; at++)
+                buffer_byte(&w->out, *at);
+            if (at == stop)
+                break;
+            buffer_byte(&w->out, *at);
+            scan_byte(&line, &w->out, *at++);
+            if (line.columns > MOST_COLUMNS && (line.comma || line.blank))
+                break_line(scratch, &line, &w->out);
+        }
+        if (at < end)
+            buffer_byte(&w->out, *at++);
+    }
+    arena_free(scratch);
 }
 
 void writer_line(writer *w, const char *format, ...) {
@@ -70,8 +135,8 @@ void writer_line(writer *w, const char *format, ...) {
     }
     va_end(again);
     buffer_byte(&w->out, w->on_one_line ? ' ' : '\n');
-    if (w->fills && !w->on_one_line)
-        join_line(w, begin);
+    if (!w->on_one_line && w->out.length - begin > MOST_COLUMNS)
+        break_lines(w, begin);
 }
 
 const char *writer_text(arena *a, writer *w) {

@@ -9,15 +9,12 @@
 typedef struct writer {
     buffer out; /* owned: end with writer_text or buffer_free */
     unsigned depth;
-    size_t fill_begin; /* of the line to be filled; where `fills` */
-    unsigned fills;    /* not 0: short lines are joined */
-    bool on_one_line;  /* blanks instead of line ends and indentation */
-} writer;              /* {0} is an empty one */
+    bool on_one_line; /* blanks instead of line ends and indentation */
+} writer;             /* {0} is an empty one */
 
-/** Appends the indentation, the formatted text and a line end. */
+/** Appends the indentation, the formatted text and a line end. Lines of more than 100 columns are
+ * broken, if the user's bytes are not among them: those keep their lines. */
 void writer_line(writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/** Begins or ends joining short lines with the preceding one; calls nest. */
-void writer_fill(writer *w, bool fills);
 /** The text, in the arena; the writer is empty again. */
 const char *writer_text(arena *a, writer *w);
 
