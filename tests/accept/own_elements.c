@@ -13,7 +13,7 @@ struct particle {
 };
 static struct particle particle[N + 2];
 static int member[N + 2], at[N], count[M], order[N + 1];
-static double e[N], h[M + C], x[N], y[N], place[N][3], speed[N][3], changed;
+static double e[N], h[M + C], x[N], y[N], place[N][3], speed[N][3];
 static float centre[C][F], feature[N][F], *row[C], *point[N];
 static unsigned char seen[N];
 static short level[N];
@@ -132,7 +132,6 @@ static int until(int n, const int *k, double *restrict b, double *own) {
             return i;
         own[i] += 1;
         b[k[i]] += own[i];
-        changed += own[i];
     }
     return n;
 }
@@ -323,6 +322,5 @@ int main(void) {
         CASE_PRINT(y);
         beside_reads(n, round);
     }
-    printf("%a\n", changed);
     return 0;
 }

@@ -257,8 +257,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
-/** Is something read, at a place that is not known before, that may be a sum in memory or an own
- * element? Where that shows in a later batch, the iterations before have left out these stores. */
+/** Is something read, at a place that is not known before, that may be an own element? Where that
+ * shows in a later batch, the iterations before have left out these stores. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -266,12 +266,13 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see verified values only? Of an execution that is thrown away the operands of a
- * series would stay; others, and own elements, are those of an iteration's last execution. */
+/** Must the body see verified values only? What it keeps of scalars in an execution that is thrown
+ * away stays where the next one keeps nothing; of own elements each execution keeps a value. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
-           ((has_series(plan->facts) || may_meet_kept(plan->facts)) &&
-            unverified_has_suspects(plan, guarded_sources(plan)));
+           (plan->facts->scalar_count > 0 &&
+            unverified_has_suspects(plan, guarded_sources(plan))) ||
+           may_meet_kept(plan->facts);
 }
 
 /** Why updates may not be made later, whatever they are; NULL: they may. */
