@@ -119,7 +119,7 @@ static void marks(int n, const int *restrict k, int *restrict c, unsigned char *
 static void by_macros(int n, const int *restrict k, double *restrict b, int *state) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         if (STATE(i) % 3 == 1)
-            STATE(i) -= 2;
+            STATE(i) += 2;
         STATE(i) = STATE(i) * 5 % 1009;
         b[k[STATE(i)]] += STATE(i);
     }
@@ -274,6 +274,7 @@ int main(void) {
         particle[i].v[1] = case_value() * 3;
         seen[i] = (unsigned char)(i * 7 % 251);
         level[i] = (short)(i % 5);
+        order[i + 1] = i % 997;
     }
     static float sum[C][F], *sums[C];
     static int length[C];
