@@ -13,7 +13,7 @@ struct particle {
 };
 static struct particle particle[N + 2];
 static int member[N + 2], at[N], count[M], order[N + 1];
-static double e[N], h[M + C], x[N], y[N], place[N][3], speed[N][3], changed;
+static double e[N], h[M + C], x[N], y[N], place[N][3], speed[N][3];
 static float centre[C][F], feature[N][F], *row[C], *point[N];
 static unsigned char seen[N];
 static short level[N];
@@ -119,7 +119,7 @@ static void marks(int n, const int *restrict k, int *restrict c, unsigned char *
 static void by_macros(int n, const int *restrict k, double *restrict b, int *state) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         if (STATE(i) % 3 == 1)
-            STATE(i) -= 2;
+            STATE(i) += 2;
         STATE(i) = STATE(i) * 5 % 1009;
         b[k[STATE(i)]] += STATE(i);
     }
@@ -132,7 +132,6 @@ static int until(int n, const int *k, double *restrict b, double *own) {
             return i;
         own[i] += 1;
         b[k[i]] += own[i];
-        changed += own[i];
     }
     return n;
 }
@@ -275,6 +274,7 @@ int main(void) {
         particle[i].v[1] = case_value() * 3;
         seen[i] = (unsigned char)(i * 7 % 251);
         level[i] = (short)(i % 5);
+        order[i + 1] = i % 997;
     }
     static float sum[C][F], *sums[C];
     static int length[C];
@@ -323,6 +323,5 @@ int main(void) {
         CASE_PRINT(y);
         beside_reads(n, round);
     }
-    printf("%a\n", changed);
     return 0;
 }

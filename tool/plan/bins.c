@@ -242,8 +242,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
-/** Is something read, at a place that is not known before, that may be a sum in memory or an own
- *  element? If a later batch shows it, the iterations before have left out these stores. */
+/** Is something read, at a place that is not known before, that may be an own element? If a later
+ *  batch shows it, the iterations before have left out these stores. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -251,12 +251,13 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? Operands of a series that it keeps in an aborted
- *  execution remain; others, and own elements, are those of an iteration's last execution. */
+/** Must the body see only verified values? Operands of scalars that it keeps in an aborted
+ *  execution remain if the next one keeps none; of own elements each execution keeps a value. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
-           ((has_series(plan->facts) || may_meet_kept(plan->facts)) &&
-            unverified_has_suspects(plan, guarded_sources(plan)));
+           (plan->facts->scalar_count > 0 &&
+            unverified_has_suspects(plan, guarded_sources(plan))) ||
+           may_meet_kept(plan->facts);
 }
 
 /** The reason why no updates may be deferred; NULL: they may. */

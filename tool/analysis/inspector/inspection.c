@@ -361,14 +361,22 @@ static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
 }
 
+static bool has_sum_in_memory(const loop_analysis *j) {
+    for (unsigned i = 0; i < j->access_count; i++)
+        if (j->accesses[i].is_scalar && own_named(j, j->accesses[i].access.lvalue) < 0)
+            return true;
+    return false;
+}
+
 /* The slice reads before the loop: it must not read a sum in memory, or another iteration's own
- * element. All of these have known places, and the slice's reads at known places are compared with
+ * element. Own elements have known places, and the slice's reads at known places are compared with
  * them before the slice is executed. */
 static bool are_scalars_apart(loop_analysis *j) {
+    const bool has_sum = has_sum_in_memory(j);
     bool meets = false;
     for (unsigned i = 0; i < j->sources.count; i++)
         meets |= j->sources.items[i].is_subscript && j->sources.items[i].meets_scalars &&
-                 j->sources.items[i].extent == EXTENT_TOUCHED;
+                 (has_sum || j->sources.items[i].extent == EXTENT_TOUCHED);
     for (unsigned i = 0; meets && i < j->access_count; i++)
         if (j->accesses[i].is_scalar)
             return analysis_refuse(j, REASON_SCALAR_CARRIED, j->accesses[i].access.node,
