@@ -107,6 +107,10 @@ int main(void) {
         usleep(100);
         sums[number] = pairs(&pot, block, block + ROWS, N);
         keep(number++);
+        table.inverse = ENTRIES; /* none but the last elements are rows */
+        table.values = block + ROWS - ENTRIES;
+        usleep(100);
+        sums[0] += pairs(&pot, block + ROWS, block + ROWS, N);
     }
     pot.cut = -2; /* no iteration comes to the table */
     pot.phi = NULL;

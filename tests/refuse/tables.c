@@ -94,11 +94,11 @@ void unsigned_one(int n, const int *k, const int *x, double *h, const struct tab
         h[k[i]] += wrapped(t, x[i]);
 }
 
-static double against_unsigned(const struct table *t, int i) { /* -1 is above all */
+static double against_unsigned(const struct table *t, int i) { /* whose end no int may be */
     if (i < 0)
         i = 0;
     if (i > t->m)
-        i = -7;
+        i = 7;
     return t->values[i];
 }
 void mixed_signs(int n, const int *k, const int *x, double *h, const struct table *t) {
@@ -148,9 +148,9 @@ void quotient(int n, const int *k, const double *x, double *h, const struct tabl
 
 static double few_bits(const struct table *t, double r) { /* what is no number becomes any of them */
     signed char i = (signed char)sqrt(r);
-    if (i > t->n)
-        i = t->n;
-    return t->values[i];
+    if (i <= 100)
+        return t->values[i];
+    return 0;
 }
 void small_integer(int n, const int *k, const double *x, double *h, const struct table *t) {
     for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
