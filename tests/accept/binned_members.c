@@ -81,6 +81,18 @@ static void by_moved_pointers(int n, struct body *b, const int *first, const int
     }
 }
 
+/* Of one pointer's members one may be the array, and another the sum. */
+struct counted {
+    double w, v;
+    int count, other;
+};
+static void of_two_types(int n, const struct counted *b, double *g, const long *k, const long *s, int *total) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        g[s[t]] += b[k[t]].w * 0.5;
+        *total += b[k[t]].count;
+    }
+}
+
 static void fill(void) {
     for (int i = 0; i <= N; i++) {
         double *part = &memory[i].at.x;
@@ -99,10 +111,22 @@ int main(void) {
         begin[t] = case_below(N);
         end[t] = begin[t] + case_below(N - begin[t] + 1) - (t % 5 == 0);
     }
+    static struct counted counted[2 * N];
+    static long doubles[4 * N], places[4 * N];
+    for (int t = 0; t < 4 * N; t++)
+        doubles[t] = 3 * first[t] + t % 2, places[t] = second[t];
+    for (int round = 0; round < 3; round++) {
+        int total = 0;
+        for (int i = 0; i < 2 * N; i++)
+            counted[i] = (struct counted){case_value(), case_value(), i, -i};
+        of_two_types(4 * N, counted, &counted[round ? round * N - N : 7].w, places, doubles, round ? &total : &counted[5].count);
+        CASE_PRINT(counted);
+        CASE_PRINT(&total);
+    }
     for (int round = 0; round < 5; round++) {
         double energy = -0.0;
         fill();
-        double *const to[] = {&energy, &memory[7].at.y, &memory[N - 1].pull.z, &memory[N].pull.x, &memory[9].mass};
+        double *const to[] = {&energy, &memory[0].at.y, &memory[N - 1].pull.z, &memory[N].pull.x, &memory[9].mass};
         pull_all(round == 4 ? 2 : N, to[round], round == 1 ? 1e6 : 20.0);
         CASE_PRINT(memory);
         CASE_PRINT(&energy);
