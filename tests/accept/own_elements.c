@@ -263,6 +263,111 @@ static void beside_reads(int n, int round) {
     CASE_PRINT(h);
 }
 
+/* Stored by each iteration before it is read; the arrays may be one. */
+static void maybe_the_array(int n, const int *s, double *o, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = s[t];
+        h[s[t]] += 1;
+        h[s[t] + 1] += o[t];
+    }
+}
+
+static void maybe_another_output(int n, const int *s, double *o, double *p, int *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = s[t];
+        p[t] = 1;
+        h[s[t]] += o[t] > 1;
+    }
+}
+
+static void stored_again(int n, const int *s, double *restrict o, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = s[t];
+        o[t] = 2;
+        h[s[t]] += o[t];
+    }
+}
+
+static void written_in_between(int n, int *o, const int *key, int *count, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = key[t];
+        count[key[t]]++;
+        h[o[t]] += 1;
+    }
+}
+
+static void written_before_the_last_read(int n, int *o, const int *key, int *count) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = key[t];
+        count[o[t]]++;
+        count[o[t] + 1]++;
+    }
+}
+
+static void written_in_the_same_statement(int n, int *o, const int *key, int *count) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = key[t];
+        if (key[t] > 0)
+            count[o[t]] += 1;
+    }
+}
+
+static void read_before(int n, int *restrict o, const int *key, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        h[o[t]] += 1;
+        o[t] = key[t];
+    }
+}
+
+static void read_before_and_after(int n, int *restrict o, const int *key, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        h[o[t]] += 1;
+        o[t] = key[t];
+        h[o[t]] += 1;
+    }
+}
+
+static void stored_again_below(int n, const int *s, double *restrict o, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = s[t];
+        h[s[t]] += o[t];
+        o[t]++;
+        h[s[t]] += o[t];
+    }
+}
+
+static void of_itself(int n, const int *s, double *restrict o, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        o[t] = o[t] + 1;
+        h[s[t]] += o[t];
+    }
+}
+
+static void stored_first(int n) {
+    static double o[N + M], p[N], sums[M + 4];
+    static int kept[N + M], counts[M + 4], whole[M + 4];
+    maybe_the_array(M / 2, at, o, o + 1); /* they overlap */
+    maybe_the_array(n, at, o, sums);
+    maybe_another_output(n / 2, at, o, o + 7, whole); /* they overlap */
+    maybe_another_output(n, at, o, p, whole);
+    stored_again(n, at, o, sums);
+    stored_again_below(n, at, o, sums);
+    of_itself(n, at, o, sums);
+    written_in_between(M / 2, kept, at, kept + 1, sums); /* they overlap */
+    written_in_between(n, kept, at, counts, sums);
+    written_before_the_last_read(M / 2, kept, at, kept + 2); /* they overlap */
+    written_before_the_last_read(n, kept, at, counts);
+    written_in_the_same_statement(n, kept, at, counts);
+    read_before(n, kept, at, sums);
+    read_before_and_after(n, kept, at, sums);
+    CASE_PRINT(o);
+    CASE_PRINT(p);
+    CASE_PRINT(sums);
+    CASE_PRINT(kept);
+    CASE_PRINT(counts);
+    CASE_PRINT(whole);
+}
+
 static struct body body[N];
 
 int main(void) {
@@ -322,6 +427,7 @@ int main(void) {
         printf("%d\n", until(n, at, h, y));
         CASE_PRINT(y);
         beside_reads(n, round);
+        stored_first(n);
     }
     return 0;
 }

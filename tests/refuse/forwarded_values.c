@@ -12,21 +12,6 @@ typedef struct item {
     } u;
 } item;
 
-void read_before(int n, int *restrict o, const int *key, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        h[o[t]] += 1;
-        o[t] = key[t];
-    }
-}
-
-void read_before_and_after(int n, int *restrict o, const int *key, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        h[o[t]] += 1;
-        o[t] = key[t];
-        h[o[t]] += 1;
-    }
-}
-
 void next_element(int n, int *restrict o, const int *key, double *restrict h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
         o[t] = key[t];
@@ -98,46 +83,6 @@ void subscript_global(int n, const int *s, double *restrict o, double *restrict 
     for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
         o[t + place] = 1.5;
         h[s[t]] += o[t + place];
-    }
-}
-
-void maybe_the_array(int n, const int *s, double *o, double *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
-        o[t] = s[t];
-        h[s[t]] += 1;
-        h[s[t] + 1] += o[t];
-    }
-}
-
-void maybe_another_output(int n, const int *s, double *o, double *p, int *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
-        o[t] = s[t];
-        p[t] = 1;
-        h[s[t]] += o[t] > 1;
-    }
-}
-
-void stored_again(int n, const int *s, double *restrict o, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
-        o[t] = s[t];
-        o[t] = 2;
-        h[s[t]] += o[t];
-    }
-}
-
-void stored_again_below(int n, const int *s, double *restrict o, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        o[t] = s[t];
-        h[s[t]] += o[t];
-        o[t]++;
-        h[s[t]] += o[t];
-    }
-}
-
-void of_itself(int n, const int *s, double *restrict o, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        o[t] = o[t] + 1;
-        h[s[t]] += o[t];
     }
 }
 
@@ -258,29 +203,5 @@ void by_pointers_of_rows(int n, int **o, const int *key, double *restrict h) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         o[t][0] = key[t];
         h[o[t][0]] += 1;
-    }
-}
-
-void written_in_between(int n, int *o, const int *key, int *count, double *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
-        o[t] = key[t];
-        count[key[t]]++;
-        h[o[t]] += 1;
-    }
-}
-
-void written_before_the_last_read(int n, int *o, const int *key, int *count) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
-        o[t] = key[t];
-        count[o[t]]++;
-        count[o[t] + 1]++;
-    }
-}
-
-void written_in_the_same_statement(int n, int *o, const int *key, int *count) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
-        o[t] = key[t];
-        if (key[t] > 0)
-            count[o[t]] += 1;
     }
 }

@@ -50,7 +50,7 @@ static bool is_harmless(leading *l, const ir_node *path) {
     const ir_node *user = path->parent;
     if (expression_written(user) == path)
         return path->kind == IR_VARIABLE; /* the variable itself is set */
-    if (path->type->kind == IR_RECORD) /* a copy of its pointers is not followed */
+    if (path->type->kind == IR_RECORD)    /* a copy of its pointers is not followed */
         return false;
     if (path->type->kind != IR_POINTER && path->type->kind != IR_ARRAY)
         return user->kind != IR_UNARY || user->op != IR_OP_ADDRESS;
