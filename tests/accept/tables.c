@@ -117,6 +117,10 @@ int main(void) {
     usleep(100);
     sums[11] = pairs(&pot, block, block + ROWS, N);
     keep(12);
+    pot = (struct pot){&table, 0.6};
+    table.values = values + 1;
+    usleep(100);
+    sums[11] += pairs(&pot, block, block + ROWS, N);
     CASE_PRINT(block);
     CASE_PRINT(found);
     CASE_PRINT(sums);
