@@ -40,7 +40,7 @@ static void by_list(int n, struct body *b, const int *first, const int *second) 
     }
 } // BINNED: 37
 
-/* Elements of an array within the record, of which the loop goes over one part. */
+/* Elements of an array within the record, one part of which the loop updates. */
 static void by_parts(int n, struct body *b, const int *begin, const int *end) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int k = begin[t]; k < end[t]; k++) {

@@ -52,7 +52,7 @@ static void in_a_region(void) {
     }
 }
 
-/* What the loop leaves in `at` is read by none: clauses that are passed over read and copy nothing. */
+/* The last value of `at` is unused: ignored clauses read and copy nothing. */
 static void with_clauses(void) {
     int at = 3;
 #pragma omp parallel firstprivate(at)

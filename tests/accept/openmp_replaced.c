@@ -52,7 +52,7 @@ static void guarded(int n) {
     }
 }
 
-/* What is private keeps the value that it has; without OpenMP it does not, and is not asked for. */
+/* Private variables keep their value; without OpenMP they do not, and nothing reads them. */
 static int privates(int n) {
     int t = -7, from = 3;
     double v = 0.25, f[2], last = 0;

@@ -125,7 +125,7 @@ static void by_macros(int n, const int *restrict k, double *restrict b, int *sta
     }
 }
 
-/* It is left early: what an iteration has made of its own element by then is nobody's. */
+/* It is left early: the values that iterations gave their own elements by then are discarded. */
 static int until(int n, const int *k, double *restrict b, double *own) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         if (own[i] > 1e6)
@@ -136,7 +136,7 @@ static int until(int n, const int *k, double *restrict b, double *own) {
     return n;
 }
 
-/* Stores beside a read that are more than distribution takes (distributed_stores.c). */
+/* Stores next to a read, more general than those of distribution (distributed_stores.c). */
 static void some_iterations_go_on(int n, const int *r, double *y, double *t) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         y[r[i]] -= t[i];

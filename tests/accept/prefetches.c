@@ -62,7 +62,7 @@ static void declared_outside(int n, const double (*x)[3], const double (*restric
     }
 }
 
-/* What is read ahead of an iteration is subscripted by a variable that the inspector declares in a block. */
+/* A row that is prefetched has a subscript that the inspector declares in a block. */
 static void declared_behind_a_loop(int n, const double (*restrict x)[3], const double (*restrict w)[3],
                                    double (*b)[3]) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed

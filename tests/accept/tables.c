@@ -96,9 +96,9 @@ int main(void) {
         usleep(100);
         whole(&table, block, N);
         keep(number++);
-        if (round == 1) /* behind the rows, in one object: apart as well */
+        if (round == 1) /* after the rows, in one object: disjoint as well */
             table.values = block + 2 * ROWS + 1;
-        if (round == 2) /* the last entry is the first row: only some iterations come to it */
+        if (round == 2) /* the last entry is the first row: only some iterations read it */
             table.values = block + ROWS - ENTRIES - 1;
         if (round == 3) { /* from the end backwards: what says where the table lies does not hold */
             table.values = block + 2 * ROWS + ENTRIES - 2;
@@ -112,7 +112,7 @@ int main(void) {
         usleep(100);
         sums[0] += pairs(&pot, block + ROWS, block + ROWS, N);
     }
-    pot.cut = -2; /* no iteration comes to the table */
+    pot.cut = -2; /* no iteration reads the table */
     pot.phi = NULL;
     usleep(100);
     sums[11] = pairs(&pot, block, block + ROWS, N);

@@ -355,7 +355,7 @@ static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_nod
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }
 
-/* An own element that is read may be what was in the way. */
+/* The obstacle may be the read of an own element. */
 static bool is_about_stores(reason_id why) {
     return why == REASON_INDEX_ARRAY_WRITTEN || why == REASON_OTHER_STORE ||
            why == REASON_ARRAY_READ || why == REASON_ARRAY_STORED;

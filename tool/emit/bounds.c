@@ -13,7 +13,7 @@ bool reads_by_system(const loop_text *loop) {
     return loop->facts->variables.loads != NULL;
 }
 
-/** What is read so, one after the other. */
+/** Such reads, in order. */
 typedef struct bounds_text {
     loop_text *loop;
     writer *out;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A loop without its OpenMP directives, beside the one that has them (docs/soundness.md). */
+/** A copy of a loop without its OpenMP directives (docs/soundness.md). */
 #ifndef EMIT_SEQUENTIAL_COPY_H
 #define EMIT_SEQUENTIAL_COPY_H
 

@@ -29,7 +29,7 @@ static bool is_word(const char *at, size_t length, const char *word) {
     return strlen(word) == length && memcmp(at, word, length) == 0;
 }
 
-/* Past this word; NULL: another one stands there. */
+/* The text after this word; NULL if it begins with another one. */
 static const char *after(const char *text, const char *word) {
     size_t length;
     const char *at = openmp_token(text, &length);
@@ -142,7 +142,7 @@ static bool assigns(const char *text) {
     return strstr(text, "++") || strstr(text, "--");
 }
 
-/* An expression of names, numbers and operators, that may stand anywhere. */
+/* An expression of names, numbers and operators. */
 static void read_expression(reader *r, openmp_clause_kind kind, const char *inside) {
     const char *rest = kind == OPENMP_IF ? after(inside, "parallel") : NULL;
     rest = rest ? after(rest, ":") : NULL;
@@ -187,7 +187,7 @@ static void read_loop_clause(reader *r, const char *word, size_t length, const c
         r->kept = clause_text(r, word, length, inside);
 }
 
-/* Of atomic and critical: nothing but hints, and words that say what is so anyway. */
+/* The clauses of atomic and critical: only hints, and words for the default. */
 static void read_lock_clause(reader *r, const char *word, size_t length, const char *inside) {
     static const char *const neutral[] = {"update", "relaxed", "hint", NULL};
     if (!is_of(word, length, neutral))
@@ -232,7 +232,7 @@ static const char *macro_in(arena *a, const ir_unit *unit, const char *text) {
     return name ? arena_copy(a, name, length) : NULL;
 }
 
-/* What the directive begins with; *rest: its clauses. */
+/* The construct; *rest: its clauses. */
 static openmp_construct construct_of(const char *text, const char **rest) {
     const char *at = after(text, "parallel");
     at = at ? after(at, "for") : NULL;

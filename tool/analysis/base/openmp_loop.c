@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the text says. Whether what it says fits what the loop does is asked once that is known
- * (reduction/protection.c). */
+/* Reads the directives. reduction/protection.c compares them with the loop, once it is analysed. */
 #include "analysis/base/openmp_loop.h"
 
 #include <string.h>
@@ -13,7 +12,7 @@ static bool is_compiled(const ir_directive *d) {
     return !d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d);
 }
 
-/* Code that devices run as well knows nothing of the runtime. */
+/* Code that devices execute as well cannot use the runtime. */
 static bool has_devices(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (is_compiled(&unit->directives[i]) && strstr(unit->directives[i].text, "target"))
@@ -28,7 +27,7 @@ static const char *with_text(arena *a, const char *what, const ir_directive *d) 
     return arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text));
 }
 
-/* The directive, as one that stands above the loop. */
+/* Takes the directive as the one above the loop. */
 static void take_above(arena *a, openmp_loop *result, const openmp_directive *read,
                        const ir_directive *d) {
     if (read->construct != OPENMP_PARALLEL_FOR)
@@ -47,7 +46,7 @@ static const char *openmp_function_in(const ir_node *node) {
     return found;
 }
 
-/* Why a loop with locks and no directive above it stays as it is. */
+/* The reason why a loop with locks and no directive above it is kept as written. */
 static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loop) {
     for (const ir_node *outer = loop->parent; outer; outer = outer->parent) {
         const openmp_loop *around = ir_is_loop(outer) ? openmp_of_loop(a, unit, outer) : NULL;

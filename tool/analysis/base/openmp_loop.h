@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The OpenMP directives of a loop, where the file is compiled with OpenMP: may it be executed in
- *  the order of the sequential loop, as a team of one thread does? */
+/** The OpenMP directives of a loop in a file that is compiled with OpenMP: may the loop be executed
+ *  in sequential order, as by a team of one thread? */
 #ifndef ANALYSIS_OPENMP_LOOP_H
 #define ANALYSIS_OPENMP_LOOP_H
 
 #include "analysis/base/openmp_directive.h"
 
-/** What stands above a loop that is executed without it: a combined `parallel for`. */
+/** A combined `parallel for`, without which the loop below it is executed. */
 typedef struct openmp_loop {
     unsigned item_count;
     const openmp_item *items;
     bool has_locks;   /* `atomic` or `critical` in the loop: other threads may update as well */
-    const char *kept; /* why it stays as it is, by text alone; NULL: nothing is known yet */
+    const char *kept; /* the reason to keep it, from its text; NULL: none so far */
 } openmp_loop;
 
-/** NULL: no directive of OpenMP stands above the loop or in it, or they are asleep. */
+/** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop);
 
-/** Is a `parallel for` above this loop left out, by which the variable is private to the threads,
- *  and keeps the value that it has before the loop? Of its counter it is said without a clause. */
+/** Is a `parallel for` above this loop omitted that makes the variable private to the threads, so
+ *  that it keeps its value from before the loop? For the counter this needs no clause. */
 bool openmp_keeps_value(arena *a, const ir_unit *unit, const ir_node *loop,
                         const ir_variable *variable);
 
-/** The variable that `name` means where the loop stands; NULL: it is none. */
+/** The variable called `name` in the loop's scope, or NULL. */
 const ir_variable *openmp_variable(const ir_unit *unit, const ir_node *loop,
                                    const ir_function *function, const char *name);
 

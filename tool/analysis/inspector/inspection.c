@@ -141,7 +141,7 @@ static bool source_stays_until(const loop_analysis *j, const loop_source *item,
     return stays_until(j, item->row, first, second);
 }
 
-/* Elements of one table under the same conditions are told together, if there is room. */
+/* Merges elements of one table under the same conditions, if there is room. */
 static bool add_bounds(loop_analysis *j, loop_source *to, const element_bounds *more) {
     element_bounds *all = ARENA_NEW(j->an->memory, element_bounds);
     *all = *to->bounds;
@@ -312,7 +312,7 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
     }
 }
 
-/* Does the slice ask for what the element is when an iteration begins? */
+/* Does the slice need the element's value at the beginning of an iteration? */
 static bool own_is_read_in_slice(const loop_analysis *j, const loop_access *read) {
     const own_element *own = &j->own.items[own_named(j, read->access.lvalue)];
     return own->is_in_slice && !own->is_stored_first;
@@ -327,7 +327,7 @@ static void add_sources(loop_analysis *j, const bool *keep) {
         const loop_access *read = &j->accesses[i];
         const bool is_own = read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED &&
                             read->access.lvalue && own_named(j, read->access.lvalue) >= 0;
-        if (is_own) /* what it is when an iteration begins */
+        if (is_own) /* its value at the beginning of an iteration */
             add_read(j, read, own_is_read_in_slice(j, read));
         else if (read->is_scalar)
             add_read(j, read, false);

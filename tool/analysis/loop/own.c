@@ -73,14 +73,15 @@ bool own_is_element(const loop_analysis *j, const ir_node *lvalue) {
            is_array(j, node->children[0]) && differs_always(j, node->children[1]);
 }
 
-/* Of a type that is copied bit by bit, and stored indivisibly. */
+/* Its type is copied bit by bit and stored atomically. */
 static bool has_type(const ir_type *type) {
     return type && type->spelling && !type->is_const && !type->is_volatile && !type->is_atomic &&
            (type->kind == IR_INTEGER || type->kind == IR_FLOATING) &&
            (type->size == 1 || type->size == 2 || type->size == 4 || type->size == 8);
 }
 
-/* ---- what else the loop does ------------------------------------------------------------------
+/* ---- other accesses of the loop
+ * ------------------------------------------------------------------
  */
 
 static bool is_of(const loop_access *a, const ir_node *element) {
@@ -127,7 +128,7 @@ static bool stores_alone(const loop_analysis *j, const ir_node *element) {
     return true;
 }
 
-/* Is its address asked for, or may it be named where nothing is read? */
+/* Is its address taken, or may it be named without being read? */
 static bool has_other_use(const ir_node *node, const ir_node *element) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
         expression_same(node->children[0], element))

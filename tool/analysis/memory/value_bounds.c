@@ -28,8 +28,8 @@ typedef struct bounding {
     variable_facts *facts;
     const ir_function *function;
     known_values now;
-    bounds_conditions conditions; /* of all that was looked at */
-    unsigned needs;               /* those that the value being looked at rests on */
+    bounds_conditions conditions; /* of all values so far */
+    unsigned needs;               /* those that the current value depends on */
 } bounding;
 
 /* ---- variables ------------------------------------------------------------------------------- */
@@ -49,7 +49,7 @@ static known_value *known_of(bounding *b, const ir_variable *variable) {
     return NULL;
 }
 
-/* The value of an expression rests on what the variable's does. */
+/* The expression's value depends on the conditions of the variable's. */
 static known_value used(bounding *b, const ir_variable *variable) {
     const known_value *known = known_of(b, variable);
     b->needs |= known ? known->needs : 0;
@@ -87,7 +87,7 @@ static void forget_all_written(bounding *b, const ir_node *node) {
 
 /* ---- what stays ------------------------------------------------------------------------------ */
 
-/* Made of parameters that the function never writes, and of what it reads through them. */
+/* Consists of parameters that the function never writes, and of reads through them. */
 static bool stays(const bounding *b, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE: {
@@ -400,7 +400,7 @@ static void suppose(bounding *b, const ir_node *condition, bool holds) {
         refine(b, right->variable, expression_mirrored(op), left);
 }
 
-/* What is known whichever branch was taken. */
+/* Facts that hold after either branch. */
 static void join(bounding *b, const known_values *other) {
     for (unsigned i = b->now.count; i-- > 0;) {
         known_value *item = &b->now.items[i];
@@ -477,7 +477,7 @@ static void execute(bounding *b, const ir_node *statement, const ir_node *site) 
             forget_all_written(b, statement);
         return;
     case IR_EXPRESSION:
-        if (is_last) /* what it sets itself may be set before or after */
+        if (is_last) /* its own assignments may come before or after */
             forget_all_written(b, statement);
         else
             execute_expression(b, statement->children[0]);

@@ -511,7 +511,7 @@ static bool check_scalars_in_memory(loop_analysis *j) {
             const loop_access *other = &j->accesses[k];
             const bool is_own = other->access.lvalue && own_named(j, other->access.lvalue) >= 0;
             if (other->access.kind != ACCESS_READ && other->class != CLASS_REDUCTION &&
-                !other->is_scalar && !is_own && /* what is read of it first is compared */
+                !other->is_scalar && !is_own && /* its first read is compared */
                 locations_overlap(&j->an->rules, &other->where, &scalar->where) != OVERLAP_NO)
                 return refuse_scalar(j, scalar);
         }

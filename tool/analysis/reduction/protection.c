@@ -119,7 +119,7 @@ static const char *check_reduction(const loop_analysis *j, const openmp_item *it
     return found && occurs_in_updates_only(j, variable) ? NULL : kept(j, other, item->text);
 }
 
-/* Is it, or is part of it, what the loop adds up in? */
+/* Does the loop accumulate in it, or in a part of it? */
 static bool is_accumulated(const loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const ir_node *target = j->scalars.items[i].target;
@@ -151,7 +151,7 @@ static const char *check_private(const loop_analysis *j, const openmp_item *item
     return NULL;
 }
 
-/* Of an expression that is written once more: its names. */
+/* Are all names of an expression that is copied variables? */
 static const char *check_expression(const loop_analysis *j, const openmp_item *item) {
     size_t length;
     for (const char *at = openmp_token(item->text, &length); length > 0;

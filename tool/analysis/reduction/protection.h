@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Does what the loop's OpenMP directives say fit what the loop does? */
+/** Do the loop's OpenMP directives agree with its updates? */
 #ifndef ANALYSIS_PROTECTION_H
 #define ANALYSIS_PROTECTION_H
 

@@ -27,7 +27,8 @@ static bool is_step_up(const ir_node *node, const ir_node *target) {
 
 static int64_t highest_of(const ir_type *type) {
     const int64_t bits = 8 * type->size - type->is_signed;
-    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* of what a constant here tells */
+    return bits < 63 ? ((int64_t)1 << bits) - 1
+                     : INT64_MAX; /* of facts that a constant gives here */
 }
 
 /* Both operands are compared as the numbers that they are. */

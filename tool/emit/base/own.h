@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The variables that stand for an iteration's own elements (analysis/loop/own.h). */
+/** The variables that replace an iteration's own elements (analysis/loop/own.h). */
 #ifndef EMIT_BASE_OWN_H
 #define EMIT_BASE_OWN_H
 
 #include "emit/base/loop.h"
 
-/** The variable that this node stands for, or NULL. */
+/** The variable that replaces this node, or NULL. */
 const char *own_name(const loop_text *loop, const ir_node *node);
 /** Declares the variables with the elements' values, those of the slice only or all. `rename`
  * spells the elements. */

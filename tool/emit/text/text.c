@@ -15,9 +15,9 @@ enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
 typedef struct line_scan {
     size_t columns;  /* without marks */
     size_t indent;   /* blanks that it begins with */
-    size_t comma;    /* where in the text a blank behind a comma stands, the last one; 0: none */
+    size_t comma;    /* position of the last blank after a comma; 0: none */
     size_t blank;    /* any blank; */
-    bool is_remark;  /* it stands in a comment */
+    bool is_remark;  /* it is in a comment */
     char quote;      /* of the literal that has begun; 0: none */
     bool is_escaped; /* the next byte of it */
     bool is_comment; /* that has begun */
