@@ -121,7 +121,7 @@ int main(void) {
             counted[i] = (struct counted){case_value(), case_value(), i, -i};
         of_two_types(4 * N, counted, &counted[round ? round * N - N : 7].w, places, doubles, round ? &total : &counted[5].count);
         CASE_PRINT(counted);
-        CASE_PRINT(&total);
+        case_print("total", &total, sizeof total);
     }
     for (int round = 0; round < 5; round++) {
         double energy = -0.0;
