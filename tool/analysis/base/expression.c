@@ -192,6 +192,25 @@ ir_operator expression_mirrored(ir_operator op) {
     }
 }
 
+ir_operator expression_negated(ir_operator op) {
+    switch (op) {
+    case IR_OP_LESS:
+        return IR_OP_GREATER_EQUAL;
+    case IR_OP_LESS_EQUAL:
+        return IR_OP_GREATER;
+    case IR_OP_GREATER:
+        return IR_OP_LESS_EQUAL;
+    case IR_OP_GREATER_EQUAL:
+        return IR_OP_LESS;
+    case IR_OP_EQUAL:
+        return IR_OP_NOT_EQUAL;
+    case IR_OP_NOT_EQUAL:
+        return IR_OP_EQUAL;
+    default:
+        return IR_OP_NONE;
+    }
+}
+
 bool variable_is_automatic(const ir_variable *variable) {
     return variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER;
 }

@@ -7,23 +7,6 @@
 
 typedef VECTOR(counter_limit) limit_list;
 
-static ir_operator negated(ir_operator op) {
-    switch (op) {
-    case IR_OP_LESS:
-        return IR_OP_GREATER_EQUAL;
-    case IR_OP_LESS_EQUAL:
-        return IR_OP_GREATER;
-    case IR_OP_GREATER:
-        return IR_OP_LESS_EQUAL;
-    case IR_OP_GREATER_EQUAL:
-        return IR_OP_LESS;
-    case IR_OP_EQUAL:
-        return IR_OP_NOT_EQUAL;
-    default:
-        return IR_OP_EQUAL;
-    }
-}
-
 /* Is the comparison of counter and bound, converted as C does, one of the numbers? */
 static bool compares_numbers(const ir_type *counter, const ir_node *bound) {
     int64_t constant;
@@ -59,7 +42,7 @@ static void take_comparison(const loop_analysis *j, limit_list *list, const ir_n
     counter_limit limit = {is_left ? condition->op : expression_mirrored(condition->op),
                            is_left ? right : left};
     if (!holds)
-        limit.comparison = negated(limit.comparison);
+        limit.comparison = expression_negated(limit.comparison);
     if (is_bound(j, limit.bound))
         VECTOR_PUSH(j->an->memory, list, limit);
 }

@@ -368,29 +368,12 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
     learn(b, variable, known);
 }
 
-static ir_operator opposite(ir_operator op) {
-    switch (op) {
-    case IR_OP_LESS:
-        return IR_OP_GREATER_EQUAL;
-    case IR_OP_LESS_EQUAL:
-        return IR_OP_GREATER;
-    case IR_OP_GREATER:
-        return IR_OP_LESS_EQUAL;
-    case IR_OP_GREATER_EQUAL:
-        return IR_OP_LESS;
-    case IR_OP_NOT_EQUAL:
-        return IR_OP_EQUAL;
-    default:
-        return IR_OP_NONE;
-    }
-}
-
 /* Where it does not hold of floating values, one of them may be no number: that is what `least`
  * allows. */
 static void suppose(bounding *b, const ir_node *condition, bool holds) {
     if (condition->kind != IR_BINARY || !expression_is_plain(condition))
         return;
-    ir_operator op = holds ? condition->op : opposite(condition->op);
+    ir_operator op = holds ? condition->op : expression_negated(condition->op);
     const ir_node *left = condition->children[0], *right = condition->children[1];
     if (op < IR_OP_LESS || op > IR_OP_EQUAL)
         return;
