@@ -328,12 +328,13 @@ static bool is_check_due(const struct choice *c) {
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* A way that was tried before the arms were known has won, and there may be a better one. The
- * execution after a look is sequential: the gains so far pay for it. */
+/* A strategy that was tried before the arms were known has won, and a better one may exist. The
+ * execution after a look is sequential. The gains so far pay for it several times, so that loops
+ * that are executed a few times keep theirs. */
 static bool is_look_due(const struct choice *c) {
     const double cost = look_of(c);
     return !c->size->looked && has_waited_for(c, cost) &&
-           credit_of(c->ledger) >= cost + c->now->start + usual_of(c);
+           credit_of(c->ledger) >= LEARN_SURE * (cost + c->now->start + usual_of(c));
 }
 
 static struct decision decide_parallel(const struct choice *c) {
