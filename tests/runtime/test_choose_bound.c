@@ -148,40 +148,6 @@ static void bins_without_an_estimate(void **unused) {
     free(trace);
 }
 
-/* Iterations of 10 us: bins are tried before anything is known of owners. They gain, and owners
- * gain more. */
-static struct trace *tried_before_a_look(int count) {
-    struct trace *trace = heavy(count, 0.3, 2);
-    trace->set_up[WAY_INDEX] *= 100;
-    trace->compared = false;
-    trace->possible[WAY_BINS] = trace->guessed = true;
-    for (int c = 0; c < count; c++) {
-        trace->call[c].trip = 10000;
-        trace->call[c].execution[WAY_BINS] = 0.8 * trace->call[c].sequential;
-    }
-    return trace;
-}
-
-static void a_better_way_than_bins(void **unused) {
-    (void)unused;
-    check_gain(tried_before_a_look(10), "owners better than bins, 10", 1.1);
-    check_gain(tried_before_a_look(40), "owners better than bins, 40", 1.5);
-    check_gain(tried_before_a_look(400), "owners better than bins, 400", 1.9);
-    struct trace *trace = tried_before_a_look(400); /* one look does where bins are the best way */
-    for (int c = 0; c < trace->count; c++)
-        trace->call[c].execution[WAY_INDEX] = 1.2 * trace->call[c].sequential;
-    const struct simulated it = simulate(trace);
-    assert_int_equal(it.set_ups, 0);
-    assert_int_equal(it.parallel, 400 - 2); /* but the first and the look's */
-    for (int c = 0; c < trace->count; c++)  /* which stay, however little they gain */
-        trace->call[c].execution[WAY_BINS] = 0.93 * trace->call[c].sequential;
-    assert_in_range(simulate(trace).parallel, 380, 398);
-    free(trace);
-    trace = tried_before_a_look(10); /* what they have gained does not pay for a look yet */
-    assert_int_equal(simulate(trace).set_ups, 0);
-    free(trace);
-}
-
 /* A guard forbids bins that were the faster way, at each call anew, and only after some time. */
 static void bins_that_are_refused(void **unused) {
     (void)unused;
@@ -584,7 +550,6 @@ int main(void) {
         cmocka_unit_test(first_executions_take_longer),
         cmocka_unit_test(bins_on_trial),
         cmocka_unit_test(bins_without_an_estimate),
-        cmocka_unit_test(a_better_way_than_bins),
         cmocka_unit_test(bins_that_are_refused),
         cmocka_unit_test(bins_of_uneven_calls),
         cmocka_unit_test(without_a_set_up),

@@ -328,15 +328,6 @@ static bool is_check_due(const struct choice *c) {
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* A strategy that was tried before the arms were known has won, and a better one may exist. The
- * execution after a look is sequential. The gains so far pay for it several times, so that loops
- * that are executed a few times keep theirs. */
-static bool is_look_due(const struct choice *c) {
-    const double cost = look_of(c);
-    return !c->size->looked && has_waited_for(c, cost) &&
-           credit_of(c->ledger) >= LEARN_SURE * (cost + c->now->start + usual_of(c));
-}
-
 static struct decision decide_parallel(const struct choice *c) {
     if (c->now->kept[c->size->way] != KEPT_FITS)
         return leave_plan(c);
@@ -351,8 +342,6 @@ static struct decision decide_parallel(const struct choice *c) {
         redcc_turns_note(&c->size->comparison.turns, current);
         return sequentially(c, RULE_COMPARING);
     }
-    if (is_look_due(c))
-        return look(c);
     const enum way way = affordable_way(c, current);
     if (way != WAY_SEQUENTIAL && way != c->size->way && c->now->kept[way] != KEPT_FITS)
         return set_up(c, current);
