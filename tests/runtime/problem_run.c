@@ -13,8 +13,8 @@ void problem_describe(const struct problem *problem, struct described *described
     const redcc_u32 width = (redcc_u32)problem->width,
                     second_width = (redcc_u32)problem->second_width;
     *described = (struct described){
-        .arrays = {{"first", REDCC_SUM, REDCC_DOUBLE, size, size * width},
-                   {"second", REDCC_SUM, REDCC_DOUBLE, size, size * second_width}},
+        .arrays = {{"first", REDCC_SUM, REDCC_DOUBLE, size, size * width, 0},
+                   {"second", REDCC_SUM, REDCC_DOUBLE, size, size * second_width, 0}},
         .sources = {{"start", 1}, {"row", 1}, {"other", 1}, {"value", 0}}};
     described->loop = (redcc_loop){.file = "problem.h",
                                    .line = 5,
