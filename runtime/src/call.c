@@ -230,8 +230,7 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
                : threads;
 }
 
-/* ---- the original loop, timed ----------------------------------------------------------------
- */
+/* ---- the original loop, timed ---------------------------------------------------------------- */
 
 /* The original loop that this thread is about to execute, and its start time. An inner loop
  * replaces it; the outer one is then not timed in this call. */
@@ -346,8 +345,7 @@ void redcc_sequential_end(redcc_loop *loop) {
     errno = error;
 }
 
-/* ---- enter, join, leave ----------------------------------------------------------------------
- */
+/* ---- enter, join, leave ---------------------------------------------------------------------- */
 
 /* The execution has begun: the call's threads join it. */
 static int hand_over(struct execution *execution, redcc_call *call) {

@@ -93,8 +93,7 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
     return text;
 }
 
-/* ---- comments -----------------------------------------------------------------------------------
- */
+/* ---- comments -------------------------------------------------------------------------------- */
 
 static const char *line_of(arena *a, const source *s, unsigned line) {
     uint32_t begin = s->line_begin[line - 1];
@@ -126,8 +125,7 @@ analysis_options expectation_options(arena *a, const source *s) {
     return options;
 }
 
-/* ---- comparing ----------------------------------------------------------------------------------
- */
+/* ---- comparing ------------------------------------------------------------------------------- */
 
 /* Is each word of `expected` a word of `text`, and are all arrays expected? */
 static int words_agree(arena *a, const char *expected, const char *text) {

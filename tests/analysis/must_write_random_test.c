@@ -303,8 +303,7 @@ static void generate(generator *g) {
     say(g, ")))))");
 }
 
-/* ---- execution ---------------------------------------------------------------------------------
- */
+/* ---- execution ------------------------------------------------------------------------------- */
 
 typedef struct number {
     enum { PLAIN, INTO_F, INTO_S } kind;
@@ -580,8 +579,7 @@ static exit_kind run_statement(machine *m, const ir_node *node) {
     }
 }
 
-/* ---- the comparison ----------------------------------------------------------------------------
- */
+/* ---- the comparison -------------------------------------------------------------------------- */
 
 typedef struct tally {
     unsigned proved, early, early_seen, whole, undefined;

@@ -134,8 +134,7 @@ static void slice_has_what_subscripts_need(void **state) {
     arena_free(a);
 }
 
-/* ---- loop headers -------------------------------------------------------------------------------
- */
+/* ---- loop headers ---------------------------------------------------------------------------- */
 
 typedef struct header_case {
     const char *header;
@@ -189,8 +188,7 @@ static void loop_headers(void **state) {
     }
 }
 
-/* ---- lists --------------------------------------------------------------------------------------
- */
+/* ---- lists ----------------------------------------------------------------------------------- */
 
 static void library_finds_all_of_its_kind(void **state) {
     (void)state;

@@ -150,8 +150,7 @@ void call_of_helper(kernel *k) {
     add_name(&k->scope.values, name);
 }
 
-/* ---- elements by the address that a function returns ------------------------------------------
- */
+/* ---- elements by the address that a function returns ----------------------------------------- */
 
 const char *place_by_accessor(kernel *k, const array *a, const char *index) {
     static const char *const types[] = {"int", "long", "size_t", "short", "unsigned char"};

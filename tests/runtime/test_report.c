@@ -84,8 +84,7 @@ static void every_variable_is_documented(void **unused) {
     expect_table(REPORT_PAGE, "\n| variable | values", names, NULL, sizeof names / sizeof *names);
 }
 
-/* ---- counters
- * --------------------------------------------------------------------------------- */
+/* ---- counters -------------------------------------------------------------------------------- */
 
 struct fixture {
     struct problem problem;

@@ -60,8 +60,7 @@ static void while_threads_are_made(void **unused) {
     signal(SIGUSR1, SIG_DFL);
 }
 
-/* ---- protection keys -------------------------------------------------------------------------
- */
+/* ---- protection keys ------------------------------------------------------------------------- */
 
 #if defined(__x86_64__)
 

@@ -40,8 +40,7 @@ bool answerers_options_are_plain(const word_list *options) {
     return true;
 }
 
-/* ---- the compiler
- * -------------------------------------------------------------------------------- */
+/* ---- the compiler ---------------------------------------------------------------------------- */
 
 /* The programs that the compiler's name starts: launchers, and the compiler itself. */
 static bool add_programs(session *s, const store *kept, digester *d) {
@@ -130,8 +129,7 @@ static bool find_compiler(session *s, struct cache *c) {
     return printed != NULL;
 }
 
-/* ---- the translator
- * ------------------------------------------------------------------------------ */
+/* ---- the translator -------------------------------------------------------------------------- */
 
 /* Reads the translator's list: its libraries, by contents, and its folders. */
 static bool know_translator(session *s, struct cache *c, const char *list, size_t length) {
@@ -209,8 +207,7 @@ struct cache *answerers_find(session *s, const store *kept) {
     return s->tools.translator && find_compiler(s, c) && find_translator(s, c) ? c : NULL;
 }
 
-/* ---- where headers are looked for
- * ---------------------------------------------------------------- */
+/* ---- where headers are looked for ------------------------------------------------------------ */
 
 static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;

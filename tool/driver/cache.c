@@ -36,8 +36,7 @@ struct cache *cache_open(session *s) {
     return answerers_find(s, &kept);
 }
 
-/* ---- a source ----------------------------------------------------------------------------------
- */
+/* ---- a source -------------------------------------------------------------------------------- */
 
 cached *cached_begin(session *s, const item *source, const char *file) {
     const bool is_input = strcmp(source->text, "-") == 0;
@@ -56,8 +55,7 @@ cached *cached_begin(session *s, const item *source, const char *file) {
     return why ? NULL : c;
 }
 
-/* ---- keys --------------------------------------------------------------------------------------
- */
+/* ---- keys ------------------------------------------------------------------------------------ */
 
 static bool is_output(const cached_run *run, const char *path) {
     for (unsigned i = 0; i < OUTPUTS; i++)
@@ -95,8 +93,7 @@ static digest key_of(session *s, const cached *c, cache_program program, const c
     return digest_end(&d);
 }
 
-/* ---- outputs: 'a' absent, 's' the source's bytes, 'b' and bytes ---------------------------------
- */
+/* ---- outputs: 'a' absent, 's' the source's bytes, 'b' and bytes ------------------------------ */
 
 static store_part part_of_file(session *s, const cached *c, const char *path) {
     size_t length, source_length;
@@ -141,8 +138,7 @@ static bool write_outputs(session *s, const cached *c, const cached_run *run,
     return good;
 }
 
-/* ---- runs --------------------------------------------------------------------------------------
- */
+/* ---- runs ------------------------------------------------------------------------------------ */
 
 static void keep(session *s, cached *c, const kept_answer *answer) {
     VECTOR_PUSH(s->memory, &c->fresh, *answer);
@@ -232,8 +228,7 @@ void cached_keep_text(session *s, cached *c, const char *about, const word_list 
         keep(s, c, &answer);
 }
 
-/* ---- files read, and the end
- * -------------------------------------------------------------------- */
+/* ---- files read, and the end ----------------------------------------------------------------- */
 
 void cached_compiler_read(cached *c, const word_list *files) {
     for (unsigned i = 0; c && i < files->count; i++)

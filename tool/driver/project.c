@@ -97,8 +97,7 @@ static path_list list_files(arena *a, const char *folder) {
     return all.files;
 }
 
-/* ---- contents of the files
- * --------------------------------------------------------------------- */
+/* ---- contents of the files ------------------------------------------------------------------- */
 
 typedef struct scanner {
     arena *memory;
@@ -256,8 +255,7 @@ static void scan(arena *a, project_file *file, const char *text, size_t length) 
     }
 }
 
-/* ---- definitions and calls
- * --------------------------------------------------------------------- */
+/* ---- definitions and calls ------------------------------------------------------------------- */
 
 typedef struct project_definers {
     VECTOR(unsigned) files;
@@ -349,8 +347,7 @@ project *project_around(arena *a, const char *path) {
     return p;
 }
 
-/* ---- queries
- * ----------------------------------------------------------------------------------- */
+/* ---- queries --------------------------------------------------------------------------------- */
 
 /* value for a/value.c */
 static const char *stem(arena *a, const char *path) {

@@ -87,8 +87,7 @@ static const char *path_of(arena *a, const store *s, const digest *key) {
     return arena_format(a, "%s/%s", share_of(a, s, key), name);
 }
 
-/* ---- entries: magic, digest of the rest; for each part its length and bytes --------------------
- */
+/* ---- entries: magic, digest of the rest; for each part its length and bytes ------------------ */
 
 enum { HEADER = sizeof magic + sizeof(digest) };
 
@@ -187,8 +186,7 @@ static void evict(arena *a, const char *share, uint64_t limit) {
             sum -= entries.items[i].size;
 }
 
-/* ---- writing ----------------------------------------------------------------------------------
- */
+/* ---- writing --------------------------------------------------------------------------------- */
 
 static bool write_entry(const char *path, const buffer *bytes) {
     const int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);

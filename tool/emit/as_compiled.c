@@ -6,8 +6,7 @@
 #include "analysis/base/loop_text.h"
 #include "emit/text/origin.h"
 
-/* ---- the text without skipped branches
- * --------------------------------------------------------- */
+/* ---- the text without skipped branches ------------------------------------------------------- */
 
 static bool is_in_loop(const ir_unit *unit, const analysis_result *analysis, uint32_t place) {
     for (unsigned i = 0; i < analysis->verdict_count; i++) {

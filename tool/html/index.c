@@ -111,8 +111,7 @@ static void add_loops(const reports *r, buffer *out) {
     buffer_text(out, "</tbody>\n</table>\n</div>\n");
 }
 
-/* ---- reasons, most frequent first
- * ---------------------------------------------------------------- */
+/* ---- reasons, most frequent first ------------------------------------------------------------ */
 
 typedef struct reason_count {
     const char *id, *slug;
@@ -160,8 +159,7 @@ static void add_reasons(const reports *r, buffer *out) {
     buffer_text(out, "</ul>\n");
 }
 
-/* ---- files
- * --------------------------------------------------------------------------------------- */
+/* ---- files ----------------------------------------------------------------------------------- */
 
 static void add_file(const reports *r, buffer *out, const report_file *file) {
     const char *page = page_name(r, file);

@@ -21,8 +21,7 @@ static double number_of(const json_t *object, const char *name) {
     return json_number_value(json_object_get(object, name));
 }
 
-/* ---- the build
- * ----------------------------------------------------------------------------------- */
+/* ---- the build ------------------------------------------------------------------------------- */
 
 static report_file *file_of(reports *r, const char *name, const char *path) {
     for (unsigned i = 0; i < r->files.count; i++)
@@ -73,8 +72,7 @@ static bool add_build(reports *r, const json_t *object) {
     return true;
 }
 
-/* ---- runs
- * ---------------------------------------------------------------------------------------- */
+/* ---- runs ------------------------------------------------------------------------------------ */
 
 /* Does a loop of the run say that there was one thread? */
 static bool had_one_thread(const json_t *loop) {
@@ -171,8 +169,7 @@ static bool add_run(reports *r, const json_t *object) {
     return true;
 }
 
-/* ---- files
- * --------------------------------------------------------------------------------------- */
+/* ---- files ----------------------------------------------------------------------------------- */
 
 /* Which objects of the files are looked at: a run's name its process. */
 typedef enum pass { BUILDS, RUNS } pass;

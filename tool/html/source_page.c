@@ -24,8 +24,7 @@ static const char *advice(arena *a, const json_t *reason) {
     return end ? arena_copy(a, begin, (size_t)(end - begin)) : begin;
 }
 
-/* ---- what is known of a loop
- * --------------------------------------------------------------------- */
+/* ---- what is known of a loop ----------------------------------------------------------------- */
 
 static void add_row(buffer *out, const char *name) {
     buffer_format(out, "<tr><th scope=\"row\">%s</th><td>", name);
@@ -163,8 +162,7 @@ static void add_note(const reports *r, buffer *out, const report_loop *loop, lon
     buffer_text(out, "</section>\n");
 }
 
-/* ---- the text
- * ------------------------------------------------------------------------------------ */
+/* ---- the text -------------------------------------------------------------------------------- */
 
 static bool read_source(buffer *text, const char *path) {
     FILE *file = fopen(path, "rb");

@@ -24,8 +24,7 @@ typedef struct inner_rest {
     const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
 } inner_rest;
 
-/* ---- effects of the rest of an iteration
- * --------------------------------------------------------- */
+/* ---- effects of the rest of an iteration ----------------------------------------------------- */
 
 static bool is_own_variable(const inner_rest *t, const ir_variable *variable) {
     for (unsigned i = t->rest; variable && i < t->block->child_count; i++)
@@ -153,8 +152,7 @@ static bool may_be_left_out(inner_rest *t) {
     return work >= WORTH;
 }
 
-/* ---- when its rows are known
- * -------------------------------------------------------------------- */
+/* ---- when its rows are known ----------------------------------------------------------------- */
 
 /** Does executing this statement always give the variable a value? */
 static bool sets(const ir_node *statement, const ir_variable *variable) {

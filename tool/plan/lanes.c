@@ -31,8 +31,7 @@ lane_reason plan_lanes(const loop_plan *plan) {
                                                    : LANES_WRITTEN;
 }
 
-/* ---- updates ----------------------------------------------------------------------------------
- */
+/* ---- updates --------------------------------------------------------------------------------- */
 
 bool lane_has_update(const loop_facts *facts, const ir_node *statement) {
     for (unsigned i = 0; i < facts->update_count; i++)
@@ -279,8 +278,7 @@ void lane_check_updates(lane_scope *l, const ir_node *statement) {
     ir_walk((ir_node *)statement, check_update_node, l);
 }
 
-/* ---- loops inside, and calls ------------------------------------------------------------------
- */
+/* ---- loops inside, and calls ----------------------------------------------------------------- */
 
 static bool is_uniform_step(lane_scope *l, const ir_node *node) {
     if (node->kind == IR_EMPTY)

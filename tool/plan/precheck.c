@@ -95,8 +95,7 @@ static bool slice_is_harmed(loop_plan *plan, const bool *is_suspect) {
     return s.is_harmful;
 }
 
-/* ---- evaluated before the first iteration
- * -------------------------------------------------------- */
+/* ---- evaluated before the first iteration ---------------------------------------------------- */
 
 /** The header evaluates it before anything is written. */
 static bool is_in_header(const loop_facts *facts, const ir_node *part, const ir_node *node) {

@@ -229,8 +229,7 @@ static bool is_certain(const loop_facts *facts, const ir_node *wanted) {
     return s.is_found;
 }
 
-/* ---- possible failures
- * -------------------------------------------------------------------------- */
+/* ---- possible failures ----------------------------------------------------------------------- */
 
 static bool value_is_safe(const loop_facts *facts, const ir_node *node);
 

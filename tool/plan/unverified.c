@@ -8,8 +8,7 @@
 
 enum { DEEPEST_CALL = 6 };
 
-/* ---- unverified values
- * -------------------------------------------------------------------------- */
+/* ---- unverified values ----------------------------------------------------------------------- */
 
 static bool any_child_is_unverified(const unverified_reads *s, const ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++)
@@ -253,8 +252,7 @@ static void unverified_spread(unverified_reads *s, const ir_node *body) {
     } while (s->changed);
 }
 
-/* ---- harmful uses
- * -------------------------------------------------------------------------------- */
+/* ---- harmful uses ---------------------------------------------------------------------------- */
 
 static bool is_evaluated_anyway(const unverified_reads *s, const ir_node *node) {
     for (unsigned i = 0; i < s->certain.count; i++)

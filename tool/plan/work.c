@@ -78,8 +78,7 @@ int64_t work_of_iteration(const loop_plan *plan) {
     return work_of_statement(plan, plan->facts->counted.body);
 }
 
-/* ---- outside of updates
- * ------------------------------------------------------------------------- */
+/* ---- outside of updates ---------------------------------------------------------------------- */
 
 static int64_t size_of(const ir_node *node, int depth) {
     const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION

@@ -44,8 +44,7 @@ const map *foreign_known(arena *a, const foreign_functions *all) {
     return known;
 }
 
-/* ---- facts that a verdict rests on
- * --------------------------------------------------------------- */
+/* ---- facts that a verdict rests on ----------------------------------------------------------- */
 
 typedef struct call_search {
     arena *memory;

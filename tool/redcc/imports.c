@@ -55,8 +55,7 @@ static wish wishes(arena *a, const ir_unit *unit, const analysis_result *before)
     return w;
 }
 
-/* ---- finding definitions
- * ----------------------------------------------------------------------- */
+/* ---- finding definitions --------------------------------------------------------------------- */
 
 static bool is_plain(const ir_unit *from, const ir_function *function, void *context) {
     return exported_is_plain(context, from, function);

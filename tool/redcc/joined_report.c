@@ -20,8 +20,7 @@ joined_report joined_report_begin(const options *o) {
     return (joined_report){.form = o->report.form, .path = o->report.file ? o->report.file : "-"};
 }
 
-/* ---- SARIF: one run, with each rule once ------------------------------------------------------
- */
+/* ---- SARIF: one run, with each rule once ----------------------------------------------------- */
 
 static json_t *run_of(json_t *log) {
     return json_array_get(json_object_get(log, "runs"), 0);
@@ -55,8 +54,7 @@ static void add_log(joined_report *joined, FILE *printed) {
     json_decref(log);
 }
 
-/* ---- all --------------------------------------------------------------------------------------
- */
+/* ---- all ------------------------------------------------------------------------------------- */
 
 void joined_report_add(joined_report *joined, FILE *printed) {
     char bytes[1 << 12];

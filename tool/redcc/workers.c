@@ -26,8 +26,7 @@ typedef struct pool {
     unsigned begun, ended, shown;
 } pool;
 
-/* ---- output
- * -------------------------------------------------------------------------------------- */
+/* ---- output ---------------------------------------------------------------------------------- */
 
 static bool keep_output(piece *p) {
     p->output = tmpfile();

@@ -51,8 +51,7 @@ static void arrive(struct pool *it) {
         redcc_wake(&it->left, &it->asleep);
 }
 
-/* ---- the threads ------------------------------------------------------------------------------
- */
+/* ---- the threads ----------------------------------------------------------------------------- */
 
 static void nothing(void *unused) {
     (void)unused;
@@ -94,8 +93,7 @@ static void wait_for_all(struct pool *it, int threads) {
         redcc_wait_while(&it->left, left, &it->asleep, threads);
 }
 
-/* ---- of the calling thread --------------------------------------------------------------------
- */
+/* ---- of the calling thread ------------------------------------------------------------------- */
 
 /* When the thread ends, its threads are not waited for: they may still be asleep. */
 static void end(void *given) {

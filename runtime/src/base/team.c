@@ -64,8 +64,7 @@ void redcc_team_bind(void) {
         omp_get_max_threads();
 }
 
-/* ---- what must stay loaded ---------------------------------------------------------------------
- */
+/* ---- what must stay loaded ------------------------------------------------------------------- */
 
 static void nothing(void *unused) {
     (void)unused;
@@ -281,8 +280,7 @@ void redcc_team_came(int threads) {
     team.stack_before = 0;
 }
 
-/* ---- other threads than those of regions ------------------------------------------------------
- */
+/* ---- other threads than those of regions ----------------------------------------------------- */
 
 static atomic_int members; /* threads that are there, of regions, but for their first ones */
 

@@ -12,8 +12,7 @@ static size_t whole_lines(size_t bytes) {
     return (bytes + LINE - 1) / LINE * LINE;
 }
 
-/* ---- layout of the memory
- * ------------------------------------------------------------------------ */
+/* ---- layout of the memory -------------------------------------------------------------------- */
 
 /* Offsets of the parts, and the bytes of all. */
 struct parts {
@@ -44,8 +43,7 @@ size_t redcc_buffer_bytes(const redcc_stream *stream, struct window window, uint
     return parts_of(stream, window, blocks).bytes;
 }
 
-/* ---- lifetime
- * ------------------------------------------------------------------------------------ */
+/* ---- lifetime -------------------------------------------------------------------------------- */
 
 static void *part(const struct redcc_bin_buffer *buffer, size_t offset) {
     return buffer->memory + offset;
@@ -184,8 +182,7 @@ void redcc_buffer_finish(struct redcc_bin_buffer *buffer) {
 #endif
 }
 
-/* ---- pushed records
- * ----------------------------------------------------------------------------- */
+/* ---- pushed records -------------------------------------------------------------------------- */
 
 redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer) {
     redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;

@@ -174,8 +174,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     return advice;
 }
 
-/* ---- facts about the loop
- * ------------------------------------------------------------------------ */
+/* ---- facts about the loop -------------------------------------------------------------------- */
 
 /* Does any order of contributions give the same bits? */
 static bool any_order_is_exact(const redcc_loop *loop) {
@@ -237,8 +236,7 @@ static bool stealing_pays(const struct chooser *chooser, const struct call *call
            usual_iteration(chooser, call->request.trip) >= 4 * LEARN_ROW;
 }
 
-/* ---- after the sample -------------------------------------------------------------------------
- */
+/* ---- after the sample ------------------------------------------------------------------------ */
 
 bool redcc_wants_estimate(const struct inspection *inspection) {
     return !inspection->call->method;
@@ -368,8 +366,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     return ROUTE_COPIES;
 }
 
-/* ---- after the sweep --------------------------------------------------------------------------
- */
+/* ---- after the sweep ------------------------------------------------------------------------- */
 
 /* Now that all iterations are recorded: are owners by index still expected to be faster? */
 static bool index_pays(const struct chooser *chooser, const struct inspection *inspection,
@@ -402,8 +399,7 @@ const struct method *redcc_advise_swept(const struct chooser *chooser,
                                            : &redcc_method_localwrite;
 }
 
-/* ---- after the log and the partition ----------------------------------------------------------
- */
+/* ---- after the log and the partition --------------------------------------------------------- */
 
 /* The iterations of an owner are scattered over the loop. */
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
@@ -472,8 +468,7 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
     return PARTITIONED_LEVELS;
 }
 
-/* ---- after the execution ----------------------------------------------------------------------
- */
+/* ---- after the execution --------------------------------------------------------------------- */
 
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason) {
     if (outcome->result == RESULT_REFUSED)

@@ -5,8 +5,7 @@
 
 #include <assert.h>
 
-/* ---- affordable actions
- * -------------------------------------------------------------------------- */
+/* ---- affordable actions ---------------------------------------------------------------------- */
 
 /* A loop at trip counts of one size, in a call. */
 struct choice {
@@ -181,8 +180,7 @@ static double look_of(const struct choice *c) {
     return c->size->look > 0 ? c->size->look : least_of(LEARN_LOOK, LEARN_CLEAR * usual) + dry;
 }
 
-/* ---- decisions --------------------------------------------------------------------------------
- */
+/* ---- decisions ------------------------------------------------------------------------------- */
 
 static struct decision sequentially(const struct choice *c, enum rule rule) {
     c->size->rule = rule;
@@ -399,8 +397,7 @@ static struct decision decide(const struct choice *c) {
                                               : decide_saving(c);
 }
 
-/* ---- the interface ----------------------------------------------------------------------------
- */
+/* ---- the interface --------------------------------------------------------------------------- */
 
 static struct size_state *size_of(struct choice_state *state, long long trip) {
     return (struct size_state *)redcc_size_of(state, trip);

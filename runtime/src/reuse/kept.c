@@ -230,8 +230,7 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
     return true;
 }
 
-/* ---- are its subscripts unchanged?
- * -------------------------------------------------------------- */
+/* ---- are its subscripts unchanged? ----------------------------------------------------------- */
 
 /* The range of the next source may depend on the contents of this one: no thread reads it before
  * all have found this one unchanged. */
@@ -288,8 +287,7 @@ uint32_t redcc_reuse_skipped_sources(const struct reuse *reuse) {
     return count;
 }
 
-/* ---- keeping and dropping ----------------------------------------------------------------------
- */
+/* ---- keeping and dropping -------------------------------------------------------------------- */
 
 bool redcc_is_reusable(const struct request *request, const struct range *sources) {
     if (!(request->loop->flags & REDCC_VERIFIABLE))

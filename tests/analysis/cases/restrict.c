@@ -219,8 +219,7 @@ void kept_by_the_unknown(int n, const int *s, double *restrict x, double *h) {
         h[s[i]] += x[i];
 }
 
-/* ---- objects defined const ---------------------------------------------------------------------
- */
+/* ---- objects defined const ------------------------------------------------------------------- */
 
 static const double weight = 0.5;
 static const double weights[4] = {1, 2, 3, 4};

@@ -30,8 +30,7 @@ static int smaller(int a, int b) {
     return a < b ? a : b;
 }
 
-/* ---- making ----------------------------------------------------------------------------------
- */
+/* ---- making ---------------------------------------------------------------------------------- */
 
 static void *take(world *w, size_t count, size_t size) {
     void *place = w->memory + w->taken;
@@ -112,8 +111,7 @@ void world_free(world *w) {
     *w = (world){0};
 }
 
-/* ---- changing --------------------------------------------------------------------------------
- */
+/* ---- changing -------------------------------------------------------------------------------- */
 
 static void exchange(int *k, int i, int j) {
     const int kept = k[i];

@@ -5,8 +5,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-/* ---- variables set, and their values
- * --------------------------------------------------------------- */
+/* ---- variables set, and their values --------------------------------------------------------- */
 
 static bool add_start(counted_loop *counted, loop_start start) {
     if (counted->start_count == sizeof counted->starts / sizeof counted->starts[0] ||

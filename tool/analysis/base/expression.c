@@ -215,8 +215,7 @@ bool variable_is_automatic(const ir_variable *variable) {
     return variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER;
 }
 
-/* ---- possibly undefined operations
- * --------------------------------------------------------------- */
+/* ---- possibly undefined operations ----------------------------------------------------------- */
 
 static bool is_scalar_access(const ir_node *node) {
     return expression_is_lvalue(node) || node->kind == IR_NUMBER;

@@ -164,8 +164,7 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
     return false;
 }
 
-/* ---- pragmas made by macros, and those in functions
- * -------------------------------------------- */
+/* ---- pragmas made by macros, and those in functions ------------------------------------------ */
 
 /* A name split over two lines is not found. */
 static bool splits_a_name(const char *text, uint32_t at) {

@@ -47,8 +47,7 @@ static void fail(slicer *s, const ir_node *node) {
         s->obstacle = node;
 }
 
-/* ---- control ----------------------------------------------------------------------------------
- */
+/* ---- control --------------------------------------------------------------------------------- */
 
 /* The jumps that leave a loop or switch. Those that end an iteration are handled separately. */
 static void keep_breaks(slicer *s, const ir_node *node) {
@@ -116,8 +115,7 @@ static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
             keep_control(s, outer);
 }
 
-/* ---- data -------------------------------------------------------------------------------------
- */
+/* ---- data ------------------------------------------------------------------------------------ */
 
 static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
     if (variable == s->j->counted.counter)
@@ -325,8 +323,7 @@ static void keep_statement(slicer *s, const ir_node *statement, const ir_variabl
     keep_around(s, statement, of);
 }
 
-/* ---- control that only decides whether an address is touched ----------------------------------
- */
+/* ---- control that only decides whether an address is touched --------------------------------- */
 
 typedef struct snapshot {
     bool *keep;
@@ -486,8 +483,7 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
             s->keep[outer->id] = true;
 }
 
-/* ---- continue ---------------------------------------------------------------------------------
- */
+/* ---- continue -------------------------------------------------------------------------------- */
 
 /* A `continue` of this loop: if it cannot be kept without floating-point work, may the rest of the
  * iteration be executed as well? */

@@ -120,8 +120,7 @@ bool source_ends_equal(const loop_source *a, const loop_source *b) {
     return true;
 }
 
-/* ---- in each iteration ------------------------------------------------------------------------
- */
+/* ---- in each iteration ----------------------------------------------------------------------- */
 
 /* Is this part evaluated whenever `parent` is, once? */
 static bool is_certain_part(const ir_node *parent, const ir_node *part) {

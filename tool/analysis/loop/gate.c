@@ -11,8 +11,7 @@
 #include "analysis/base/step_inside.h"
 #include "analysis/loop/conflict.h"
 
-/* ---- the source text --------------------------------------------------------------------------
- */
+/* ---- the source text ------------------------------------------------------------------------- */
 
 /* Past blanks, comments, empty statements and directives; the beginning of other text, or `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
@@ -109,8 +108,7 @@ static reason check_directives(const loop_analysis *j) {
                  : check_text_before(j, begin);
 }
 
-/* ---- names ------------------------------------------------------------------------------------
- */
+/* ---- names ----------------------------------------------------------------------------------- */
 
 static bool has_macro(const ir_node *node) {
     if (node->flags & IR_FROM_MACRO)
@@ -150,8 +148,7 @@ reason check_text(const loop_analysis *j) {
     return analysis_reason(j, is_setjmp ? REASON_SETJMP : REASON_NAME, obstacle, name);
 }
 
-/* ---- jumps ------------------------------------------------------------------------------------
- */
+/* ---- jumps ----------------------------------------------------------------------------------- */
 
 /* The number of loops and switches inside of the analysed loop around the statement, and the number
  * of switches: a case without one belongs to a switch around the loop, which leads into it. */
@@ -193,8 +190,7 @@ reason check_jumps(const loop_analysis *j) {
     return why;
 }
 
-/* ---- accesses ---------------------------------------------------------------------------------
- */
+/* ---- accesses -------------------------------------------------------------------------------- */
 
 static bool reads_errno(const ir_node *node) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&

@@ -80,9 +80,7 @@ static bool has_type(const ir_type *type) {
            (type->size == 1 || type->size == 2 || type->size == 4 || type->size == 8);
 }
 
-/* ---- other accesses of the loop
- * ------------------------------------------------------------------
- */
+/* ---- other accesses of the loop -------------------------------------------------------------- */
 
 static bool is_of(const loop_access *a, const ir_node *element) {
     return !a->access.callee && a->access.is_exact && a->access.lvalue &&
@@ -189,8 +187,7 @@ static bool may_be_own(const loop_analysis *j, const ir_node *element, own_eleme
     return true;
 }
 
-/* ---- the loop's --------------------------------------------------------------------------------
- */
+/* ---- the loop's ------------------------------------------------------------------------------ */
 
 int own_named(const loop_analysis *j, const ir_node *node) {
     for (unsigned i = 0; i < j->own.count; i++)

@@ -14,8 +14,7 @@
 
 #include "analysis/base/stepped.h"
 
-/* ---- its parts in the slice
- * --------------------------------------------------------------------- */
+/* ---- its parts in the slice ------------------------------------------------------------------ */
 
 static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span);
 

@@ -32,8 +32,7 @@ static ir_node *unknown_part(rewriting *r, const ir_node *node) {
     return unknown;
 }
 
-/* ---- loads -------------------------------------------------------------------------------------
- */
+/* ---- loads ----------------------------------------------------------------------------------- */
 
 /* May the function itself change memory that this address computation reads? */
 static bool is_stable(const rewriting *r, const ir_node *load) {
@@ -115,8 +114,7 @@ static ir_node *rewrite_value(rewriting *r, const ir_node *node) {
     return rewrite(r, node);
 }
 
-/* ---- variables --------------------------------------------------------------------------------
- */
+/* ---- variables ------------------------------------------------------------------------------- */
 
 /* The value as a variable of this type holds it. */
 static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
@@ -193,8 +191,7 @@ static ir_node *rewrite(rewriting *r, const ir_node *node) {
     return copy;
 }
 
-/* ---- lvalues -----------------------------------------------------------------------------------
- */
+/* ---- lvalues --------------------------------------------------------------------------------- */
 
 /* a[k] behind a pointer, k in [0, high]: the array *(T (*)[high + 1])a. */
 static ir_node *widened(rewriting *r, const ir_node *lvalue, int64_t high) {
@@ -263,8 +260,7 @@ static const ir_node *search_element(rewriting *r) {
     return r->is_exact ? result : NULL;
 }
 
-/* ---- under the function's loops ----------------------------------------------------------------
- */
+/* ---- under the function's loops -------------------------------------------------------------- */
 
 typedef VECTOR(source_loop) loop_list;
 
@@ -350,8 +346,7 @@ static bool take_with_loops(const callee_terms *terms, const access *item, acces
     return true;
 }
 
-/* ---- between bounds --------------------------------------------------------------------------
- */
+/* ---- between bounds -------------------------------------------------------------------------- */
 
 static bool take_terms(rewriting *r, element_bounds *all, const bound_term *terms, unsigned count) {
     for (unsigned i = 0; i < count; i++) {

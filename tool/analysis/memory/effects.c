@@ -50,8 +50,7 @@ static const ir_node *found_element(arena *a, const ir_node *from, const ir_node
     return element;
 }
 
-/* ---- summaries --------------------------------------------------------------------------------
- */
+/* ---- summaries ------------------------------------------------------------------------------- */
 
 static bool is_own(const effects *all, const ir_function *function, const ir_node *lvalue,
                    location *where) {
@@ -126,8 +125,7 @@ const access_list *effects_of(effects *all, const ir_function *function) {
     return s->state == SUMMARY_DONE ? &s->list : NULL;
 }
 
-/* ---- calls ------------------------------------------------------------------------------------
- */
+/* ---- calls ----------------------------------------------------------------------------------- */
 
 static bool is_const(const effects *all, const ir_function *function) {
     return function->is_attribute_const || external_kind(all->options, function) == EXPORTED_CONST;

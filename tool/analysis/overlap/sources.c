@@ -17,8 +17,7 @@
 #include "analysis/overlap/row_address.h"
 #include "analysis/reduction/update_array.h"
 
-/* ---- extents ----------------------------------------------------------------------------------
- */
+/* ---- extents --------------------------------------------------------------------------------- */
 
 /* Are all its subscripts affine in the counter, and everything else in it invariant? */
 static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
@@ -200,8 +199,7 @@ static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
            row->children[0]->kind == IR_CAST;
 }
 
-/* ---- between bounds --------------------------------------------------------------------------
- */
+/* ---- between bounds -------------------------------------------------------------------------- */
 
 /* Does nothing that the loop writes, other than sums that it is compared with, lie where this is
  * read? */
@@ -365,8 +363,7 @@ bool source_plans_of_search(const loop_analysis *j, const loop_access *read, sou
     return true;
 }
 
-/* ---- reads against arrays ---------------------------------------------------------------------
- */
+/* ---- reads against arrays -------------------------------------------------------------------- */
 
 /* A private variable of the iteration, or one without pointers to it: it changes only by name. */
 static bool is_unreachable(const loop_analysis *j, const location *where) {

@@ -17,8 +17,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/own.h"
 
-/* ---- the form of such a store
- * -------------------------------------------------------------------- */
+/* ---- the form of such a store ---------------------------------------------------------------- */
 
 static bool is_fixed(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_NUMBER || analysis_leaves(j, node);
@@ -104,8 +103,7 @@ const distribution *distribution_find(const loop_analysis *j) {
     return result;
 }
 
-/* ---- may it be deferred?
- * ------------------------------------------------------------------------- */
+/* ---- may it be deferred? --------------------------------------------------------------------- */
 
 static bool is_read_before(const loop_access *read, const distributed_store *store) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&

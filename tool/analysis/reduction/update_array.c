@@ -110,8 +110,7 @@ const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
     return last != target && last->type && last->type->kind == IR_ARRAY ? last : base;
 }
 
-/* ---- the arrays -----------------------------------------------------------------------------
- */
+/* ---- the arrays ------------------------------------------------------------------------------ */
 
 static bool add_array(loop_analysis *j, const loop_access *update, update_kind kind,
                       unsigned *number) {

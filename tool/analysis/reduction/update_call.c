@@ -49,8 +49,7 @@ static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int
     }
 }
 
-/* ---- the element or row -----------------------------------------------------------------------
- */
+/* ---- the element or row ---------------------------------------------------------------------- */
 
 /* The target of the argument, as an lvalue; NULL: unknown. */
 static const ir_node *pointed_element(const loop_analysis *j, const ir_node *argument) {
@@ -80,9 +79,7 @@ static bool points_to(const ir_type *pointer, const ir_type *target) {
                        (target->kind == IR_ARRAY && ir_type_equal(pointee, target->target)));
 }
 
-/* ---- the call
- * ------------------------------------------------------------------------------------
- */
+/* ---- the call -------------------------------------------------------------------------------- */
 
 /* The parameter through which everything is written; NULL: there is none, or more than one. */
 static const ir_variable *written_parameter(const access_list *known) {

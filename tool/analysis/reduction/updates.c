@@ -15,8 +15,7 @@
 #include "analysis/reduction/update_call.h"
 #include "analysis/reduction/update_statement.h"
 
-/* ---- private or not ---------------------------------------------------------------------------
- */
+/* ---- private or not -------------------------------------------------------------------------- */
 
 static private_variable *find_private(loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->privates.count; i++)
@@ -51,8 +50,7 @@ static bool take_private(loop_analysis *j, const ir_variable *variable) {
     return true;
 }
 
-/* ---- refusing a write ---------------------------------------------------------------------------
- */
+/* ---- refusing a write ------------------------------------------------------------------------ */
 
 static bool is_updated_too(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -120,8 +118,7 @@ static bool refuse_variable(loop_analysis *j, const loop_access *store) {
                            variable->name);
 }
 
-/* ---- one update ---------------------------------------------------------------------------------
- */
+/* ---- one update ------------------------------------------------------------------------------ */
 
 static bool is_inside_node(const ir_node *outer, const ir_node *inner) {
     return inner && ir_contains(outer, inner);
@@ -193,8 +190,7 @@ static bool check_statement(loop_analysis *j, const loop_access *update, const c
     return check_place(j, update, *statement, name);
 }
 
-/* ---- does the order of the updates matter? ------------------------------------------------------
- */
+/* ---- does the order of the updates matter? --------------------------------------------------- */
 
 static bool reads_itself(const loop_analysis *j, const ir_node *statement, const ir_node *target) {
     for (unsigned i = 0; i < j->access_count; i++)

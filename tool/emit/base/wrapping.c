@@ -12,8 +12,7 @@
 #include "ir/ir_words.h"
 #include "plan/unconditional.h"
 
-/* ---- possibly not executed by the program
- * -------------------------------------------------------- */
+/* ---- possibly not executed by the program ---------------------------------------------------- */
 
 /* ---- arithmetic ---------------------------------------------------------------------------- */
 

@@ -262,8 +262,7 @@ const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename 
     return text;
 }
 
-/* ---- before the function
- * ----------------------------------------------------------------------- */
+/* ---- before the function --------------------------------------------------------------------- */
 
 static unsigned tag_bits(const bins_stream *stream) {
     unsigned bits = 0;

@@ -200,8 +200,7 @@ static void place_units(struct divide *divide, int thread) {
     }
 }
 
-/* ---- their boundaries
- * -------------------------------------------------------------------------- */
+/* ---- their boundaries ------------------------------------------------------------------------ */
 
 static void mark_boundary(struct divide *divide, int thread) {
     const struct unit_list *logged = &divide->logged[thread].leading;

@@ -26,8 +26,7 @@ static void end_query(must_write *prover) {
     prover->scratch = NULL;
 }
 
-/* ---- objects that can be analysed -------------------------------------------------------------
- */
+/* ---- objects that can be analysed ------------------------------------------------------------ */
 
 static bool has_union_or_volatile(const ir_type *type) {
     if (type->is_volatile || type->is_atomic || type->kind == IR_OTHER_TYPE)
@@ -157,8 +156,7 @@ bool address_kept_outside(must_write *prover, const ir_node *body, const ir_vari
     return find_address_outside(prover, body, variable) != NULL;
 }
 
-/* ---- pointers that outlive the iteration ------------------------------------------------------
- */
+/* ---- pointers that outlive the iteration ----------------------------------------------------- */
 
 typedef struct mention {
     const ir_node *body;

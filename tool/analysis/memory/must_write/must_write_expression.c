@@ -349,8 +349,7 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
         run_store(r, s, &target, &p, v);
 }
 
-/* ---- text that is not in the tree
- * ----------------------------------------------------------------- */
+/* ---- text that is not in the tree ------------------------------------------------------------ */
 
 static bool is_word_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
