@@ -24,15 +24,23 @@ static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source
     return source != kept && a > 1 && (b & REDCC_IS_SCALAR) && !are_behind_one;
 }
 
-/** Is the source disjoint from all of these? */
+/** Are these ranges disjoint, of a source and of number `kept`, or need not be? */
+static inline bool redcc_are_apart(const redcc_loop *loop, uint32_t source, struct range read,
+                                   uint32_t kept, struct range scalar, struct overlap *overlap) {
+    if (!redcc_may_meet_scalar(loop, source, kept) || !redcc_ranges_overlap(read, scalar))
+        return true;
+    *overlap = (struct overlap){source, loop->array_count + kept};
+    return false;
+}
+
+/** Is the source disjoint from all scalars and own elements? Most sources need no comparison. */
 static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
                                                      const struct range *read, uint32_t source,
                                                      struct overlap *overlap) {
-    for (uint32_t s = 0; s < loop->source_count; s++)
-        if (redcc_may_meet_scalar(loop, source, s) && redcc_ranges_overlap(read[source], read[s])) {
-            *overlap = (struct overlap){source, loop->array_count + s};
+    const bool may_meet = loop->sources[source].is_subscript > 1;
+    for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
+        if (!redcc_are_apart(loop, source, read[source], s, read[s], overlap))
             return false;
-        }
     return true;
 }
 
@@ -40,13 +48,13 @@ static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
 static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
                                                       const redcc_extent *known,
                                                       struct overlap *overlap) {
-    for (uint32_t r = 0; r < loop->source_count; r++)
-        for (uint32_t s = 0; s < loop->source_count; s++)
-            if (redcc_may_meet_scalar(loop, r, s) &&
-                redcc_ranges_overlap(redcc_range_of(known[r]), redcc_range_of(known[s]))) {
-                *overlap = (struct overlap){r, loop->array_count + s};
+    for (uint32_t r = 0; r < loop->source_count; r++) {
+        const bool may_meet = loop->sources[r].is_subscript > 1;
+        for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
+            if (!redcc_are_apart(loop, r, redcc_range_of(known[r]), s, redcc_range_of(known[s]),
+                                 overlap))
                 return false;
-            }
+    }
     return true;
 }
 

@@ -120,6 +120,10 @@ bool analysis_leaves(const loop_analysis *j, const ir_node *node) {
            !variable_written_in(j->an->facts, j->loop, node->variable);
 }
 
+bool analysis_is_fixed(const loop_analysis *j, const ir_node *node) {
+    return node->kind == IR_NUMBER || analysis_leaves(j, node);
+}
+
 bool analysis_is_update(const loop_analysis *j, const ir_node *statement) {
     for (unsigned i = 0; i < j->updates.count; i++)
         if (j->updates.items[i].statement == statement)

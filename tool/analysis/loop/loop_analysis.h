@@ -128,6 +128,8 @@ bool analysis_header_declares(const loop_analysis *j, const ir_variable *variabl
 
 /** A local variable that changes only by its name, and is loop-invariant. */
 bool analysis_leaves(const loop_analysis *j, const ir_node *node);
+/** A number, or such a variable. */
+bool analysis_is_fixed(const loop_analysis *j, const ir_node *node);
 
 /** Is this statement one of the updates found? */
 bool analysis_is_update(const loop_analysis *j, const ir_node *statement);

@@ -21,10 +21,6 @@ enum { MOST_OWN = 16 };
 
 /* ---- what such an element looks like --------------------------------------------------------- */
 
-static bool is_fixed(const loop_analysis *j, const ir_node *node) {
-    return node->kind == IR_NUMBER || analysis_leaves(j, node);
-}
-
 /* The counter, cast or not, and what is added to it. A wider type keeps different values apart, and
  * sums that wrap around do so too. */
 static bool differs_always(const loop_analysis *j, const ir_node *node) {
@@ -35,8 +31,8 @@ static bool differs_always(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT)) {
         const ir_node *left = node->children[0], *right = node->children[1];
         return ir_type_is_plain_integer(left->type) && ir_type_is_plain_integer(right->type) &&
-               ((differs_always(j, left) && is_fixed(j, right)) ||
-                (is_fixed(j, left) && differs_always(j, right)));
+               ((differs_always(j, left) && analysis_is_fixed(j, right)) ||
+                (analysis_is_fixed(j, left) && differs_always(j, right)));
     }
     return expression_is_variable(node, j->counted.counter);
 }

@@ -19,14 +19,10 @@
 
 /* ---- the form of such a store ---------------------------------------------------------------- */
 
-static bool is_fixed(const loop_analysis *j, const ir_node *node) {
-    return node->kind == IR_NUMBER || analysis_leaves(j, node);
-}
-
 static bool is_value(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_UNARY && node->op == IR_OP_MINUS)
         return node->children[0]->kind == IR_NUMBER;
-    return is_fixed(j, node) && node->type->kind != IR_POINTER;
+    return analysis_is_fixed(j, node) && node->type->kind != IR_POINTER;
 }
 
 static bool may_be_distributed(const loop_analysis *j, const ir_node *statement) {
@@ -46,7 +42,7 @@ static bool may_be_distributed(const loop_analysis *j, const ir_node *statement)
  * another copy. */
 static bool is_repeatable(const loop_analysis *j, const ir_node *node, const ir_node *target) {
     if (expression_same(node, target) || expression_is_variable(node, j->counted.counter) ||
-        is_fixed(j, node))
+        analysis_is_fixed(j, node))
         return true;
     if ((node->kind != IR_BINARY && node->kind != IR_UNARY && node->kind != IR_CAST) ||
         node->op == IR_OP_DEREFERENCE || expression_is_floating_work(node))
