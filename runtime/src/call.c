@@ -374,8 +374,8 @@ static enum reason reason_at_once(struct loop_state *state, const redcc_loop *lo
     return reason;
 }
 
-int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
-                const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
     const bool forked = redcc_is_forked(); /* before any memory of the parent is used */
@@ -425,6 +425,15 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         return serially(state, reason);
     }
     return hand_over(execution, call);
+}
+
+/* The loop sees the errno of before, whoever executes it. */
+int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    const int error = errno;
+    const int parallel = enter(call, loop, trip, bases, known, key, threads, nested);
+    errno = error;
+    return parallel;
 }
 
 static void note_node(struct thread_state *thread) {

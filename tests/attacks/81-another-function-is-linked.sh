@@ -91,8 +91,7 @@ link -no-pie main.c user.o lib.a
 check "at fixed addresses" yes
 link -Wl,--gc-sections main.c user.o lib.a
 check "without what is not used" yes
-# What the archive refers to weakly must be asked for (redcc-runtime.pc, Libs.private).
-link -static -Wl,-u,pthread_create,-u,pthread_detach,-u,pthread_attr_init,-u,pthread_attr_destroy,-u,pthread_attr_setstacksize,-u,__cxa_thread_atexit_impl main.c user.o lib.a
+link -static main.c user.o lib.a
 check "in a static program" yes
 
 # compiled by another compiler than redcc-cc: nothing is said of it

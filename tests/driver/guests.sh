@@ -197,6 +197,26 @@ expect_empty messages
 redcc-cc both.o -o p && expect_bits p
 end
 
+begin "static programs run in parallel, too"
+write_sources
+redcc-cc -O2 -c count.c
+for options in -static -static-pie; do
+  redcc-cc $options count.o -o p || fail "$case_name: $options"
+  REDCC_METHOD=localwrite REDCC_REPORT=$PWD/run expect_bits p
+  jq -e '.loops[0].threads == 3' run >/dev/null || fail "$case_name: $options: $(cat run)"
+done
+end
+
+begin "a loop that gets no threads sees the errno of before"
+write_sources
+sed -i 's/<stdio.h>/<stdio.h>\n#include <errno.h>/; s/int main(void) {/&\n    errno = 0;/; s/for (int e/if (errno)\n        perror("loop");\n    &/' count.c
+redcc-cc -O2 count.c -o p || fail "$case_name"
+(ulimit -v 6000 && OMP_NUM_THREADS=8 REDCC_METHOD=localwrite REDCC_REPORT=$PWD/run ./p >actual 2>messages) || fail "$case_name: $(cat messages)"
+expect_same expected actual
+expect_empty messages
+expect_match run '"slug": "no-threads"'
+end
+
 begin "--help and --version; options of ours that are none"
 redcc-cc --version >version && expect_equal "$case_name" "$(cc --version | head -n 1)" "$(head -n 1 version)"
 expect_match version '^redcc-cc [0-9.]+ runs the compiler above'

@@ -55,13 +55,6 @@ bool build_can_add_runtime(const session *s) {
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 
-static bool is_static(const command *c) {
-    for (unsigned i = 0; i < c->count; i++)
-        if (strcmp(c->items[i].text, "-static") == 0)
-            return true;
-    return false;
-}
-
 /* Adds the runtime if a linked object has loops for it. Their references are weak, so a linker
  * would not load it from the archive. */
 static void add_runtime(session *s, word_list *list, bool has_loops) {
@@ -78,11 +71,6 @@ static void add_runtime(session *s, word_list *list, bool has_loops) {
         words_add(a, list, arena_format(a, "-Wl,-rpath,%s", path_folder(a, library)));
         return;
     }
-    if (is_static(&s->command)) /* symbols that the runtime refers to weakly */
-        words_add(
-            a, list,
-            "-Wl,-u,pthread_create,-u,pthread_detach,-u,pthread_attr_init,"
-            "-u,pthread_attr_destroy,-u,pthread_attr_setstacksize,-u,__cxa_thread_atexit_impl");
     words_add(a, list, "-Wl,-u,redcc_run,--push-state,--as-needed");
     words_add(a, list, library);
     words_add(a, list, "-lpthread");

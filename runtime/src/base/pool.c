@@ -10,14 +10,48 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* All weak, for systems whose C library has them in separate files. */
-#define WEAK __attribute__((__weak__))
-extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
-extern __typeof__(pthread_create) pthread_create WEAK;
-extern __typeof__(pthread_attr_init) pthread_attr_init WEAK;
-extern __typeof__(pthread_attr_destroy) pthread_attr_destroy WEAK;
-extern __typeof__(pthread_attr_setstacksize) pthread_attr_setstacksize WEAK;
-extern __typeof__(pthread_detach) pthread_detach WEAK;
+/* Functions of threads are not referred to weakly: a static program would lack them. */
+
+#ifdef __GLIBC__
+
+extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *);
+
+static void nothing(void *unused) {
+    (void)unused;
+}
+
+/* This object must not be unloaded while a thread executes its code. The function for that
+ * allocates, with the program's allocator, which may support one thread only (attack 32). */
+static void stay_loaded(void) {
+    if (!redcc_system_is_program())
+        __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
+}
+
+/* Calls `end` with `it` when the calling thread ends. False: it will not. */
+static bool call_at_end(void (*end)(void *), void *it) {
+    return __cxa_thread_atexit_impl(end, it, (void *)(uintptr_t)nothing) == 0;
+}
+
+#else /* musl, whose dlclose unloads nothing */
+
+static void stay_loaded(void) {
+}
+
+static pthread_key_t key;
+static bool has_key;
+static void (*at_end)(void *);
+
+static void make_key(void) {
+    has_key = pthread_key_create(&key, at_end) == 0;
+}
+
+static bool call_at_end(void (*end)(void *), void *it) {
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    at_end = end;
+    return pthread_once(&once, make_key) == 0 && has_key && pthread_setspecific(key, it) == 0;
+}
+
+#endif
 
 enum { MOST = 1024, LINE = 64 };
 
@@ -53,17 +87,10 @@ static void arrive(struct pool *it) {
 
 /* ---- the threads ----------------------------------------------------------------------------- */
 
-static void nothing(void *unused) {
-    (void)unused;
-}
-
 static void *serve(void *given) {
     struct slot *slot = given;
     struct pool *const it = slot->pool;
-    /* This object must not be unloaded while a thread executes its code. The function for that
-     * allocates, with the program's allocator, which may support one thread only (attack 32). */
-    if (!redcc_system_is_program())
-        __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
+    stay_loaded();
     redcc_within = 1; /* a loop in a loop's body must not run in parallel */
     unsigned seen = 0;
     arrive(it);
@@ -105,18 +132,13 @@ static void end(void *given) {
         redcc_system_unmap(it, sizeof *it);
 }
 
-static bool can_start(void) {
-    return pthread_create && pthread_detach && pthread_attr_init && pthread_attr_destroy &&
-           pthread_attr_setstacksize && __cxa_thread_atexit_impl;
-}
-
 static struct pool *make(void) {
     struct pool *it = redcc_system_map((sizeof *it + 4095) / 4096 * 4096);
     if (!it)
         return NULL;
     it->threads = 1;
     atomic_store(&it->alive, 1);
-    if (__cxa_thread_atexit_impl(end, it, (void *)(uintptr_t)nothing) == 0)
+    if (call_at_end(end, it))
         return it;
     redcc_system_unmap(it, sizeof *it);
     return NULL;
@@ -144,7 +166,7 @@ int redcc_pool_prepare(int threads, size_t stack) {
     threads = threads < MOST ? threads : MOST;
     if (threads <= redcc_pool_threads())
         return threads;
-    if (!can_start() || !(pool || (pool = make())) || pthread_attr_init(&attributes) != 0)
+    if (!(pool || (pool = make())) || pthread_attr_init(&attributes) != 0)
         return redcc_pool_threads();
     if (stack)
         pthread_attr_setstacksize(&attributes, stack);

@@ -11,6 +11,7 @@
 #if defined(__linux__)
 
 #include <elf.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -19,8 +20,12 @@
 /* The library's reserved name for the kernel's auxiliary vector. */
 extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
 
+/* 0: the kernel gives no such value, which the library reports in errno, too. */
 static unsigned long auxiliary_value(unsigned long what) {
-    return __getauxval ? __getauxval(what) : 0;
+    const int before = errno;
+    const unsigned long value = __getauxval ? __getauxval(what) : 0;
+    errno = before;
+    return value;
 }
 
 #if UINTPTR_MAX > 0xffffffff
