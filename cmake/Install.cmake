@@ -39,7 +39,7 @@ foreach(page ${redcc_pages})
 endforeach()
 
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-file(GLOB redcc_documents ${PROJECT_SOURCE_DIR}/docs/*.md)
+file(GLOB redcc_documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 if(NOT REDCC_EXAMPLES)
   list(FILTER redcc_documents EXCLUDE REGEX "/fabric-[^/]*$")
 endif()

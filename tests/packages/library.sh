@@ -163,14 +163,11 @@ time_runs() { # NAME
 
 # The line of the table for docs/packages.md.
 table_line() {
-  local refusals builds
+  local builds
   builds=$(build_ratio)
-  refusals=$(loops 'select(.verdict == "refused") | .reason.slug' | sort | uniq -c | sort -k1,1nr -k2 |
-    awk '{printf "%s%s %d", (NR > 1 ? ", " : ""), $2, $1}')
-  printf '| %s | %s | %s | %s | %s | %s | %s |\n' "$package" \
+  printf '| %s | %s | %s | %s | %s | %s |\n' "$package" \
     "$(jq -rs 'map(.file) | unique | length' "$PACKAGES_FOLDER/builds/$package/loops.jsonl")" \
-    "$(loops .verdict | wc -l)" "$(loops .verdict | grep -c transformed)" "${refusals:-none}" \
-    "$builds" "$(gain)"
+    "$(loops .verdict | wc -l)" "$(loops .verdict | grep -c transformed)" "$builds" "$(gain)"
 }
 
 # Builds and checks one package; with MEASURE=1 prints its line of the table as well.

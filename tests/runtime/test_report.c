@@ -59,11 +59,8 @@ static void every_slug_is_documented(void **unused) {
     static const char *const mode_texts[] = {REDCC_MODE_LIST(TEXT)};
     static const char *const rules[] = {REDCC_RULE_LIST(SLUG)};
     static const char *const rule_texts[] = {REDCC_RULE_LIST(RULE)};
-    static const char *const reasons[] = {REDCC_REASON_LIST(SLUG)};
-    static const char *const reason_texts[] = {REDCC_REASON_LIST(TEXT)};
     expect_table(REPORT_PAGE, "\n| mode |", modes, mode_texts, MODE_COUNT);
     expect_table(METHODS_PAGE, "\n| rule |", rules, rule_texts, RULE_COUNT - 1);
-    expect_table(REPORT_PAGE, "\n| fallback |", reasons + 1, reason_texts + 1, REASON_COUNT - 1);
 }
 
 static void no_slug_stands_for_two(void **unused) {

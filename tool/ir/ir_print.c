@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The text form's printer; docs/ir.md has the grammar. */
+/* The text form's printer; tool/ir/text_form.md has the grammar. */
 #include <ctype.h>
 #include <string.h>
 

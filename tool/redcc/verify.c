@@ -80,7 +80,7 @@ static long threads_to_use(void) {
 }
 
 /* The parallel program executes each loop in parallel from the first call on, and reports it
- * (docs/methods.md, REDCC_VALIDATE): by default it would begin with the original loop. */
+ * (docs/report.md, REDCC_VALIDATE): by default it would begin with the original loop. */
 static void execute(const workplace *w, program *p, bool is_parallel) {
     word_list words = {0};
     if (is_parallel) {

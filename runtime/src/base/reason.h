@@ -2,8 +2,7 @@
 #ifndef REDCC_REASON_H
 #define REDCC_REASON_H
 
-/** Reasons why a loop ran sequentially: identifier, slug, and text of the report. docs/report.md
- *  lists the slugs, and a test compares them. */
+/** Reasons why a loop ran sequentially: identifier, slug, and text of the report. */
 #define REDCC_REASON_LIST(X)                                                                       \
     X(REASON_NONE, "", "")                                                                         \
     X(REASON_NAMED, "named-serial", "REDCC_METHOD says serial")                                    \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The decision table of `auto`: identifier, slug, condition, action. The report's `choice` is the
+/** The decision table of `auto`: identifier, slug, condition, action. The report's `rule` is the
  *  slug of the row that decided last; docs/methods.md shows the table, and a test compares the
  *  two. */
 #ifndef REDCC_RULE_H
