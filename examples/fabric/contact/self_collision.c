@@ -82,11 +82,13 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
 }
 
 /* The change of the normal velocity that this contact asks for, m/s; 0: none. */
-static double asked(const self_collision *s, const self_pair *pair, double h, const double (*v)[3],
-                    const double start[4][3], const double end[4][3], self_contact *found) {
-    double speed = 0, least = 0;
-    if (self_pair_stays_apart(pair, s->gap, start, end))
+static double asked(const self_collision *s, const self_pair *pair, double h, const double (*x)[3],
+                    const double (*v)[3], self_contact *found) {
+    double from[4][3], to[4][3], speed = 0, least = 0;
+    if (self_pair_stays_apart(pair, s->gap, h, x, v))
         return 0;
+    self_pair_gather(pair, h, x, v, from, to);
+    const double(*start)[3] = (const double(*)[3])from, (*end)[3] = (const double(*)[3])to;
     if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found) &&
         !rest_near(s, pair))
         least = drawing_apart * (s->gap - found->distance) / s->step;
@@ -114,13 +116,9 @@ static int is_quiet(const self_collision *s, int n) {
     return is_unchanged(s, n, s->turns.pair[n]);
 }
 
-/* asked, of pair n at velocities v. */
 static void ask(self_collision *s, int n, double h, const double (*x)[3], const double (*v)[3]) {
-    double start[4][3], end[4][3];
     self_demand *to = &s->turns.demand[n];
-    self_pair_gather(&s->pair[n], h, x, v, start, end);
-    to->change = asked(s, &s->pair[n], h, v, (const double(*)[3])start, (const double(*)[3])end,
-                       &to->contact);
+    to->change = asked(s, &s->pair[n], h, x, v, &to->contact);
 }
 
 /* In parallel: marks velocities that changed since the last round, and what pairs ask for at the
@@ -183,10 +181,11 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]) {
     double start[4][3], end[4][3];
     self_contact found;
+    if (self_pair_stays_apart(pair, s->gap, h, x, v))
+        return 0;
     self_pair_gather(pair, h, x, v, start, end);
-    const double(*from)[3] = (const double(*)[3])start, (*to)[3] = (const double(*)[3])end;
-    return !self_pair_stays_apart(pair, s->gap, from, to) &&
-           self_pair_passes(pair->is_edges, from, to, &found);
+    return self_pair_passes(pair->is_edges, (const double(*)[3])start, (const double(*)[3])end,
+                            &found);
 }
 
 /* For pairs that were just found. 0, or -1: out of memory. */

@@ -120,9 +120,10 @@ int self_grid_find(self_collision *s, double h, const double (*x)[3], const doub
 void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
                       double start[4][3], double end[4][3]);
 
-/** Do the swept boxes of the two features keep more than this distance? For most pairs they do. */
-int self_pair_stays_apart(const self_pair *pair, double apart, const double start[4][3],
-                          const double end[4][3]);
+/** Do the boxes that the two features sweep keep more than this distance? For most pairs they do.
+ */
+int self_pair_stays_apart(const self_pair *pair, double apart, double h, const double (*x)[3],
+                          const double (*v)[3]);
 
 /** Do the pair's features pass through each other on the way from x to y, all [4]? */
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);
