@@ -300,8 +300,10 @@ static void pushed_by_a_ball(double friction, double pushed[3]) {
                      .friction = friction,
                      .gap = 0.002};
     stage on = stage_of(cloth_of(3, material, 1, triangle), cloth_scene());
-    on.s.colliders = &ball;
-    on.s.collider_count = 1;
+    collider two[2] = {ball, ball}; /* the first one beside it */
+    two[0].position[0] += 0.2;
+    on.s.colliders = two;
+    on.s.collider_count = 2;
     stage_begin(&on);
     const double(*x)[3] = (const double(*)[3])on.m.position, h = 0.02;
     double v[3][3] = {{0}}, work = 0;
