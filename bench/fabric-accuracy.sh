@@ -95,6 +95,9 @@ for scene in flap hanging tablecloth; do
 done
 
 if [ -n "$pictures" ]; then
+  for study in flap sum flag-1e-6 tablecloth-1e-2; do
+    "$build/examples/fabric/fabric-view" plot "$work/$study"
+  done
   for name in dt-step dt-measures cg newton preconditioner precision solver mesh energy robustness; do
     cp "$work/flap/$name.png" "$pictures/accuracy-$name.png"
   done

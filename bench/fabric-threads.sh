@@ -9,7 +9,6 @@
 rounds=${ROUNDS:-3}
 threads=${THREADS:-$(for ((t = 1; t <= $(nproc); t *= 2)); do echo "$t"; done)}
 scenes=${SCENES:-tablecloth hanging sheet218k ball curtain scarf}
-export FABRIC_SCENES=$PWD/examples/fabric/scenes
 serial=$build/examples/fabric/fabric-serial
 parallel=$build/examples/fabric/fabric
 csv=$results/fabric-threads.csv

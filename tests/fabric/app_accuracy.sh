@@ -3,15 +3,17 @@
 # Every experiment on a tiny sheet, and advice.
 # Arguments: PROGRAM SCENES FOLDER.
 source "$(dirname "$0")/app_common.sh"
+view=${program%/*}/fabric-view
 small=(--quick --most-steps 16 --set mesh.boundary=16 --set mesh.vertices=60)
 
 for name in dt cg newton preconditioner precision solver mesh sum horizon integrator; do
-  expect 0 "tables and plots are in $name" "$program" accuracy $name -o $name "${small[@]}"
-  holds "$name leaves its script" test -s $name/$name.gnuplot
+  expect 0 "tables are in $name" "$program" accuracy $name -o $name "${small[@]}"
+  ! command -v gnuplot >/dev/null || expect 0 "drawn in $name" "$view" plot $name
 done
 for name in dt cg newton preconditioner precision solver mesh sum horizon; do
   holds "$name leaves a table" test -s $name/$name.csv
 done
+expect 1 "no table of 'fabric accuracy' in it" "$view" plot "$scenes"
 holds "energy and robustness have a table each" test -s integrator/energy.csv -a -s integrator/robustness.csv
 
 # number FILE VARIANT STEPS COLUMN: one number of a table

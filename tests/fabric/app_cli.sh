@@ -7,11 +7,11 @@ name=$(basename "$program")
 expect 2 "usage: $name COMMAND" "$program"
 expect 0 "usage: $name COMMAND" "$program" --help
 expect 0 "$name " "$program" --version
-for command in run plan compare export mesh accuracy; do
+for command in run plan compare mesh accuracy; do
   expect 0 "usage: $name $command " "$program" $command --help
 done
 view=${program%/*}/fabric-view
-for command in render film gltf; do
+for command in render film gltf export plot; do
   expect 0 "usage: fabric-view $command " "$view" $command --help
 done
 expect 2 "unknown command 'redner', did you mean 'render'?" "$view" redner

@@ -22,7 +22,7 @@ done < <(sed -n 's/^says `\(.*\)`, and changes nothing\.$/\1/p' "$4")
 documents=$(dirname "$4")
 for option in $({
   for command in run export mesh; do "$program" $command --help; done
-  for command in render film gltf; do "${program%/*}/fabric-view" $command --help; done
+  for command in render film gltf export plot; do "${program%/*}/fabric-view" $command --help; done
 } | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | grep -v '^--help$' | sort -u); do
   holds "the manual page has $option" grep -qF -- "${option//-/\\-}" "$documents/man/fabric.1"
   holds "the completion has $option" grep -qE -- "(^|[' ])$option([' ]|\$)" "$documents/completions/fabric"

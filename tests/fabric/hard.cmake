@@ -15,7 +15,7 @@ add_test(NAME fabric.hard.barrier_long COMMAND test_fabric_hard_barrier long)
 set_tests_properties(fabric.hard.barrier_long PROPERTIES LABELS slow)
 target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fabric/output/memory.c)
 target_compile_definitions(test_fabric_hard_decisions PRIVATE
-                           SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")
+                           SCENES_FOLDER="${scenes_folder}")
 
 # Every scene of the catalogue by the physics behind redcc-cc: the same bits at any number of threads.
 if(TARGET fabric_physics_parallel AND NOT REDCC_SANITIZE)
@@ -66,7 +66,7 @@ if(TARGET fabric_app)
   target_link_libraries(test_fabric_hard_files PRIVATE fabric_app fabric_physics_tests
                         redcc_warnings)
   target_compile_definitions(test_fabric_hard_files PRIVATE
-                             SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")
+                             SCENES_FOLDER="${scenes_folder}")
   add_test(NAME fabric.hard.files COMMAND test_fabric_hard_files
            WORKING_DIRECTORY ${files_folder})
 endif()

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The experiments of `fabric accuracy`. Each runs a scene many times and writes NAME.csv and
- * NAME.gnuplot into a folder, the same columns in every CSV:
+ * The experiments of `fabric accuracy`. Each runs a scene many times and writes NAME.csv into a
+ * folder, most with these columns:
  *
  *   experiment, scene, vertices, variant  what was varied, as text
  *   step, s; tolerance                    of the time stepping; of what the experiment varies
@@ -92,8 +92,5 @@ int study_solver(study *of);    /* direct against iterative, over step and mesh 
 int study_sum(study *of);       /* the orders of reduction of the parallel program */
 int study_mesh(study *of);      /* finer meshes */
 int study_horizon(study *of);   /* how runs from nearly the same start part */
-
-/** folder/NAME.gnuplot, and NAME.png where gnuplot is installed. 0, or -1 after a message. */
-int study_plot(const study *of, const char *name);
 
 #endif

@@ -15,7 +15,7 @@
 enum { SCENE, OUTPUT, SET, REPEAT, STEPS, QUICK, ERROR };
 static const option accuracy_options[] = {
     [SCENE] = {"--scene", "SCENE", "the scene (default: flap)"},
-    [OUTPUT] = {"-o", "DIR", "folder for tables and plots (default: accuracy)"},
+    [OUTPUT] = {"-o", "DIR", "folder for tables (default: accuracy)"},
     [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as mesh.vertices=100"},
     [REPEAT] = {"--repeat", "N", "measure each time N times and keep the least (default 1)"},
     [STEPS] = {"--most-steps", "N",
@@ -178,10 +178,18 @@ static int run_experiments(study *of, int name) {
                         of->base.name, names[k]);
             if (name == k)
                 return -1;
-        } else if ((name == k || name == ALL) &&
-                   (experiments[k](of) != 0 || study_plot(of, names[k]) != 0))
+        } else if ((name == k || name == ALL) && experiments[k](of) != 0)
             return -1;
     return 0;
+}
+
+/** The heading of plots. */
+static int write_heading(const study *of) {
+    FILE *file = study_open(of, "study.gnuplot", "");
+    if (!file)
+        return -1;
+    fprintf(file, "scene = '%s, %d vertices'\n", of->base.name, of->cloth.vertex_count);
+    return study_close(file);
 }
 
 static int experiment(const request *r) {
@@ -198,9 +206,9 @@ static int experiment(const request *r) {
     if (scene_mesh(&of.base, &of.cloth, NULL, error) != 0)
         fprintf(stderr, "%s: mesh: %s\n", of.base.name, error);
     else
-        status = run_experiments(&of, r->name);
+        status = write_heading(&of) == 0 ? run_experiments(&of, r->name) : -1;
     if (status == 0)
-        printf("tables and plots are in %s\n", r->folder);
+        printf("tables are in %s; fabric-view plot draws them\n", r->folder);
     study_free(&of);
     return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
@@ -217,7 +225,7 @@ const command accuracy_command = {
     "accuracy",
     "dt|cg|newton|integrator|preconditioner|precision|solver|sum|mesh|horizon|all|advise [SCENE] "
     "[options]",
-    "Measures error against time; writes a table and a plot for each experiment. 'advise' finds "
+    "Measures error against time; writes a table for each experiment. 'advise' finds "
     "step,"
     "\nintegrator, tolerance and solver for an error by runs of the scene.",
     accuracy_options, run};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric render: becomes fabric-view render. */
+/* fabric render and export: become fabric-view. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,10 +20,11 @@ static void become_view(char **words) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    char view[] = "fabric-view", action[] = "render";
+    char view[] = "fabric-view", action[16];
     char **words = calloc((size_t)argc + 3, sizeof *words);
     if (!words)
         return options_complain(self, "out of memory");
+    snprintf(action, sizeof action, "%s", self->name);
     words[0] = view;
     words[1] = action;
     memcpy(words + 2, argv, (size_t)argc * sizeof *words);
@@ -35,4 +36,8 @@ static int run(const command *self, int argc, char **argv) {
 
 const command render_command = {"render", "DIR [options]",
                                 "Draws the frames of a run: the same as fabric-view render.",
+                                no_options, run};
+const command export_command = {"export", "DIR [options]",
+                                "Writes the frames of a run for ParaView: the same as fabric-view "
+                                "export.",
                                 no_options, run};

@@ -164,9 +164,9 @@ static int search(barrier *b, const double (*x)[3], const double (*way)[3]) {
     memcpy(b->searched, x, (size_t)b->surface.vertex_count * sizeof *b->searched);
     b->has_candidates = distance_from_search(b, x, way) <= b->margin;
     if (!b->has_candidates)
-        return self_grid_find(&b->search, 1, x, way);
+        return self_grid_find(&b->search, 1, x, way, INFINITY);
     b->search.gap += b->margin;
-    const int status = self_grid_find(&b->search, 0, x, x);
+    const int status = self_grid_find(&b->search, 0, x, x, INFINITY);
     b->search.gap = gap;
     if (status == 0)
         drop_far_candidates(b, x);

@@ -102,7 +102,7 @@ static int find_sides(untangling *u) {
     barrier *b = u->b;
     const double gap = b->search.gap;
     b->search.gap = u->longest;
-    const int status = self_grid_find(&b->search, 0, read_only(b->x), read_only(b->x));
+    const int status = self_grid_find(&b->search, 0, read_only(b->x), read_only(b->x), INFINITY);
     b->search.gap = gap;
     barrier_begin_search(b);
     for (int k = 0; status == 0 && k < b->search.pair_count; k++) {

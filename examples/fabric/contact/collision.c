@@ -140,6 +140,7 @@ void collisions_free(collisions *c) {
     free(c->now);
     free(c->met.list);
     free(c->met.distance);
+    free(c->met.is_near);
     *c = (collisions){0};
 }
 

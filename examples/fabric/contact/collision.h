@@ -45,9 +45,10 @@ typedef struct met_triangle {
 typedef struct met_triangles {
     met_triangle *list; /* [count] */
     int count, room;
-    int left;         /* of those, how many still meet one after the impulses */
-    double gap;       /* m, the least of their colliders; infinite: there are none */
-    double *distance; /* [vertices] m, to the current collider; NULL: none yet */
+    int left;               /* of those, how many still meet one after the impulses */
+    double gap;             /* m, the least of their colliders; infinite: there are none */
+    double *distance;       /* [vertices] m, to the current collider; NULL: none yet */
+    unsigned char *is_near; /* [triangles] may it meet that? */
 } met_triangles;
 
 /** Colliders that the cloth cannot reach for some time, so that nothing is done for each of them:

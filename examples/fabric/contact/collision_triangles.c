@@ -64,11 +64,13 @@ static int find_clearances(collisions *c, int number, double time, double h, con
         c->met.distance = malloc(((size_t)c->vertex_count + 1) * sizeof *c->met.distance);
     if (!c->met.distance)
         return -1;
+#pragma omp parallel for schedule(static) reduction(max : way)
     for (int i = 0; i < c->vertex_count; i++) {
         double p[3], u[3], normal[3];
         motion_enter(k, motion, time, h, x[i], v[i], p, u);
         c->met.distance[i] = shape_distance(k, p, normal);
-        way = fmax(way, vector_dot(u, u));
+        const double square = vector_dot(u, u);
+        way = square > way ? square : way;
     }
     *found = (clearances){c->met.distance, sqrt(way)};
     return 0;
@@ -112,17 +114,23 @@ int collisions_find_triangles(collisions *c, double time, double h, const double
         if (k->kind == COLLIDER_PLANE)
             continue;
         clearances known;
-        if (find_clearances(c, n, time, h, x, v, &known) != 0)
+        if (!c->met.is_near)
+            c->met.is_near = malloc((size_t)c->mesh->triangle_count + 1);
+        if (!c->met.is_near || find_clearances(c, n, time, h, x, v, &known) != 0)
             return -1;
+#pragma omp parallel for schedule(static)
         for (int t = 0; t < c->mesh->triangle_count; t++) {
             double p[3][3], u[3][3];
+            c->met.is_near[t] = 0;
             if (is_far(&known, k, c->mesh->triangle[t], x))
                 continue;
             gather(c, n, c->mesh->triangle[t], time, h, x, v, p, u);
-            if (may_meet(k, (const double(*)[3])p, (const double(*)[3])u) &&
-                add(&c->met, t, n, k->gap) != 0)
-                return -1;
+            c->met.is_near[t] =
+                (unsigned char)may_meet(k, (const double(*)[3])p, (const double(*)[3])u);
         }
+        for (int t = 0; t < c->mesh->triangle_count; t++)
+            if (c->met.is_near[t] && add(&c->met, t, n, k->gap) != 0)
+                return -1;
     }
     return 0;
 }

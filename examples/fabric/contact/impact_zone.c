@@ -128,7 +128,7 @@ int impact_zones_make(self_collision *s, const movable *of, double h, const doub
             break;
         sum_up(s, of, parent, x, (const double(*)[3])v, zones);
         *work += move_together(s, of, parent, x, v, zones);
-        status = self_grid_find(s, h, x, (const double(*)[3])v);
+        status = self_grid_find(s, h, x, (const double(*)[3])v, s->gap);
     }
     free(parent);
     free(zones);

@@ -54,43 +54,17 @@ void self_collision_free(self_collision *s) {
     free(s->grid.box);
     free(s->grid.owned);
     free(s->grid.start);
+    free(s->grid.first);
     free(s->grid.entry);
+    free(s->grid.loose);
     for (int part = 0; part < SELF_PARTS; part++)
         free(s->grid.part[part].pair);
     free(s->pair);
     free(s->turns.vertex);
     free(s->turns.v);
     free(s->turns.pair);
+    free(s->turns.demand);
     *s = (self_collision){0};
-}
-
-static void gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
-                   double start[4][3], double end[4][3]) {
-    for (int k = 0; k < 4; k++)
-        for (int a = 0; a < 3; a++) {
-            start[k][a] = x[pair->vertex[k]][a];
-            end[k][a] = start[k][a] + (h * v[pair->vertex[k]][a]);
-        }
-}
-
-/* Whether the swept boxes of the two features keep more than this distance. For most pairs they
- * do. */
-static int stay_apart(double apart, const self_pair *pair, const double start[4][3],
-                      const double end[4][3]) {
-    const int firsts = pair->is_edges ? 2 : 1;
-    for (int a = 0; a < 3; a++) {
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-        for (int k = 0; k < 4; k++) {
-            const int side = k >= firsts;
-            const double least = start[k][a] < end[k][a] ? start[k][a] : end[k][a];
-            const double most = start[k][a] < end[k][a] ? end[k][a] : start[k][a];
-            low[side] = least < low[side] ? least : low[side];
-            high[side] = most > high[side] ? most : high[side];
-        }
-        if (low[0] > high[1] + apart || low[1] > high[0] + apart)
-            return 1;
-    }
-    return 0;
 }
 
 /* Are the features nearer than the gap in the rest shape, as those of thin triangles are? They are
@@ -108,11 +82,13 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
 }
 
 /* The change of the normal velocity that this contact asks for, m/s; 0: none. */
-static double asked(const self_collision *s, const self_pair *pair, double h, const double (*v)[3],
-                    const double start[4][3], const double end[4][3], self_contact *found) {
-    double speed = 0, least = 0;
-    if (stay_apart(s->gap, pair, start, end))
+static double asked(const self_collision *s, const self_pair *pair, double h, const double (*x)[3],
+                    const double (*v)[3], self_contact *found) {
+    double from[4][3], to[4][3], speed = 0, least = 0;
+    if (self_pair_stays_apart(pair, s->gap, h, x, v))
         return 0;
+    self_pair_gather(pair, h, x, v, from, to);
+    const double(*start)[3] = (const double(*)[3])from, (*end)[3] = (const double(*)[3])to;
     if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found) &&
         !rest_near(s, pair))
         least = drawing_apart * (s->gap - found->distance) / s->step;
@@ -129,57 +105,65 @@ static double asked(const self_collision *s, const self_pair *pair, double h, co
     return speed < least ? least - speed : 0;
 }
 
+/* Have the pair's vertices kept their velocities since then? */
+static int is_unchanged(const self_collision *s, int n, int since) {
+    const int *vertex = s->pair[n].vertex, *changed = s->turns.vertex;
+    return changed[vertex[0]] <= since && changed[vertex[1]] <= since &&
+           changed[vertex[2]] <= since && changed[vertex[3]] <= since;
+}
+
 static int is_quiet(const self_collision *s, int n) {
-    const int seen = s->turns.pair[n], *vertex = s->pair[n].vertex, *changed = s->turns.vertex;
-    return seen >= 0 && changed[vertex[0]] <= seen && changed[vertex[1]] <= seen &&
-           changed[vertex[2]] <= seen && changed[vertex[3]] <= seen;
+    return is_unchanged(s, n, s->turns.pair[n]);
 }
 
-/* asked, of pair n at velocities v. */
-static double asked_now(const self_collision *s, int n, double h, const double (*x)[3],
-                        const double (*v)[3], self_contact *found) {
-    double start[4][3], end[4][3];
-    gather(&s->pair[n], h, x, v, start, end);
-    return asked(s, &s->pair[n], h, v, (const double(*)[3])start, (const double(*)[3])end, found);
+static void ask(self_collision *s, int n, double h, const double (*x)[3], const double (*v)[3]) {
+    self_demand *to = &s->turns.demand[n];
+    to->change = asked(s, &s->pair[n], h, x, v, &to->contact);
 }
 
-/* In parallel: marks velocities that changed since the last round, and pairs that need no
- * impulse at the beginning of a round. These are most pairs; the sequential part skips them. */
+/* In parallel: marks velocities that changed since the last round, and what pairs ask for at the
+ * beginning of a round. Most need no impulse; the sequential part skips them. */
 static void look_through(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     self_turns *turns = &s->turns;
-    turns->now++;
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < s->mesh->vertex_count; i++)
-        if (memcmp(v[i], turns->v[i], sizeof v[i]) != 0)
-            turns->vertex[i] = turns->now;
-#pragma omp parallel for schedule(static)
-    for (int n = 0; n < s->pair_count; n++) {
-        self_contact found;
-        if (!is_quiet(s, n) && !(asked_now(s, n, h, x, v, &found) > 0))
-            turns->pair[n] = turns->now;
+    turns->looked = ++turns->now;
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (int i = 0; i < s->mesh->vertex_count; i++)
+            if (memcmp(v[i], turns->v[i], sizeof v[i]) != 0)
+                turns->vertex[i] = turns->now;
+#pragma omp for schedule(dynamic, 64)
+        for (int n = 0; n < s->pair_count; n++) {
+            if (is_quiet(s, n))
+                continue;
+            ask(s, n, h, x, v);
+            if (!(turns->demand[n].change > 0))
+                turns->pair[n] = turns->now;
+        }
     }
 }
 
 /* Returns the change of the normal velocity, m/s; 0: none. */
 static double push_pair(self_collision *s, const movable *of, int n, double h, const double (*x)[3],
                         double (*v)[3], double *work) {
-    self_contact found;
+    const self_demand *asks = &s->turns.demand[n];
     feature both = {.count = 4};
-    const double change = asked_now(s, n, h, x, (const double(*)[3])v, &found);
-    if (!(change > 0)) {
+    if (!is_unchanged(s, n, s->turns.looked))
+        ask(s, n, h, x, (const double(*)[3])v);
+    if (!(asks->change > 0)) {
         s->turns.pair[n] = s->turns.now;
         return 0;
     }
     for (int k = 0; k < 4; k++) {
         both.vertex[k] = s->pair[n].vertex[k];
-        both.weight[k] = found.weight[k];
+        both.weight[k] = asks->contact.weight[k];
     }
-    if (!impulse_give(of, &both, found.normal, change, s->friction, NULL, v, work))
+    if (!impulse_give(of, &both, asks->contact.normal, asks->change, s->friction, NULL, v, work))
         return 0;
     s->turns.now++;
     for (int k = 0; k < 4; k++)
         s->turns.vertex[both.vertex[k]] = s->turns.now;
-    return change;
+    return asks->change;
 }
 
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
@@ -197,9 +181,10 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]) {
     double start[4][3], end[4][3];
     self_contact found;
-    gather(pair, h, x, v, start, end);
-    return !stay_apart(s->gap, pair, (const double(*)[3])start, (const double(*)[3])end) &&
-           self_pair_passes(pair->is_edges, (const double(*)[3])start, (const double(*)[3])end,
+    if (self_pair_stays_apart(pair, s->gap, h, x, v))
+        return 0;
+    self_pair_gather(pair, h, x, v, start, end);
+    return self_pair_passes(pair->is_edges, (const double(*)[3])start, (const double(*)[3])end,
                             &found);
 }
 
@@ -207,10 +192,12 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
 static int forget_turns(self_turns *turns, int vertices, int pairs) {
     if (turns->pair_room < pairs) {
         free(turns->pair);
+        free(turns->demand);
         turns->pair = malloc((size_t)pairs * sizeof *turns->pair);
-        turns->pair_room = turns->pair ? pairs : 0;
+        turns->demand = malloc((size_t)pairs * sizeof *turns->demand);
+        turns->pair_room = turns->pair && turns->demand ? pairs : 0;
     }
-    if (pairs > 0 && !turns->pair)
+    if (turns->pair_room < pairs)
         return -1;
     turns->now = 0;
     memset(turns->vertex, 0, (size_t)vertices * sizeof *turns->vertex);
@@ -222,47 +209,21 @@ static int forget_turns(self_turns *turns, int vertices, int pairs) {
 int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     int passing = 0;
     s->left = 1;
-    if (self_grid_find(s, h, x, v) != 0)
+    if (self_grid_find(s, h, x, v, s->gap) != 0)
         return -1;
-#pragma omp parallel for schedule(static) reduction(+ : passing)
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : passing)
     for (int n = 0; n < s->pair_count; n++)
         passing += self_collision_passes(s, &s->pair[n], h, x, v);
     s->left = passing;
-    return forget_turns(&s->turns, s->mesh->vertex_count, s->pair_count);
-}
-
-/* Keeps the pairs that may come near. What impulses move a vertex by in a step is less than a gap,
- * as a rule; what comes near all the same is found when the step is looked through at its end. */
-static void drop_far_pairs(self_collision *s, double h, const double (*x)[3],
-                           const double (*v)[3]) {
-    int kept[SELF_PARTS];
-#pragma omp parallel for schedule(static)
-    for (int part = 0; part < SELF_PARTS; part++) {
-        const int first = self_part_start(s->pair_count, part);
-        int last = first;
-        for (int n = first; n < self_part_start(s->pair_count, part + 1); n++) {
-            double start[4][3], end[4][3];
-            gather(&s->pair[n], h, x, v, start, end);
-            if (!stay_apart(2 * s->gap, &s->pair[n], (const double(*)[3])start,
-                            (const double(*)[3])end))
-                s->pair[last++] = s->pair[n];
-        }
-        kept[part] = last - first;
-    }
-    int count = 0;
-    for (int part = 0; part < SELF_PARTS; part++) {
-        const self_pair *from = s->pair + self_part_start(s->pair_count, part);
-        memmove(s->pair + count, from, (size_t)kept[part] * sizeof *from);
-        count += kept[part];
-    }
-    s->pair_count = count;
+    return 0;
 }
 
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     s->left = 0;
-    if (self_grid_find(s, h, x, v) != 0)
+    /* What impulses move a vertex by in a step is less than a gap, as a rule; what comes near all
+     * the same is found when the step is looked through at its end. */
+    if (self_grid_find(s, h, x, v, 2 * s->gap) != 0)
         return -1;
     s->visits += s->pair_count;
-    drop_far_pairs(s, h, x, v);
     return forget_turns(&s->turns, s->mesh->vertex_count, s->pair_count);
 }

@@ -40,22 +40,39 @@ typedef struct self_pairs {
 
 /** Boxes that triangles sweep, sorted into the cells of a grid; see self_grid.c. */
 typedef struct self_grid {
-    double (*box)[2][3]; /* [triangles] low and high, m */
-    double cloth[2][3];  /* m, box of the cloth's triangles, if there are bodies */
-    int *owned;          /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
-    int *start;          /* [buckets + 1] */
-    struct self_entry *entry;
+    double (*box)[2][3];      /* [triangles] low and high, m */
+    double cloth[2][3];       /* m, box of the cloth's triangles, if there are bodies */
+    int *owned;               /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
+    int *first;               /* [triangles + 1] a triangle's first entry in */
+    struct self_entry *loose; /* the entries by triangle, */
+    struct self_entry *entry; /* and by bucket: */
+    int *start;               /* [buckets + 2] a bucket's first entry */
     int bucket_room, entry_room;
     self_pairs part[SELF_PARTS]; /* results of the last search */
 } self_grid;
 
+/** Contact of two features: weights of the four vertices, the unit normal from the second
+ *  feature to the first, and the distance at the beginning of the step. */
+typedef struct self_contact {
+    double weight[4];
+    double normal[3];
+    double distance; /* m, along the normal at the start */
+} self_contact;
+
+/** What a pair asks for. */
+typedef struct self_demand {
+    double change; /* m/s, of the normal velocity; 0: nothing */
+    self_contact contact;
+} self_demand;
+
 /** Pairs that can be skipped: a pair that needed no impulse needs none while its vertices keep
  *  their velocities. Times count the impulses since the search. */
 typedef struct self_turns {
-    int now;
-    int *vertex;    /* [vertices] when its velocity changed last */
-    double (*v)[3]; /* [vertices] m/s, at the end of the last round */
-    int *pair;      /* [pairs] when it needed no impulse; -1: never */
+    int now, looked;     /* at present; when the round under way began */
+    int *vertex;         /* [vertices] when its velocity changed last */
+    double (*v)[3];      /* [vertices] m/s, at the end of the last round */
+    int *pair;           /* [pairs] when it needed no impulse; -1: never */
+    self_demand *demand; /* [pairs] of those that are not skipped, when the round began */
     int pair_room;
 } self_turns;
 
@@ -94,16 +111,19 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
 int self_collision_passes(const self_collision *s, const self_pair *pair, double h,
                           const double (*x)[3], const double (*v)[3]);
 
-/** Finds the pairs that may meet in the step; 0, or -1: out of memory, or not all is finite. */
-int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
+/** Finds the pairs that may meet in the step; without those whose swept boxes stay further apart
+ *  than `within` (m), if that is finite. 0, or -1: out of memory, or not all is finite. */
+int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3],
+                   double within);
 
-/** Contact of two features: weights of the four vertices, the unit normal from the second
- *  feature to the first, and the distance at the beginning of the step. */
-typedef struct self_contact {
-    double weight[4];
-    double normal[3];
-    double distance; /* m, along the normal at the start */
-} self_contact;
+/** The positions of the pair's vertices at the begin and the end of a step of h s. */
+void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
+                      double start[4][3], double end[4][3]);
+
+/** Do the boxes that the two features sweep keep more than this distance? For most pairs they do.
+ */
+int self_pair_stays_apart(const self_pair *pair, double apart, double h, const double (*x)[3],
+                          const double (*v)[3]);
 
 /** Do the pair's features pass through each other on the way from x to y, all [4]? */
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);

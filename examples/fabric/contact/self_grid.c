@@ -10,7 +10,7 @@
 /** A triangle in a cell. Cells share buckets. */
 typedef struct self_entry {
     int cell[3];
-    int triangle;
+    int triangle, bucket;
 } self_entry;
 
 enum { MOST_CELLS_EACH = 16 }; /* of a triangle, on average: else cells are made larger */
@@ -83,47 +83,85 @@ static unsigned bucket_of(const int cell[3], unsigned buckets) {
     return (key ^ key >> 15) & (buckets - 1);
 }
 
-/* Counts the entries, or, with `next`, stores them. */
-static double visit_cells(self_collision *s, double size, unsigned buckets, int *next) {
+/* The cells of a triangle's box, from `low` to `high`; returns how many. */
+static double cells_of(const self_collision *s, int t, double size, int low[3], int high[3]) {
+    double cells = 1;
+    if (is_far(s, t))
+        return 0;
+    for (int a = 0; a < 3; a++) {
+        low[a] = cell_of(s->grid.box[t][0][a], size);
+        high[a] = cell_of(s->grid.box[t][1][a], size);
+        cells *= (double)high[a] - low[a] + 1;
+    }
+    return cells;
+}
+
+/* The entries of all triangles. Whole numbers: their sum does not depend on the order. */
+static double count_entries(const self_collision *s, double size) {
     double count = 0;
+#pragma omp parallel for schedule(static) reduction(+ : count)
     for (int t = 0; t < s->mesh->triangle_count; t++) {
-        int low[3], high[3], cell[3];
-        double cells = 1;
-        if (is_far(s, t))
-            continue;
-        for (int a = 0; a < 3; a++) {
-            low[a] = cell_of(s->grid.box[t][0][a], size);
-            high[a] = cell_of(s->grid.box[t][1][a], size);
-            cells *= (double)high[a] - low[a] + 1;
-        }
-        count += cells;
-        if (!next)
-            continue;
-        for (cell[0] = low[0]; cell[0] <= high[0]; cell[0]++)
-            for (cell[1] = low[1]; cell[1] <= high[1]; cell[1]++)
-                for (cell[2] = low[2]; cell[2] <= high[2]; cell[2]++) {
-                    const unsigned bucket = bucket_of(cell, buckets);
-                    if (s->grid.entry)
-                        s->grid.entry[next[bucket]] = (self_entry){{cell[0], cell[1], cell[2]}, t};
-                    next[bucket]++;
-                }
+        int low[3], high[3];
+        count += cells_of(s, t, size, low, high);
     }
     return count;
 }
 
-static int make_room(self_collision *s, int entries, int buckets) {
-    self_grid *g = &s->grid;
+static int make_room(self_grid *g, int triangles, int entries, int buckets) {
     if (g->entry_room < entries) {
         free(g->entry);
+        free(g->loose);
         g->entry = malloc((size_t)entries * sizeof *g->entry);
-        g->entry_room = g->entry ? entries : 0;
+        g->loose = malloc((size_t)entries * sizeof *g->loose);
+        g->entry_room = g->entry && g->loose ? entries : 0;
     }
     if (g->bucket_room < buckets) {
         free(g->start);
-        g->start = malloc(((size_t)buckets + 1) * sizeof *g->start);
+        g->start = malloc(((size_t)buckets + 2) * sizeof *g->start);
         g->bucket_room = g->start ? buckets : 0;
     }
-    return g->entry && g->start ? 0 : -1;
+    if (!g->first)
+        g->first = malloc(((size_t)triangles + 1) * sizeof *g->first);
+    return g->first && g->entry_room >= entries && g->start ? 0 : -1;
+}
+
+/* The entries, triangle by triangle. */
+static void list_entries(self_collision *s, double size, unsigned buckets) {
+    self_grid *g = &s->grid;
+    const int triangles = s->mesh->triangle_count;
+#pragma omp parallel for schedule(static)
+    for (int t = 0; t < triangles; t++) {
+        int low[3], high[3];
+        g->first[t + 1] = (int)cells_of(s, t, size, low, high);
+    }
+    g->first[0] = 0;
+    for (int t = 0; t < triangles; t++)
+        g->first[t + 1] += g->first[t];
+#pragma omp parallel for schedule(static)
+    for (int t = 0; t < triangles; t++) {
+        int low[3], high[3], cell[3], at = g->first[t];
+        if (cells_of(s, t, size, low, high) == 0)
+            continue;
+        for (cell[0] = low[0]; cell[0] <= high[0]; cell[0]++)
+            for (cell[1] = low[1]; cell[1] <= high[1]; cell[1]++)
+                for (cell[2] = low[2]; cell[2] <= high[2]; cell[2]++)
+                    g->loose[at++] =
+                        (self_entry){{cell[0], cell[1], cell[2]}, t, (int)bucket_of(cell, buckets)};
+    }
+}
+
+/* By bucket, of each bucket in the order of triangles. start[b + 1] moves from the begin of bucket
+ * b to its end. */
+static void sort_entries(self_grid *g, int entries, int buckets) {
+    int *restrict start = g->start;
+    const self_entry *restrict loose = g->loose;
+    memset(start, 0, ((size_t)buckets + 2) * sizeof *start);
+    for (int e = 0; e < entries; e++)
+        start[loose[e].bucket + 2]++;
+    for (int b = 0; b < buckets; b++)
+        start[b + 2] += start[b + 1];
+    for (int e = 0; e < entries; e++)
+        g->entry[start[loose[e].bucket + 1]++] = loose[e];
 }
 
 /* Fills the buckets; returns how many, 0: out of memory, or a box is not finite. */
@@ -135,26 +173,16 @@ static int fill(self_collision *s, double *size) {
     if (!(*size > 0))
         *size = 1;
     double cells;
-    while ((cells = visit_cells(s, *size, 1, NULL)) > (double)MOST_CELLS_EACH * triangles)
+    while ((cells = count_entries(s, *size)) > (double)MOST_CELLS_EACH * triangles)
         *size *= 2;
     const int entries = (int)cells;
     int buckets = 64;
     while (buckets < entries && buckets < INT_MAX / 4)
         buckets *= 2;
-    if (make_room(s, entries, buckets) != 0)
+    if (make_room(&s->grid, triangles, entries, buckets) != 0)
         return 0;
-    int *start = s->grid.start;
-    self_entry *kept = s->grid.entry;
-    memset(start, 0, ((size_t)buckets + 1) * sizeof *start);
-    s->grid.entry = NULL; /* only count */
-    visit_cells(s, *size, (unsigned)buckets, start + 1);
-    s->grid.entry = kept;
-    for (int b = 0; b < buckets; b++)
-        start[b + 1] += start[b];
-    /* Stored from each bucket's start, which moves on to its end; then all move back by one. */
-    visit_cells(s, *size, (unsigned)buckets, start);
-    memmove(start + 1, start, (size_t)buckets * sizeof *start);
-    start[0] = 0;
+    list_entries(s, *size, (unsigned)buckets);
+    sort_entries(&s->grid, entries, buckets);
     return buckets;
 }
 
@@ -193,36 +221,45 @@ static int near_at_rest(const self_collision *s, const int vertex[4], int firsts
     return 0;
 }
 
-static int add_if_apart(const self_collision *s, const int vertex[4], int is_edges,
-                        self_pairs *to) {
+/** A search: the step, and the distance of interest. */
+typedef struct self_search {
+    double h, within;
+    const double (*x)[3], (*v)[3];
+} self_search;
+
+static int add_if_apart(const self_collision *s, const self_search *by, const int vertex[4],
+                        int is_edges, self_pairs *to) {
     const int firsts = is_edges ? 2 : 1;
     for (int p = 0; p < firsts; p++)
         for (int q = firsts; q < 4; q++)
             if (vertex[p] == vertex[q])
                 return 0;
-    const self_pair pair = {
-        {vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, 0, near_at_rest(s, vertex, firsts)};
+    self_pair pair = {{vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, 0, 0};
+    if (by->within < INFINITY && self_pair_stays_apart(&pair, by->within, by->h, by->x, by->v))
+        return 0;
+    pair.near_at_rest = near_at_rest(s, vertex, firsts);
     return add_pair(to, &pair);
 }
 
 /* The vertices of t against u, those that t owns. */
-static int add_vertices(const self_collision *s, int t, int u, self_pairs *to) {
+static int add_vertices(const self_collision *s, const self_search *by, int t, int u,
+                        self_pairs *to) {
     const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
     for (int p = 0; p < 3; p++) {
         const int vertex[4] = {a[p], b[0], b[1], b[2]};
-        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_apart(s, vertex, 0, to) != 0)
+        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_apart(s, by, vertex, 0, to) != 0)
             return -1;
     }
     return 0;
 }
 
-static int add_edges(const self_collision *s, int t, int u, self_pairs *to) {
+static int add_edges(const self_collision *s, const self_search *by, int t, int u, self_pairs *to) {
     const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
     for (int p = 0; p < 3; p++)
         for (int q = 0; q < 3; q++) {
             const int vertex[4] = {a[p], a[(p + 1) % 3], b[q], b[(q + 1) % 3]};
             if ((s->grid.owned[t] >> (3 + p) & 1) != 0 && (s->grid.owned[u] >> (3 + q) & 1) != 0 &&
-                add_if_apart(s, vertex, 1, to) != 0)
+                add_if_apart(s, by, vertex, 1, to) != 0)
                 return -1;
         }
     return 0;
@@ -243,7 +280,8 @@ static int meet_here(const self_collision *s, const self_entry *a, const self_en
 }
 
 /* The pairs of some buckets. 0, or -1: out of memory. */
-static int find_in(const self_collision *s, int bucket, int end, double size, self_pairs *to) {
+static int find_in(const self_collision *s, const self_search *by, int bucket, int end, double size,
+                   self_pairs *to) {
     to->count = 0;
     for (; bucket < end; bucket++)
         for (int i = s->grid.start[bucket]; i < s->grid.start[bucket + 1]; i++)
@@ -253,8 +291,8 @@ static int find_in(const self_collision *s, int bucket, int end, double size, se
                 if (t == u || (t >= s->bodies_from && u >= s->bodies_from) ||
                     !meet_here(s, a, b, size))
                     continue;
-                if (add_vertices(s, t, u, to) != 0 || add_vertices(s, u, t, to) != 0 ||
-                    add_edges(s, t, u, to) != 0)
+                if (add_vertices(s, by, t, u, to) != 0 || add_vertices(s, by, u, t, to) != 0 ||
+                    add_edges(s, by, t, u, to) != 0)
                     return -1;
             }
     return 0;
@@ -284,7 +322,9 @@ static int join(self_collision *s) {
     return 0;
 }
 
-int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
+int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3],
+                   double within) {
+    const self_search by = {h, within, x, v};
     double size;
     int failed = 0;
     s->pair_count = 0;
@@ -295,7 +335,7 @@ int self_grid_find(self_collision *s, double h, const double (*x)[3], const doub
         return -1;
 #pragma omp parallel for schedule(dynamic) reduction(| : failed)
     for (int part = 0; part < SELF_PARTS; part++)
-        failed |= find_in(s, self_part_start(buckets, part), self_part_start(buckets, part + 1),
-                          size, &s->grid.part[part]) != 0;
+        failed |= find_in(s, &by, self_part_start(buckets, part),
+                          self_part_start(buckets, part + 1), size, &s->grid.part[part]) != 0;
     return failed ? -1 : join(s);
 }

@@ -4,6 +4,33 @@
 #include "nearest.h"
 #include "self_collision.h"
 
+void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
+                      double start[4][3], double end[4][3]) {
+    for (int k = 0; k < 4; k++)
+        for (int a = 0; a < 3; a++) {
+            start[k][a] = x[pair->vertex[k]][a];
+            end[k][a] = start[k][a] + (h * v[pair->vertex[k]][a]);
+        }
+}
+
+int self_pair_stays_apart(const self_pair *pair, double apart, double h, const double (*x)[3],
+                          const double (*v)[3]) {
+    const int firsts = pair->is_edges ? 2 : 1;
+    for (int a = 0; a < 3; a++) {
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (int k = 0; k < 4; k++) {
+            const int side = k >= firsts;
+            const double start = x[pair->vertex[k]][a], end = start + h * v[pair->vertex[k]][a];
+            const double least = start < end ? start : end, most = start < end ? end : start;
+            low[side] = least < low[side] ? least : low[side];
+            high[side] = most > high[side] ? most : high[side];
+        }
+        if (low[0] > high[1] + apart || low[1] > high[0] + apart)
+            return 1;
+    }
+    return 0;
+}
+
 static double clamp(double value) {
     return value < 0 ? 0 : (value > 1 ? 1 : value);
 }

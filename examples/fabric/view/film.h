@@ -3,7 +3,7 @@
 #ifndef FABRIC_VIEW_FILM_H
 #define FABRIC_VIEW_FILM_H
 
-#include "output/frames.h"
+#include "view/frames.h"
 #include "view/picture.h"
 
 typedef struct film film;

@@ -8,8 +8,8 @@
 #ifndef FABRIC_VIEW_GLTF_H
 #define FABRIC_VIEW_GLTF_H
 
-#include "output/cloth_frames.h"
 #include "scene/scene.h"
+#include "view/cloth_frames.h"
 
 /* What readers are known to take: more morph targets than a graphics card has layers of textures,
  * or more bytes, they do not. */

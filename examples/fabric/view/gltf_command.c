@@ -6,8 +6,8 @@
 #include <strings.h>
 
 #include "base/files.h"
-#include "output/run_frames.h"
 #include "view/gltf.h"
+#include "view/run_frames.h"
 #include "view/view.h"
 
 enum { OUTPUT };

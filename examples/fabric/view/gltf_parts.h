@@ -8,8 +8,8 @@
 
 #include "base/vector.h"
 #include "contact/motion.h"
-#include "output/cloth_frames.h"
 #include "scene/scene.h"
+#include "view/cloth_frames.h"
 
 /** Least and greatest coordinates of a list of points, in glTF's axes, as floats. */
 typedef struct bounds {

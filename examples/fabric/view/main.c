@@ -5,7 +5,8 @@
 #include "view/view.h"
 
 int main(int argc, char **argv) {
-    static const command *const commands[] = {&render_command, &film_command, &gltf_command};
+    static const command *const commands[] = {&render_command, &film_command, &gltf_command,
+                                              &export_command, &plot_command};
     return program_run("Shows the frames of a run.", commands, sizeof commands / sizeof *commands,
                        argc, argv);
 }

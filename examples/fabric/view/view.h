@@ -8,6 +8,8 @@
 extern const command render_command;
 extern const command film_command;
 extern const command gltf_command;
+extern const command export_command;
+extern const command plot_command;
 
 /** --width or --height of pictures, in pixels, made even: halving them, and films, want that. 0, or
  *  -1 after a message. */

@@ -68,7 +68,7 @@ static void zones_are_rigid(void **state) {
         const double(*x)[3] = (const double(*)[3])on.m.position;
         const movable of = {on.sim->cloth.mass, &on.sim->collisions};
         assert_int_equal(self_collision_init(&s, &on.m, 0.005, 0, 0.02), 0);
-        assert_int_equal(self_grid_find(&s, 0.02, x, (const double(*)[3])v), 0);
+        assert_int_equal(self_grid_find(&s, 0.02, x, (const double(*)[3])v, INFINITY), 0);
         const motion_sum had = sum_of(&on, x, (const double(*)[3])before);
         assert_int_equal(impact_zones_make(&s, &of, 0.02, x, v, &work), 0);
         assert_int_equal(s.left, 0);
@@ -111,7 +111,7 @@ static void held_zones_go_with_what_holds_them(void **state) {
     const double(*x)[3] = (const double(*)[3])on.m.position;
     const movable of = {on.sim->cloth.mass, &on.sim->collisions};
     assert_int_equal(self_collision_init(&s, &on.m, 0.005, 0, 0.02), 0);
-    assert_int_equal(self_grid_find(&s, 0.02, x, (const double(*)[3])v), 0);
+    assert_int_equal(self_grid_find(&s, 0.02, x, (const double(*)[3])v, INFINITY), 0);
     assert_int_equal(impact_zones_make(&s, &of, 0.02, x, v, &work), 0);
     assert_int_equal(s.left, 0);
     for (int i = 0; i < 6; i++)
@@ -140,7 +140,8 @@ static void grid_follows_ways(void **state) {
                 x[i][a] = 0.1 * random_number(&seed) + (i > 2 && a == 2 ? 0.3 : 0);
                 v[i][a] = i > 2 && a == 2 ? 0.6 * random_number(&seed) : 0;
             }
-        assert_int_equal(self_grid_find(&s, 1, (const double(*)[3])x, (const double(*)[3])v), 0);
+        assert_int_equal(
+            self_grid_find(&s, 1, (const double(*)[3])x, (const double(*)[3])v, INFINITY), 0);
         const int vertex[4] = {3, 0, 1, 2};
         for (int k = 0; k < 4; k++)
             for (int a = 0; a < 3; a++) {
@@ -299,8 +300,10 @@ static void pushed_by_a_ball(double friction, double pushed[3]) {
                      .friction = friction,
                      .gap = 0.002};
     stage on = stage_of(cloth_of(3, material, 1, triangle), cloth_scene());
-    on.s.colliders = &ball;
-    on.s.collider_count = 1;
+    collider two[2] = {ball, ball}; /* the first one beside it */
+    two[0].position[0] += 0.2;
+    on.s.colliders = two;
+    on.s.collider_count = 2;
     stage_begin(&on);
     const double(*x)[3] = (const double(*)[3])on.m.position, h = 0.02;
     double v[3][3] = {{0}}, work = 0;

@@ -72,7 +72,8 @@ static void test_grid_misses_no_pair(void **state) {
         for (int i = 0; i < m.vertex_count; i++) /* in other cells than before */
             for (int a = 0; a < 3; a++)
                 x[i][a] += 3.7 * seed * (a + 1);
-        assert_int_equal(self_grid_find(&s, h, (const double(*)[3])x, (const double(*)[3])v), 0);
+        assert_int_equal(
+            self_grid_find(&s, h, (const double(*)[3])x, (const double(*)[3])v, INFINITY), 0);
         int vertices = 0, expected = 0;
         for (int n = 0; n < s.pair_count; n++)
             vertices += !s.pair[n].is_edges;
@@ -110,9 +111,11 @@ static void test_not_finite_is_refused(void **state) {
     double(*x)[3] = cloth_moved(&m, 0.1, 1), (*v)[3] = cloth_moved(&m, 1, 2);
     assert_int_equal(self_collision_init(&s, &m, 0.01, 0, 0.1), 0);
     v[3][1] = INFINITY;
-    assert_int_equal(self_grid_find(&s, 0.1, (const double(*)[3])x, (const double(*)[3])v), -1);
+    assert_int_equal(
+        self_grid_find(&s, 0.1, (const double(*)[3])x, (const double(*)[3])v, INFINITY), -1);
     v[3][1] = 1e200;
-    assert_int_equal(self_grid_find(&s, 0.1, (const double(*)[3])x, (const double(*)[3])v), 0);
+    assert_int_equal(
+        self_grid_find(&s, 0.1, (const double(*)[3])x, (const double(*)[3])v, INFINITY), 0);
     free(x);
     free(v);
     self_collision_free(&s);

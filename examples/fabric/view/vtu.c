@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "output/vtu.h"
+#include "view/vtu.h"
 
 #include "output/fresh_file.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Frames of a cloth, wherever they come from, for what writes them in a format of other programs.
  */
-#ifndef FABRIC_OUTPUT_CLOTH_FRAMES_H
-#define FABRIC_OUTPUT_CLOTH_FRAMES_H
+#ifndef FABRIC_VIEW_CLOTH_FRAMES_H
+#define FABRIC_VIEW_CLOTH_FRAMES_H
 
 #include "output/state.h"
 

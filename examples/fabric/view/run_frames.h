@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The frames of a run, for what writes them in a format of other programs. */
-#ifndef FABRIC_OUTPUT_RUN_FRAMES_H
-#define FABRIC_OUTPUT_RUN_FRAMES_H
+#ifndef FABRIC_VIEW_RUN_FRAMES_H
+#define FABRIC_VIEW_RUN_FRAMES_H
 
-#include "output/cloth_frames.h"
-#include "output/frames.h"
+#include "view/cloth_frames.h"
+#include "view/frames.h"
 
 /** The frames in a run's folder. */
 typedef struct run_frames {

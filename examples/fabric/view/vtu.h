@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Frames of a run as VTK XML files for ParaView, one file per frame. Temporary files are
  *  renamed when all are complete. Functions return 0, or -1 after a message on standard error. */
-#ifndef FABRIC_OUTPUT_VTU_H
-#define FABRIC_OUTPUT_VTU_H
+#ifndef FABRIC_VIEW_VTU_H
+#define FABRIC_VIEW_VTU_H
 
-#include "output/cloth_frames.h"
+#include "view/cloth_frames.h"
 
 /** A frame as an unstructured grid, ASCII. */
 int vtu_write(const cloth_frames *frames, const state *s, const char *path);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The states of `run` in DIR/frames; the first contains the triangles. */
-#ifndef FABRIC_OUTPUT_FRAMES_H
-#define FABRIC_OUTPUT_FRAMES_H
+#ifndef FABRIC_VIEW_FRAMES_H
+#define FABRIC_VIEW_FRAMES_H
 
 #include "base/files.h"
 #include "output/state.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "output/frames.h"
+#include "view/frames.h"
 
 #include <stdio.h>
 #include <stdlib.h>

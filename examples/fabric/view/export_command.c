@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric export: the frames of a run for ParaView. */
+/* fabric-view export: the frames of a run for ParaView. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "base/files.h"
-#include "commands/commands.h"
-#include "output/run_frames.h"
-#include "output/vtu.h"
+#include "view/run_frames.h"
+#include "view/view.h"
+#include "view/vtu.h"
 
 enum { OUTPUT };
 static const option export_options[] = {
@@ -60,21 +60,14 @@ static int export_run(const char *folder, const char *given) {
 static int run(const command *self, int argc, char **argv) {
     options o = {self, argc, argv, 0, NULL, 0};
     const char *folder = NULL, *given = NULL;
-    for (int next; (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case OUTPUT:
-            given = o.value;
-            break;
-        case OPTIONS_WORD:
-            if (folder)
-                return options_complain(self, "one folder at a time, not '%s' as well", o.value);
-            folder = o.value;
-            break;
-        case OPTIONS_HELP:
+    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
+        if (next == OPTIONS_HELP)
             return EXIT_SUCCESS;
-        default:
+        if (next == OPTIONS_WRONG || (next == OPTIONS_WORD && take_folder(&o, &folder) != 0))
             return EXIT_USAGE;
-        }
+        if (next == OUTPUT)
+            given = o.value;
+    }
     if (!folder)
         return options_complain(self, "which folder? %s", self->synopsis);
     return export_run(folder, given) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "output/run_frames.h"
+#include "view/run_frames.h"
 
 #include <stdio.h>
 #include <stdlib.h>
