@@ -3,6 +3,7 @@
 // an inner one. If none does the loop runs in parallel; if one does, at the first iteration, in the middle, at
 // the last, the result is that of the sequential loop, and messages appear in their places.
 // INTEGERS: no
+// COMPILERS: gcc clang-19
 #include <assert.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -16,7 +17,7 @@ static int k[N + 4];
 static double h[M], w[N];
 static int limit = 1 << 30, most = N;
 
-__attribute__((noipa)) static int by_return(int n) {
+__attribute__((noinline)) static int by_return(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int i = k[t];
         if (i < 0)
@@ -26,7 +27,7 @@ __attribute__((noipa)) static int by_return(int n) {
     return 1;
 }
 
-__attribute__((noipa)) static int by_break(int n) {
+__attribute__((noinline)) static int by_break(int n) {
     int t;
     for (t = 0; t < n; t++) { // EXPECT: transformed
         if (k[t] < 0)
@@ -36,7 +37,7 @@ __attribute__((noipa)) static int by_break(int n) {
     return t;
 }
 
-__attribute__((noipa)) static int by_goto(int n) {
+__attribute__((noinline)) static int by_goto(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         double v = w[t];
         if (v > 1e9) {
@@ -50,7 +51,7 @@ fail:
     return 7;
 }
 
-__attribute__((noipa)) static int from_inside(int n) {
+__attribute__((noinline)) static int from_inside(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int c = 0; c < 3; c++) {
             int i = k[t + c];
@@ -61,7 +62,7 @@ __attribute__((noipa)) static int from_inside(int n) {
     return -1;
 }
 
-__attribute__((noipa)) static void by_exit(int n) {
+__attribute__((noinline)) static void by_exit(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int i = k[t];
         if (i > limit) {
@@ -76,7 +77,7 @@ __attribute__((noipa)) static void by_exit(int n) {
 }
 
 /* What leads past a condition leads past what traps in it. */
-__attribute__((noipa)) static int by_quotient(int n) {
+__attribute__((noinline)) static int by_quotient(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const int i = k[t];
         if (w[t] * 2.0 < 0.5 || i < 0)
@@ -93,7 +94,7 @@ static int checked(int i) {
     return i;
 }
 
-__attribute__((noipa)) static void by_assert(int n) {
+__attribute__((noinline)) static void by_assert(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int i = k[t];
         assert(i > -100);

@@ -37,12 +37,29 @@ typedef struct token_ends {
     uint32_t declaration; /* the same for the last ; or } outside of parentheses */
 } token_ends;
 
+/** Behind the last function's body that ends before `end`; or where the file's text begins. What is
+ * in front of it no answer depends on, and to read it for each function would take long in a long
+ * file. */
+static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
+    const source *file = unit->source;
+    uint32_t last = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *f = unit->functions[i];
+        if (f->is_in_main_file && f->body && f->range.end <= end && f->range.end > last &&
+            file->text[f->range.end - 1] == '}')
+            last = f->range.end;
+    }
+    return last;
+}
+
 /** Those before `end`, without directives and comments. */
 static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     unsigned next = 0, depth = 0;
+    uint32_t at = last_body_before(unit, end);
     token_ends found = {0, 0};
-    uint32_t at = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
+    if (at > 0 && file->text[at - 1] == '}')
+        found = (token_ends){at, at};
     while ((at = source_skip_blanks(file, at, end)) < end) {
         while (next < unit->directive_count && unit->directives[next].range.end <= at)
             next++;

@@ -34,10 +34,16 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
     return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
-/** If an iteration leaves the loop, nothing has been executed, and the original loop runs. */
+/** If an iteration leaves the loop, nothing has been executed, and the original loop runs. Of a
+ *  comparison in parentheses clang warns. */
 static void write_exit(inspector *self, const loop_exit *exit) {
-    writer_line(self->printer.out, "if (%s(%s)) REDCC_LEAVE", exit->is_negated ? "!" : "",
-                log_row_text(self, exit->rest->children[0]));
+    const ir_node *condition = exit->rest->children[0];
+    const char *operand = log_row_text(self, condition);
+    const char *text = text_expression(self->loop->arena, condition, inspector_note_variable, self);
+    if (exit->is_negated)
+        writer_line(self->printer.out, "if (!%s) REDCC_LEAVE", operand);
+    else if (text)
+        writer_line(self->printer.out, "if (%s) REDCC_LEAVE", text);
 }
 
 static bool before_statement(printer *p, const ir_node *statement) {
