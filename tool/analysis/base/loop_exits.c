@@ -128,9 +128,11 @@ static bool has_message(const ir_node *node, unsigned depth) {
     return false;
 }
 
-static bool holds_label(const ir_node *node) {
-    return ir_has_kind(node, IR_LABEL) || ir_has_kind(node, IR_CASE) ||
-           ir_has_kind(node, IR_DEFAULT);
+static bool is_with_message(const ir_node *statement) {
+    const ir_node *branch = statement->children[1];
+    return expression_is_plain(statement->children[0]) && has_message(branch, 0) &&
+           !ir_has_kind(branch, IR_LABEL) && !ir_has_kind(branch, IR_CASE) &&
+           !ir_has_kind(branch, IR_DEFAULT);
 }
 
 /* ---- exits of the loop ---------------------------------------------------------------------- */
@@ -207,12 +209,7 @@ static void look(search *s, ir_node *node, bool break_leaves) {
         return;
     }
     if (node->kind == IR_IF && node->child_count == 2 &&
-        branch_leaves(node->children[1], break_leaves)) {
-        add(s, node, node->children[0], false);
-        return;
-    }
-    if (node->kind == IR_IF && node->child_count == 2 && !holds_label(node->children[1]) &&
-        expression_is_plain(node->children[0]) && has_message(node->children[1], 0)) {
+        (branch_leaves(node->children[1], break_leaves) || is_with_message(node))) {
         add(s, node, node->children[0], false);
         return;
     }
