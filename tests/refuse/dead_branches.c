@@ -29,7 +29,9 @@ static int unlike(int t) {
 void by_results(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
         int ok = differs(t);
-        if (!ok)
+        if (ok)
+            h[0] += 1.0;
+        else
             printf("%d\n", t);
         h[k[t]] += v[t];
     }
@@ -45,7 +47,9 @@ void by_values(int n, const int *k, double *h, const double *v) {
 
 void by_another_definition(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
-        if (!replaceable(t))
+        if (replaceable(t))
+            h[0] += 1.0;
+        else
             printf("%d\n", t);
         h[k[t]] += v[t];
     }
@@ -66,7 +70,9 @@ void changed_between(int n, const int *k, double *h, const double *v) {
         int ok = one(t);
         if (v[t] < 0)
             ok = 0;
-        if (!ok)
+        if (ok)
+            h[0] += 1.0;
+        else
             puts("negative");
         h[k[t]] += v[t];
     }
@@ -77,7 +83,9 @@ void through_a_pointer(int n, const int *k, double *h, const double *v) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
         ok = one(t);
         *status = v[t] > 0;
-        if (!ok)
+        if (ok)
+            h[0] += 1.0;
+        else
             puts("negative");
         h[k[t]] += v[t];
     }
@@ -90,7 +98,9 @@ void past_the_assignment(int n, const int *k, double *h, const double *v) {
             goto behind;
         ok = one(t);
     behind:
-        if (!ok)
+        if (ok)
+            h[0] += 1.0;
+        else
             puts("negative");
         h[k[t]] += v[t];
         ok = 0;
@@ -100,7 +110,9 @@ void past_the_assignment(int n, const int *k, double *h, const double *v) {
 void of_the_iteration_before(int n, const int *k, double *h, const double *v) {
     int ok = one(0);
     for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
-        if (!ok)
+        if (ok)
+            h[0] += 1.0;
+        else
             puts("negative");
         ok = v[t] > 0;
         h[k[t]] += v[t];
@@ -113,7 +125,9 @@ void in_a_later_case(int n, const int *k, double *h, const double *v) {
         switch (k[t] & 1) {
             ok = one(t);
         case 0:
-            if (!ok)
+            if (ok)
+                h[0] += 1.0;
+            else
                 puts("even");
         }
         h[k[t]] += v[t];

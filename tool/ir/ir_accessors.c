@@ -248,13 +248,32 @@ static void simplify_sum(accessors *a, ir_node *node) {
     element->children[1] = subscript;
 }
 
+/* *a of an array becomes a[0]. */
+static void simplify_array(accessors *a, ir_node *node) {
+    ir_type *type = ARENA_NEW(a->memory, ir_type);
+    ir_scalar_type(type, ir_scalar_named("int", 3));
+    ir_node *first = ir_new(a->memory, IR_NUMBER, type, 0);
+    first->text = "0";
+    first->range = node->range;
+    first->flags = IR_FROM_MACRO | IR_HAS_VALUE;
+    ir_node *array = node->children[0];
+    node->kind = IR_INDEX;
+    node->op = IR_OP_NONE;
+    node->child_count = 2;
+    node->children = ARENA_ARRAY(a->memory, ir_node *, 2);
+    node->children[0] = array;
+    node->children[1] = first;
+}
+
 static void simplify(accessors *a, ir_node *node, bool is_of_accessor) {
     const ir_node *pointer = node->child_count ? node->children[0] : NULL;
     const bool is_arrow = node->kind == IR_MEMBER && (node->flags & IR_ARROW);
     const bool is_dereference = node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
     if (!is_arrow && !is_dereference)
         return;
-    if (is_sum_of_pointer(pointer))
+    if (is_dereference && pointer->type && pointer->type->kind == IR_ARRAY)
+        simplify_array(a, node);
+    else if (is_sum_of_pointer(pointer))
         simplify_sum(a, node);
     else if (is_of_accessor && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
         simplify_address(node);

@@ -18,7 +18,7 @@
  *  effects; the arguments have none either. It is defined before the caller, and no variable of the
  *  caller hides a file-scope name in the expression. The new nodes have the range of the call,
  *  whose bytes cannot be edited in parts: IR_FROM_MACRO. Then writes *(p + k) as p[k], and (p +
- * k)->m as p[k].m: *(p + i - k) is p[(long)i - k]. */
+ * k)->m as p[k].m: *(p + i - k) is p[(long)i - k], and *a of an array is a[0]. */
 void ir_look_through_accessors(ir_unit *unit);
 
 #endif

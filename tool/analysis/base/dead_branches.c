@@ -110,6 +110,18 @@ static const ir_node *assigned_in(const ir_node *node, const ir_variable *variab
                : NULL;
 }
 
+static const ir_node *declared_value(const ir_node *declaration, const ir_variable *variable) {
+    const ir_node *value = NULL;
+    for (unsigned i = 0; i < declaration->child_count; i++) {
+        const ir_node *declarator = declaration->children[i];
+        if (declarator->variable == variable && declarator->child_count)
+            value = declarator->children[0];
+        else if (may_interfere(declarator, variable))
+            return NULL;
+    }
+    return value;
+}
+
 /* What the statement assigns to the variable, whatever it had before; NULL: it may assign something
  * else. */
 static const ir_node *assigned_by(const ir_node *statement, const ir_variable *variable) {
@@ -117,9 +129,7 @@ static const ir_node *assigned_by(const ir_node *statement, const ir_variable *v
     if (statement->kind == IR_EXPRESSION)
         return assigned_in(first, variable);
     if (statement->kind == IR_DECLARATION)
-        return statement->child_count == 1 && first->variable == variable && first->child_count
-                   ? first->children[0]
-                   : NULL;
+        return declared_value(statement, variable);
     if (statement->kind != IR_IF)
         return NULL;
     for (unsigned i = 1; i < statement->child_count; i++)

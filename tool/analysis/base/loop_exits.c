@@ -115,6 +115,7 @@ static bool is_stateful(const ir_function *function) {
     return deed && strncmp(deed, "writes memory", 13) != 0;
 }
 
+/* Not one behind another condition of the loop's text, which is looked at by itself. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;
@@ -122,7 +123,8 @@ static bool has_message(const ir_node *node, unsigned depth) {
                            : is_stateful(function))
             return true;
     }
-    for (unsigned i = 0; i < node->child_count; i++)
+    const unsigned count = node->kind == IR_IF && depth == 0 ? 1 : node->child_count;
+    for (unsigned i = 0; i < count; i++)
         if (has_message(node->children[i], depth))
             return true;
     return false;
