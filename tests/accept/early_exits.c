@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Iterations that may leave the loop: by return, break, goto, exit, an assertion, from the loop itself and from
-// an inner one. If none does the loop runs in parallel; if one does, at the first iteration, in the middle, at
+// an inner one; and iterations with a message that go on. If none does the loop runs in parallel; if one does, at the first iteration, in the middle, at
 // the last, the result is that of the sequential loop, and messages appear in their places.
 // INTEGERS: no
 // COMPILERS: gcc clang-19
@@ -103,9 +103,36 @@ __attribute__((noinline)) static void by_assert(int n) {
     }
 }
 
+static int warnings;
+
+static void warn(const char *where, int t) {
+    fprintf(stdout, "%s: %d\n", where, t);
+}
+
+/* They go on after the message. */
+__attribute__((noipa)) static int by_message(int n) {
+    int here = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int i = k[t];
+        if (w[t] > 1e9) {
+            printf("iteration %d: %g, %g before\n", t, w[t], h[5]);
+            warnings++;
+            here = t;
+        }
+        for (int c = 0; c < 2; c++) {
+            if (k[t + c] < -5)
+                warn("subscript", t);
+            h[i < 0 ? 3 : i] += w[t] * c;
+        }
+    }
+    return here;
+}
+
 static void run(const char *name) {
-    int results[5];
+    int results[7];
     by_assert(N);
+    results[5] = by_message(N);
+    results[6] = warnings;
     results[0] = by_return(N);
     results[1] = by_break(N);
     results[2] = by_goto(N);

@@ -166,3 +166,33 @@ gcc $flags -c other/noise.c -o other_noise.o
 gcc $flags main.c user.c value.c inner.c other/noise.c -o wanted
 link main.c both.o value.o inner.o other_noise.o
 check "another function, of another loop" yes
+
+# a message that is never printed, by the constant that the function returned when it was seen
+cat >>value.h <<'C'
+int status(int i);
+C
+cat >status.c <<'C'
+int status(int i) { return i < 0 ? 1 : 1; }
+C
+cat >user.c <<'C'
+#include <stdio.h>
+#include "value.h"
+void run(int n, const int *s, const double *x, double *y)
+{
+    for (int t = 0; t < n; t++) {
+        int ok = status(t);
+        if (!ok)
+            printf("problems in %d: %a\n", t, y[s[t]]);
+        y[s[t]] += x[t];
+    }
+}
+C
+sed 's/1 : 1/1 : i % 5000 != 7/' status.c >other/status.c
+for name in user status; do object $name $name.o; done
+gcc $flags -c other/status.c -o other_status.o
+gcc $flags main.c user.c status.c -o wanted
+link main.c user.o status.o
+check "a function that always succeeds" yes
+gcc $flags main.c user.c other/status.c -o wanted
+link main.c user.o other_status.o
+check "one that fails" no

@@ -187,6 +187,17 @@ make CC="$redcc_cc" >log 2>&1 || fail "changed user: $(cat log)"
 run_at_all_threads ./program "assemble bins forces histogram"
 end
 
+begin "a part of a repository that is too large to be read"
+mkdir .git other part
+for i in $(seq 601); do echo "int other$i;" >"other/o$i.c"; done
+cd part
+make_sources
+sequential
+for name in src/*.c; do "$redcc_cc" -O1 -Iinclude -c "$name"; done
+"$redcc_cc" ./*.o -o program
+run_at_all_threads ./program "assemble bins forces histogram"
+end
+
 begin "CMake, a library and a program, optimisation when linking"
 make_sources
 cat >CMakeLists.txt <<'END'

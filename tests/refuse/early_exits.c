@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Iterations that leave the loop in ways that cannot be found before: by updated data, by a condition with effects, by a message
-// that does not end the program, by a sum.
+// Iterations that leave the loop in ways that cannot be found before: by updated data, by a condition with effects, by a sum. The
+// same of messages; and messages that always come, or are one of two branches.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -23,10 +23,26 @@ void by_effect(int n, const int *k, double *h, const double *v) {
 }
 
 void goes_on(int n, const int *k, double *h, const double *v) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
-        if (v[t] < 0)
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        if (h[k[t]] < 0)
             fprintf(stderr, "iteration %d\n", t);
         h[k[t]] += v[t];
+    }
+}
+
+void always(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
+        fprintf(stderr, "iteration %d\n", t);
+        h[k[t]] += v[t];
+    }
+}
+
+void one_or_the_other(int n, const int *k, double *h, const double *v) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
+        if (v[t] < 0)
+            h[k[t]] += v[t];
+        else
+            fprintf(stderr, "iteration %d\n", t);
     }
 }
 

@@ -61,7 +61,8 @@ static bool list_folder(listing *all, const char *folder, int depth) {
 static bool describes_build(arena *a, const char *folder) {
     static const char *const names[] = {
         "Makefile",     "makefile",    "GNUmakefile", "CMakeLists.txt", "meson.build",
-        "configure.ac", "Makefile.am", "SConstruct",  "BUILD.bazel",    "compile_commands.json"};
+        "configure.ac", "Makefile.am", "SConstruct",  "BUILD.bazel",    "compile_commands.json",
+        ".git"};
     for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
         if (access(arena_format(a, "%s/%s", folder, names[i]), F_OK) == 0)
             return true;
@@ -84,10 +85,23 @@ static const char *root_of(arena *a, const char *folder) {
     return root;
 }
 
+/* The folder below `root` that leads to `folder`. */
+static const char *one_further(arena *a, const char *root, const char *folder) {
+    const size_t length = strlen(root);
+    const char *end = strchr(folder + length + 1, '/');
+    return end ? arena_copy(a, folder, (size_t)(end - folder)) : folder;
+}
+
+/* All below the root; if these are too many, below the largest folder around the source that is
+ * not too large; else those in the source's own folder. */
 static path_list list_files(arena *a, const char *folder) {
-    const char *root = root_of(a, folder);
     listing all = {.memory = a, .is_recursive = true};
-    if (!root || !list_folder(&all, root, 0)) {
+    const char *root = root_of(a, folder);
+    while (root && !list_folder(&all, root, 0)) {
+        all = (listing){.memory = a, .is_recursive = true};
+        root = strcmp(root, folder) == 0 ? NULL : one_further(a, root, folder);
+    }
+    if (!root) {
         all = (listing){.memory = a};
         if (!list_folder(&all, folder, 0))
             all.files.count = 0;

@@ -37,8 +37,8 @@ typedef struct project {
 } project;
 
 /** The sources of the project that contains `path`: all below the outermost enclosing folder with a
- *  build description. If the project is too large, only the source's own folder; if that is too
- *  large as well, no files. */
+ *  build description or a repository. If the project is too large, those below the largest folder
+ *  around the source that is not; else those in the source's own folder, or none. */
 project *project_around(arena *a, const char *path);
 
 /** A file other than the source that defines an external function of this name. Among several, the

@@ -273,6 +273,9 @@ enum {
     IR_COMPOUND_LITERAL = 16, /* of IR_INITIALIZERS */
     IR_SEQUENCE = 64, /* of a block: it is a comma expression used as a statement. Its parts, all
                        * IR_FROM_MACRO, have its range, without the `;` */
+    IR_DEAD = 128,    /* of an empty block (child_count is 0): it replaces a statement that is never
+                       * executed (analysis/base/dead_branches.h), whose bytes copies leave out.
+                       * children[0] is the statement, which the text form shows */
     IR_FROM_CALL = 32 /* it replaces a call that reaches variables which the call's text does not
                        * name (ir_accessors.h): the text cannot be copied to a place with other
                        * variables or other memory. IR_FROM_MACRO too */

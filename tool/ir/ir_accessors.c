@@ -4,6 +4,8 @@
 #include <assert.h>
 #include <string.h>
 
+#include "ir/ir_words.h"
+
 enum { MOST_NODES = 200 }; /* of one address; calls within arguments multiply them */
 
 typedef enum progress { UNSEEN, BEGUN, DONE } progress;
@@ -165,28 +167,10 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     return copy;
 }
 
-/* *&x becomes x, (&x)->m becomes x.m, *(p + k) becomes p[k]. */
-static void simplify(accessors *a, ir_node *node) {
-    ir_node *pointer = node->child_count ? node->children[0] : NULL;
-    const bool is_arrow = node->kind == IR_MEMBER && (node->flags & IR_ARROW);
-    const bool is_dereference = node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
-    if (!is_arrow && !is_dereference)
-        return;
-    ir_node *object = NULL;
-    if (pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS) {
-        object = pointer->children[0];
-    } else if (pointer->kind == IR_BINARY && pointer->op == IR_OP_ADD &&
-               pointer->type->kind == IR_POINTER) {
-        const ir_type *left = pointer->children[0]->type;
-        const unsigned base = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
-        object = ir_new(a->memory, IR_INDEX, pointer->type->target, 2);
-        object->children[0] = pointer->children[base];
-        object->children[1] = pointer->children[1 - base];
-        stand_for(object, pointer->range, pointer->flags & (IR_FROM_MACRO | IR_FROM_CALL));
-    }
-    if (!object)
-        return;
-    if (is_arrow) {
+/* Of an address that was put in: *&x becomes x, (&x)->m becomes x.m. */
+static void simplify_address(ir_node *node) {
+    ir_node *object = node->children[0]->children[0];
+    if (node->kind == IR_MEMBER) {
         node->flags &= ~(unsigned)IR_ARROW;
         node->children[0] = object;
         return;
@@ -194,6 +178,105 @@ static void simplify(accessors *a, ir_node *node) {
     const ir_range range = node->range;
     *node = *object;
     stand_for(node, range, 0);
+}
+
+/* ---- sums of pointers ------------------------------------------------------------------------ */
+
+static bool is_sum_of_pointer(const ir_node *node) {
+    return node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT) &&
+           node->type && node->type->kind == IR_POINTER && node->type->target &&
+           node->type->target->kind != IR_VOID && node->type->target->kind != IR_FUNCTION_TYPE &&
+           node->children[0]->type && node->children[1]->type;
+}
+
+/* Of the width of addresses, so that sums are those of the pointers. */
+static ir_node *as_long(accessors *a, ir_node *number) {
+    if (number->type->kind == IR_INTEGER && number->type->is_signed && number->type->size == 8)
+        return number;
+    ir_type *type = ARENA_NEW(a->memory, ir_type);
+    ir_scalar_type(type, ir_scalar_named("long", 4));
+    ir_node *cast = ir_new(a->memory, IR_CAST, type, 1);
+    cast->children[0] = number;
+    cast->range = number->range;
+    cast->flags = IR_FROM_MACRO;
+    return cast;
+}
+
+/* p for p + e - f + ..., and e - f + ... in *subscript. */
+static ir_node *taken_apart(accessors *a, ir_node *sum, ir_node **subscript) {
+    const ir_type *left = sum->children[0]->type;
+    const unsigned side = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
+    ir_node *base = sum->children[side], *number = sum->children[1 - side];
+    const bool is_less = sum->op == IR_OP_SUBTRACT;
+    ir_node *before = NULL;
+    if (is_sum_of_pointer(base))
+        base = taken_apart(a, base, &before);
+    *subscript = number;
+    if (!before && !is_less)
+        return base;
+    ir_node *first = as_long(a, before ? before : number);
+    ir_node *whole = ir_new(a->memory, before ? IR_BINARY : IR_UNARY, first->type, before ? 2 : 1);
+    whole->op = !before ? IR_OP_MINUS : sum->op;
+    whole->children[0] = first;
+    if (before)
+        whole->children[1] = number;
+    if (before && number->type->size == 8 && !number->type->is_signed)
+        whole->type = number->type;
+    whole->range = sum->range;
+    whole->flags = IR_FROM_MACRO;
+    *subscript = whole;
+    return base;
+}
+
+/* *(p + k) becomes p[k], (p + k)->m becomes p[k].m, with one subscript for several summands: the
+ * analysis knows one form. */
+static void simplify_sum(accessors *a, ir_node *node) {
+    ir_node *sum = node->children[0], *subscript;
+    ir_node *base = taken_apart(a, sum, &subscript);
+    ir_node *element = node;
+    if (node->kind == IR_MEMBER) {
+        node->flags &= ~(unsigned)IR_ARROW;
+        node->children[0] = element = ir_new(a->memory, IR_INDEX, sum->type->target, 2);
+        element->range = sum->range;
+    }
+    element->flags |= sum->flags & (IR_FROM_MACRO | IR_FROM_CALL);
+    element->kind = IR_INDEX;
+    element->op = IR_OP_NONE;
+    element->child_count = 2;
+    element->children = ARENA_ARRAY(a->memory, ir_node *, 2);
+    element->children[0] = base;
+    element->children[1] = subscript;
+}
+
+/* *a of an array becomes a[0]. */
+static void simplify_array(accessors *a, ir_node *node) {
+    ir_type *type = ARENA_NEW(a->memory, ir_type);
+    ir_scalar_type(type, ir_scalar_named("int", 3));
+    ir_node *first = ir_new(a->memory, IR_NUMBER, type, 0);
+    first->text = "0";
+    first->range = node->range;
+    first->flags = IR_FROM_MACRO | IR_HAS_VALUE;
+    ir_node *array = node->children[0];
+    node->kind = IR_INDEX;
+    node->op = IR_OP_NONE;
+    node->child_count = 2;
+    node->children = ARENA_ARRAY(a->memory, ir_node *, 2);
+    node->children[0] = array;
+    node->children[1] = first;
+}
+
+static void simplify(accessors *a, ir_node *node, bool is_of_accessor) {
+    const ir_node *pointer = node->child_count ? node->children[0] : NULL;
+    const bool is_arrow = node->kind == IR_MEMBER && (node->flags & IR_ARROW);
+    const bool is_dereference = node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
+    if (!is_arrow && !is_dereference)
+        return;
+    if (is_dereference && pointer->type && pointer->type->kind == IR_ARRAY)
+        simplify_array(a, node);
+    else if (is_sum_of_pointer(pointer))
+        simplify_sum(a, node);
+    else if (is_of_accessor && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
+        simplify_address(node);
 }
 
 static void visit(accessors *a, const ir_function *function, ir_node *node) {
@@ -205,8 +288,7 @@ static void visit(accessors *a, const ir_function *function, ir_node *node) {
             node->children[i] = place_of_call(a, function, child);
         has_changed |= node->children[i] != child;
     }
-    if (has_changed)
-        simplify(a, node);
+    simplify(a, node, has_changed);
 }
 
 static void look_through(accessors *a, ir_function *function) {

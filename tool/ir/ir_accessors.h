@@ -4,7 +4,8 @@
  *
  *     static double *slot(struct table *t, int k) { return &t->value[k]; }
  *
- * For the analysis, *slot(t, k) is t->value[k].
+ * For the analysis, *slot(t, k) is t->value[k]. So is *(t->value + k), with or without a function:
+ * a sum of a pointer and integers that is dereferenced is a subscript.
  */
 #ifndef IR_ACCESSORS_H
 #define IR_ACCESSORS_H
@@ -16,7 +17,8 @@
  *  and no other definition may replace it. Its body is one return of an expression without side
  *  effects; the arguments have none either. It is defined before the caller, and no variable of the
  *  caller hides a file-scope name in the expression. The new nodes have the range of the call,
- *  whose bytes cannot be edited in parts: IR_FROM_MACRO. */
+ *  whose bytes cannot be edited in parts: IR_FROM_MACRO. Then writes *(p + k) as p[k], and (p +
+ * k)->m as p[k].m: *(p + i - k) is p[(long)i - k], and *a of an array is a[0]. */
 void ir_look_through_accessors(ir_unit *unit);
 
 #endif

@@ -155,6 +155,8 @@ static bool is_implied_statement(const ir_node *node) {
 }
 
 void ir_print_tree(const ir_printer *p, const ir_node *node, unsigned depth) {
+    if (node->flags & IR_DEAD)
+        node = node->children[0];
     char word[16];
     buffer_format(p->out, "(%s", ir_node_word(node, word) ? word : "?");
     print_operands(p, node);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/base/dead_branches.h"
 #include "analysis/base/loop_loads.h"
 #include "analysis/base/reason.h"
 #include "frontend/frontend.h"
@@ -263,8 +264,12 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
 static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
                                             const project *around, const analysis_options *asked) {
     loop_loads_name(unit);
+    dead_branches_take_out(unit);
     const analysis_result alone = analyse(a, unit, asked);
-    return around && imports_add(a, unit, around, flags, &alone) ? analyse(a, unit, asked) : alone;
+    if (!around || !imports_add(a, unit, around, flags, &alone))
+        return alone;
+    dead_branches_take_out(unit);
+    return analyse(a, unit, asked);
 }
 
 /** The text followed by the records of the file's own functions. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/stateful.h"
 
 /* ---- assertions ------------------------------------------------------------------------------ */
 
@@ -92,6 +93,50 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
     return true;
 }
 
+/* ---- branches with messages -------------------------------------------------------------------
+ */
+
+enum { DEEPEST_MESSAGE = 4 }; /* calls of functions within functions */
+
+/* Does it print, allocate or keep state? As its own name, or as a checked variant of a header. */
+static bool is_stateful(const ir_function *function) {
+    char name[32];
+    const char *begin = function->name;
+    begin += strncmp(begin, "__builtin_", 10) == 0 ? 10 : 0;
+    begin += strncmp(begin, "__", 2) == 0 ? 2 : 0;
+    size_t length = strlen(begin);
+    if (length > 4 && strcmp(begin + length - 4, "_chk") == 0)
+        length -= 4;
+    if (length >= sizeof name)
+        return false;
+    memcpy(name, begin, length);
+    name[length] = 0;
+    const char *deed = stateful_deed(name);
+    return deed && strncmp(deed, "writes memory", 13) != 0;
+}
+
+/* Not one behind another condition of the loop's text, which is looked at by itself. */
+static bool has_message(const ir_node *node, unsigned depth) {
+    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
+        const ir_function *function = node->children[0]->function;
+        if (function->body ? depth < DEEPEST_MESSAGE && has_message(function->body, depth + 1)
+                           : is_stateful(function))
+            return true;
+    }
+    const unsigned count = node->kind == IR_IF && depth == 0 ? 1 : node->child_count;
+    for (unsigned i = 0; i < count; i++)
+        if (has_message(node->children[i], depth))
+            return true;
+    return false;
+}
+
+static bool is_with_message(const ir_node *statement) {
+    const ir_node *branch = statement->children[1];
+    return expression_is_plain(statement->children[0]) && has_message(branch, 0) &&
+           !ir_has_kind(branch, IR_LABEL) && !ir_has_kind(branch, IR_CASE) &&
+           !ir_has_kind(branch, IR_DEFAULT);
+}
+
 /* ---- exits of the loop ---------------------------------------------------------------------- */
 
 typedef struct search {
@@ -166,7 +211,7 @@ static void look(search *s, ir_node *node, bool break_leaves) {
         return;
     }
     if (node->kind == IR_IF && node->child_count == 2 &&
-        branch_leaves(node->children[1], break_leaves)) {
+        (branch_leaves(node->children[1], break_leaves) || is_with_message(node))) {
         add(s, node, node->children[0], false);
         return;
     }

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Statements by which an iteration leaves the loop for good: an assertion, or an `if` whose branch
- * ends in exit, abort, return, goto, or a break of the loop.
+ * ends in exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or keeps
+ * state in another way, is treated alike, although it goes on: what it says must stand in its
+ * place.
  *
  * The loop without them is the loop in which none of them leaves. Before any iteration is executed
  * in parallel, one thread evaluates their conditions for all iterations, in order and up to the

@@ -485,6 +485,21 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
+/** What is never executed may name variables that the copy does not get. */
+static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
+    if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
+        print_instead(copy, node->parent);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        print_dead_in_macros(copy, node->children[i]);
+}
+
+static void drop_dead(body_copy *copy, const ir_node *node) {
+    if (node->flags & IR_DEAD && !is_printed(copy, node))
+        replace_bytes(copy, node->range.begin, node->range.end, "{ }");
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        drop_dead(copy, node->children[i]);
+}
+
 /** The body's text, with the user's parts marked. */
 static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
@@ -501,6 +516,7 @@ static const char *copied_text(body_copy *copy) {
         choose_noted(copy, body);
     visit_names(copy, body, print_name_in_macro);
     choose_accessors(copy, body);
+    print_dead_in_macros(copy, body);
     choose_printed_updates(copy);
     choose_printed_nests(copy, body);
     visit_names(copy, body, replace_name);
@@ -515,6 +531,7 @@ static const char *copied_text(body_copy *copy) {
     drop_increment(copy);
     drop_distributed_stores(copy);
     drop_exits(copy);
+    drop_dead(copy, body);
     for (unsigned i = 0; i < copy->printed.count; i++) {
         const ir_node *statement = copy->printed.items[i];
         replace_bytes(copy, statement->range.begin, syntax_statement_end(text, statement),

@@ -49,11 +49,6 @@ static void write_exit(inspector *self, const loop_exit *exit) {
 static bool before_statement(printer *p, const ir_node *statement) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
-    const loop_exit *exit = loop_exit_at(facts->slice.exits, statement);
-    if (exit) {
-        write_exit(self, exit);
-        return true;
-    }
     for (unsigned i = 0; i < facts->source_count; i++) {
         const int number = self->loop->plan->source_number[i];
         if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_LOGGED &&
@@ -61,6 +56,11 @@ static bool before_statement(printer *p, const ir_node *statement) {
             log_read(self, &facts->sources[i], number);
             self->source_logged[i] = true;
         }
+    }
+    const loop_exit *exit = loop_exit_at(facts->slice.exits, statement);
+    if (exit) {
+        write_exit(self, exit);
+        return true;
     }
     self->is_unconditional = is_unconditional(facts, statement);
     const forwarded_store *store = forward_stored_by(facts, statement);
