@@ -70,6 +70,9 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
         return REASON_NO_BINS;
     if (settings->method && settings->method->selects && !(loop->flags & REDCC_SELECTS))
         return REASON_NO_SELECTION;
+    if (settings->method && settings->method->tiles &&
+        (!(loop->flags & REDCC_TILES) || settings->compensated))
+        return REASON_NO_TILES;
     if (forked)
         return REASON_FORKED;
     if (nested)

@@ -201,6 +201,8 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
 static enum reason objection(const struct inspection *inspection, const struct method *method) {
     if (inspection->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
         return REASON_MIXED;
+    if (method->tiles && !redcc_may_be_tiled(inspection))
+        return REASON_NO_TILES;
     if (method->copies != COPY_NONE &&
         !redcc_copies_possible(&inspection->partition, inspection->touched))
         return REASON_NO_COPIES;

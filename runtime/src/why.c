@@ -36,6 +36,7 @@ static const char *const advice[REASON_COUNT] = {
     [REASON_INSPECTOR] = "this is a fault of redcc's: please report it",
     [REASON_NO_BINS] = "name a method with a plan, as localwrite",
     [REASON_NO_SELECTION] = "name localwrite, which makes a plan",
+    [REASON_NO_TILES] = "name localwrite, which makes a plan",
     [REASON_ASSERTION] =
         "link the C library dynamically, and leave SIGABRT and __assert_fail to it",
     [REASON_LEAVES] = "nothing: the loop as it was written runs",

@@ -7,7 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/loop.c" <<'C'
 #include <stdio.h>
-enum { N = 30000, E = 64 };
+enum { N = 30000, E = 64, P = 1800 };
 static unsigned short k[N * E];
 static double h[65536], x[65536];
 struct { int pad; double potential; float narrow; } total;
@@ -35,6 +35,14 @@ int main(void) {
             if (x[k[t * E]] > largest)
                 largest = x[k[t * E]];
         }
+    for (int again = 0; again < 3; again++)
+        for (int i = 0; i < P; i++)
+            for (int j = i + 1; j < P; j++) {
+                const double d = x[i] - x[j];
+                h[i] += d;
+                h[j] = h[j] * 0.5 - d;
+                total.potential -= d * d;
+            }
     double all = 0;
     for (int t = 0; t < 65536; t++)
         all = all * 1.25 + h[t];
@@ -48,12 +56,14 @@ jq -e '[.loops[] | select(.verdict == "transformed" and .line == 15)] | length =
 gcc -O2 -ffp-contract=off loop.c -o sequential
 gcc -O2 -ffp-contract=off -Wl,-u,redcc_run -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
 ./sequential >expected
-for method in localwrite localwrite-direct localwrite-steal wavefront graph-localwrite auto; do
+for method in localwrite localwrite-direct localwrite-steal tiles wavefront graph-localwrite auto; do
     for limit in 4M 9M 20M 4G; do
         OMP_NUM_THREADS=3 REDCC_METHOD=$method REDCC_MEMORY_LIMIT=$limit REDCC_REPORT=run.json ./parallel >found
         cmp expected found || { echo "$method, $limit" >&2; exit 1; }
         [ "$method" != localwrite ] || [ "$limit" = 4M ] ||
             jq -e '.loops[] | select(.line == 15) | .method == "localwrite"' run.json >/dev/null ||
             { echo "$limit: not in parallel" >&2; exit 1; }
+        [ "$method" != tiles ] || jq -e '.loops[] | select(.line == 31) | .method == "tiles"' run.json >/dev/null ||
+            { echo "$limit: not in tiles" >&2; exit 1; }
     done
 done

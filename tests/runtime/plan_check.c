@@ -139,7 +139,7 @@ void check_plan(const struct problem *problem, const struct plan *plan) {
         check_levels(problem, plan);
         return;
     }
-    if (plan->method->selects) /* its threads determine their iterations during execution */
+    if (redcc_goes_without_schedules(plan->method))
         return;
     const size_t cells = (size_t)problem->trip * plan->schedules;
     char *visits = calloc(cells, 1), *guarded = calloc(cells, 1);

@@ -12,6 +12,7 @@
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
+#include "plan/tiles.h"
 
 /** For arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {
@@ -185,6 +186,8 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->facts->slice.may_abort, "REDCC_MAY_ABORT"},
                  {true, "REDCC_SELECTS"},
+                 {loop->outline.tile_call, "REDCC_TILES"},
+                 {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},
                  {leaves_out(loop->plan), "REDCC_PARTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},

@@ -22,6 +22,7 @@
 #include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/place.h"
+#include "plan/tiles.h"
 
 /* ---- heads and calls ----------------------------------------------------------------------- */
 
@@ -179,23 +180,55 @@ static void hand_series(loop_text *loop) {
     buffer_free(&unused.arguments);
 }
 
-static void write_body(loop_text *loop, writer *out) {
+/** Parameters and arguments of the body, and its statements. */
+static const char *write_iteration_for(loop_text *loop, head *h) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
-    head h = {0};
     mark_mentioned(loop, facts->counted.body, is_mentioned);
     loop->outline.possible &= !is_mentioned[loop->unit->variable_count];
     for (unsigned i = 0; i < facts->array_count; i++)
         if (loop->arrays[i].local && facts->arrays[i].base->type->target &&
             !facts->arrays[i].base->type->target->spelling)
             mark_variables(facts->arrays[i].base, is_mentioned); /* the base gives its type */
-    add_variables(loop, is_mentioned, true, &h);
-    add_stand_ins(loop, &h);
+    add_variables(loop, is_mentioned, true, h);
+    add_stand_ins(loop, h);
     writer iteration = {.depth = 1};
     declare_stand_ins(loop, &iteration);
     write_iteration(loop, &iteration);
     const char *text = writer_text(loop->arena, &iteration);
-    for_each_extra(loop, text, add_extra, &h);
+    for_each_extra(loop, text, add_extra, h);
+    return text;
+}
+
+/** The part of an iteration that lies in a tile. If it cannot be written, there are no tiles. */
+static void write_tile_body(loop_text *loop, writer *out) {
+    head h = {0};
+    loop->tiles = loop->lanes.is_wanted || loop->obstacle ? NULL : tiles_of(loop->plan);
+    if (!loop->tiles)
+        return;
+    const char *text = write_iteration_for(loop, &h);
+    const char *parameters = buffer_take(loop->arena, &h.parameters);
+    const char *arguments = buffer_take(loop->arena, &h.arguments);
+    loop->tiles = NULL;
+    if (loop->obstacle) {
+        loop->obstacle = NULL;
+        return;
+    }
+    remember_text(loop, text);
+    loop->outline.tile_call =
+        arena_format(loop->arena, "%s(REDCC_TILE_ARGUMENTS, %s%s)", outlined_name(loop, "tile"),
+                     loop_counter_value(loop), arguments);
+    writer_line(out, "REDCC_BODY %s(REDCC_TILE_PARAMETERS, %s%s) {%s", outlined_name(loop, "tile"),
+                counter_parameter(loop, true), parameters,
+                loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+    buffer_text(&out->out, text);
+    writer_line(out, "}");
+}
+
+static void write_body(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    head h = {0};
+    const char *text = write_iteration_for(loop, &h);
     remember_text(loop, text);
     const unsigned count = facts->array_count;
     const char *kind = loop->bins ? "BINNED" : "BODY";
@@ -234,6 +267,7 @@ static void write_parts(loop_text *loop, writer *out) {
     writer parts = {0}, last = {0};
     write_slice(loop, &parts);
     write_body(loop, &parts);
+    write_tile_body(loop, &parts);
     hand_series(loop);
     remember_text(loop, loop_counter_value(loop));
     write_thread_end(loop, &last);
@@ -255,6 +289,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     buffer_text(&out.out, is_in_line ? "\n" : "");
     loop->outline.is_handed = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     loop->outline.text = "";
+    loop->outline.tile_call = NULL;
     name_pointed(loop);
     begin_as_compiled(loop, &out.out);
     buffer_text(&out.out, loop_condition(loop));

@@ -19,6 +19,7 @@
 #include "plan/rewritable.h"
 #include "plan/sources.h"
 #include "plan/stand_in.h"
+#include "plan/tiles.h"
 
 void plan_obstacle(loop_plan *plan, ir_range range, const char *format, ...) {
     if (plan->obstacle.message)
@@ -55,6 +56,7 @@ static void plan_form(loop_plan *plan) {
     else
         plan_bins(plan);
     plan_inner_skips(plan);
+    plan_tiles(plan);
 }
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,

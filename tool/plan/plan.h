@@ -74,6 +74,7 @@ typedef struct loop_plan {
     lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;
     const struct inner_skip *skips; /* for each inner loop (inner_iterations.h) */
+    const struct tile_plan *tiles;  /* of a loop over pairs (tiles.h) */
 } loop_plan;
 
 /** Decides the form of a loop that a verdict allows to run in parallel. Allocated in the arena;

@@ -135,8 +135,8 @@ void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
 /** Sets *worker to the next chunk to execute and returns 1. 0: no chunk is left. REDCC_SELECT:
- *  iterations must be classified first. Every thread of the region must call it until it returns
- *  0. */
+ *  iterations must be classified first. REDCC_TILE: a tile is to be executed. Every thread of the
+ * region must call it until it returns 0. */
 int redcc_next(redcc_worker *worker);
 
 /** Returns 1 to exactly one of the threads that ask after executing the last iteration. */

@@ -32,15 +32,16 @@ struct redcc_series_part {
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part *part; /**< of the current iteration; NULL: it has none yet */
-    double *at, *end;        /**< where the next operand is stored; equal: memory is full */
-    double *block_end;       /**< the end of the memory block that `at` points into */
-    int adds;                /**< the thread adds the operands itself and stores none */
-    int begins;              /**< and has not begun yet */
-    int follows;             /**< another thread keeps the operands of the current iteration */
-    int in_front;            /**< adds: the thread has executed all iterations before `next`, */
-    int added;               /**< and found an operand */
-    redcc_int next;          /**< operands from this iteration on are kept */
+    redcc_series_part *part;  /**< of the current iteration; NULL: it has none yet */
+    double *at, *end;         /**< where the next operand is stored; equal: memory is full */
+    double *block_end;        /**< the end of the memory block that `at` points into */
+    int adds;                 /**< the thread adds the operands itself and stores none */
+    int begins;               /**< and has not begun yet */
+    int follows;              /**< another thread keeps the operands of the current iteration */
+    int in_front;             /**< adds: the thread has executed all iterations before `next`, */
+    int added;                /**< and found an operand */
+    redcc_int next;           /**< operands from this iteration on are kept */
+    redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
 };
 
 /** This thread may write series number `number` of the loop. */
@@ -61,6 +62,14 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
+/** The same for the iteration's turns in a tile; and after them. */
+#define REDCC_SERIES_GO_ON(redcc_writer)                                                           \
+    ((redcc_writer).part =                                                                         \
+         redcc__tile->is_first ? 0 : (redcc_writer).ends[redcc__k - redcc__tile->row],             \
+     (redcc_writer).end = (redcc_writer).at,                                                       \
+     (redcc_writer).follows = (redcc_writer).in_front = (redcc_writer).adds = 0)
+#define REDCC_SERIES_STOP(redcc_writer)                                                            \
+    ((redcc_writer).ends[redcc__k - redcc__tile->row] = (redcc_writer).part)
 /** The first thread adds operands directly while its iterations are the loop's first: it begins
  *  with the scalar's value. */
 #define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \

@@ -172,7 +172,12 @@ enum {
      *  and these must not overlap. */
     REDCC_BINS_CHECKED = 524288,
     /** The attempt has the number of threads that the program requests. */
-    REDCC_TEAM = 1048576
+    REDCC_TEAM = 1048576,
+    /** Its executor understands REDCC_TILE: the loop is one over pairs. Iteration k has an inner
+     *  loop whose counter is above the iteration's own, */
+    REDCC_TILES = 2097152,
+    /** or below it. */
+    REDCC_TILES_BELOW = 4194304
 };
 
 enum {
@@ -181,6 +186,10 @@ enum {
      *  next call. `window` is the range that the thread owns. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
+    /** Another one: the thread executes `variant.tile`, of at most REDCC_TILE_ROWS
+     *  iterations. */
+    REDCC_TILE = 3,
+    REDCC_TILE_ROWS = 256,
     /** A class is 0 or a sum of these: an element that the thread owns is touched, another one
      *  is. */
     REDCC_CLASS_OWN = 1,
@@ -266,12 +275,23 @@ typedef struct redcc_entry {
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
+/** Part of a loop over pairs: of iterations row, row + 1, ... < row_end those turns of the inner
+ * loop whose counter is `column` to before `column_end` steps after the loop's first value. A
+ * thread gets the tiles of one band of rows one after the other. */
+typedef struct redcc_tile {
+    redcc_int row, row_end;
+    redcc_int column, column_end;
+    int is_first; /**< of its rows: they begin, */
+    int is_last;  /**< and end here, with all turns from `column` on */
+} redcc_tile;
+
 /** How a chunk is executed; it does not affect the result. */
 typedef struct redcc_variant {
     int prefetches; /**< prefetch what later iterations touch? */
     int lanes;      /**< iterations at once, as in the descriptor; 0: one by one */
     int follows;    /**< another thread keeps the operands that owner-checked iterations add to
                      * series */
+    const redcc_tile *tile; /**< after REDCC_TILE: what is executed */
 } redcc_variant;
 
 /** One thread's part in an execution; lives on that thread's stack. */

@@ -19,3 +19,10 @@ void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int th
     while ((value = atomic_load_explicit(word, memory_order_acquire)) != round)
         redcc_wait_while(word, value, &flags->asleep, threads);
 }
+
+void redcc_flag_await_past(struct flags *flags, uint32_t flag, unsigned value, int threads) {
+    atomic_uint *word = &flags->flag[flag];
+    unsigned now;
+    while (now = atomic_load_explicit(word, memory_order_acquire), (int)(now - value) < 0)
+        redcc_wait_while(word, now, &flags->asleep, threads);
+}

@@ -25,4 +25,8 @@ void redcc_flag_raise(struct flags *flags, uint32_t flag, unsigned round);
  *  raised it. threads: of the region. */
 void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int threads);
 
+/** The same for a flag that is raised again and again, to higher values (modulo 2^32): waits until
+ *  it is at `value` or past it. */
+void redcc_flag_await_past(struct flags *flags, uint32_t flag, unsigned value, int threads);
+
 #endif

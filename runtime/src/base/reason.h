@@ -33,6 +33,7 @@
     X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
     X(REASON_NO_SELECTION, "no-selection",                                                         \
       "the translated loop cannot select iterations during execution")                             \
+    X(REASON_NO_TILES, "no-tiles", "the translated loop has no form for tiles")                    \
     X(REASON_SPREAD, "spread", "the range of the subscripts is too large for binning")             \
     X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
       "memory that is updated is, or may be, mapped at two addresses")                             \

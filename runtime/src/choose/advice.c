@@ -8,6 +8,7 @@
 #include "choose/cost_model.h"
 #include "choose/waking.h"
 #include "plan/copies.h"
+#include "plan/tile_grid.h"
 
 #include <assert.h>
 #include <math.h>
@@ -340,10 +341,10 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;
     if (call->method)
-        return call->method->in_levels  ? ROUTE_LEVELS
-               : call->method->by_graph ? ROUTE_GRAPH
-               : call->method->selects  ? ROUTE_DIRECT
-                                        : ROUTE_OWNERS;
+        return call->method->in_levels                      ? ROUTE_LEVELS
+               : call->method->by_graph                     ? ROUTE_GRAPH
+               : redcc_goes_without_schedules(call->method) ? ROUTE_DIRECT
+                                                            : ROUTE_OWNERS;
     if (redcc_goes_directly(entry)) {
         redcc_partition_join_stealable(partition);
         return ROUTE_DIRECT;
@@ -364,6 +365,15 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
     redcc_partition_in_one(partition); /* owners do not matter, only the range */
     return ROUTE_COPIES;
+}
+
+bool redcc_may_be_tiled(const struct inspection *inspection) {
+    const struct call *call = inspection->call;
+    const struct partition *partition = &inspection->partition;
+    for (uint32_t array = 0; array < partition->array_count; array++)
+        if (partition->group_of[array] != array) /* an element has two numbers */
+            return false;
+    return call->request.loop->flags & REDCC_TILES && redcc_can_be_tiled(call->request.trip);
 }
 
 /* ---- after the sweep ------------------------------------------------------------------------- */
@@ -388,7 +398,8 @@ const struct method *redcc_advise_swept(const struct chooser *chooser,
                                         const struct inspection *inspection, bool reusable) {
     const struct method *named = inspection->call->method;
     if (!named && inspection->route == ROUTE_DIRECT)
-        return &redcc_method_localwrite_direct;
+        return redcc_may_be_tiled(inspection) ? &redcc_method_tiles
+                                              : &redcc_method_localwrite_direct;
     if (inspection->route == ROUTE_COPIES)
         return named ? named : &redcc_method_expansion;
     if (named && !inspection->no_graph)

@@ -84,6 +84,10 @@ bool redcc_wants_estimate(const struct inspection *inspection);
 enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                                 struct inspection *inspection, const struct estimate *estimate);
 
+/** Is it a loop over pairs that can be cut into tiles? Arrays that overlap cannot: two pairs
+ * without a common row or column may then update one element. */
+bool redcc_may_be_tiled(const struct inspection *inspection);
+
 /** Selects the method, given the access summaries. reusable: the plan can be kept. NULL: none, the
  *  original loop is expected to be faster. */
 const struct method *redcc_advise_swept(const struct chooser *chooser,

@@ -158,6 +158,10 @@ static void begin_running(redcc_worker *worker) {
         take_snapshot(runner);
     if (plan->method->selects)
         begin_selecting(worker);
+    if (plan->method->tiles)
+        redcc_tiles_begin(&runner->tiles,
+                          redcc_tile_grid(plan->trip, plan->threads,
+                                          run->call->request.loop->flags & REDCC_TILES_BELOW));
     if (is_hooked(plan))
         begin_hooks(runner);
     redcc_copies_fill(plan, runner->thread);
@@ -178,7 +182,7 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
     runner->step = begin < end ? step : STEP_END;
     runner->in_order_end = end;
     worker->position = begin;
-    worker->variant = (redcc_variant){0, 0, 0};
+    worker->variant = (redcc_variant){0};
     worker->base = runner->base;
     worker->owner = runner->owner; /* not used: no owner checks */
     worker->run_end = NULL;
@@ -400,6 +404,21 @@ static int hand_out_selected(redcc_worker *worker) {
     return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
+/* The run, of the same rows, is for errno. */
+static int hand_out_tile(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const redcc_tile *tile =
+        redcc_tiles_next(&runner->tiles, runner->plan, &runner->run->blocks_claimed);
+    if (!tile)
+        return 0;
+    worker->variant.tile = tile;
+    runner->whole = (redcc_iterations){0, 2 * (redcc_u32)(tile->row_end - tile->row)};
+    worker->origin = tile->row;
+    worker->run = &runner->whole;
+    worker->run_end = worker->run + 1;
+    return REDCC_TILE;
+}
+
 static bool hand_out(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     if (is_hooked(runner->plan))
@@ -413,8 +432,10 @@ static int next_chunk(redcc_worker *worker) {
         begin_running(worker);
     switch (runner->step) {
     case STEP_EXECUTE: {
-        const int handed =
-            runner->plan->method->selects ? hand_out_selected(worker) : (int)hand_out(worker);
+        const struct method *method = runner->plan->method;
+        const int handed = method->selects ? hand_out_selected(worker)
+                           : method->tiles ? hand_out_tile(worker)
+                                           : (int)hand_out(worker);
         if (handed)
             return handed;
         finish(worker);

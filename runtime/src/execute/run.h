@@ -9,6 +9,7 @@
 #include "execute/parts.h"
 #include "execute/prefetch.h"
 #include "execute/select.h"
+#include "execute/tiles.h"
 #include "execute/validate.h"
 #include "execute/variant.h"
 #include "plan/plan.h"
@@ -34,7 +35,7 @@ struct run {
     struct validation validation;
     atomic_ullong error; /* the loop's errno: executor.c */
     atomic_int last_claimed;
-    atomic_uint blocks_claimed; /* stealable ones */
+    atomic_uint blocks_claimed; /* stealable ones; or bands of tiles */
     /* Seconds. */
     double ready;    /* when the plan was ready */
     double executed; /* with validation: when the loop was done; 0: it is not checked */
@@ -67,6 +68,7 @@ struct runner {
     redcc_iterations whole;             /* handed out in order, without a plan, */
     redcc_int in_order_end;             /* up to here */
     struct selection selection;
+    struct tile_walk tiles;
     void **base;        /* [array_count] where it writes */
     redcc_owner *owner; /* [array_count] its elements */
 };

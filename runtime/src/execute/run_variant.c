@@ -20,7 +20,7 @@ static bool is_open_with(const struct run *run, const struct plan *plan) {
 }
 
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
-    return redcc_variant_parts(run->variant.known, is_open_with(run, plan),
+    return redcc_variant_parts(run->variant.known, is_open_with(run, plan) && !plan->method->tiles,
                                plan->executed / plan->threads);
 }
 
@@ -28,7 +28,7 @@ redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, 
     const struct variant_choice *it = &run->variant;
     const bool prefetches = (it->is_asked && redcc_prefetch_is_possible(plan)) ||
                             redcc_variant_of(it->known, is_open_with(run, plan), part);
-    return (redcc_variant){prefetches, it->lanes, 0};
+    return (redcc_variant){.prefetches = prefetches, .lanes = it->lanes};
 }
 
 void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,

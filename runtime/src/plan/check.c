@@ -177,7 +177,7 @@ static bool each_is_there_once(const struct plan *plan, const struct evidence *e
 
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence) {
     const struct method *method = plan->method;
-    if (method->selects) { /* threads determine their iterations during execution */
+    if (redcc_goes_without_schedules(method)) {
         for (uint32_t s = 0; s < plan->schedules; s++)
             if (plan->schedule[s].chunk_count > 0)
                 return false;

@@ -59,8 +59,10 @@ struct method {
                      * by bin (bins/binning.h) */
     bool selects;   /* its threads find their iterations during execution (execute/select.h): the
                      * loop must have REDCC_SELECTS */
-    bool steals;    /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
-                     * finish early execute. (`owners` is not used) */
+    bool tiles;  /* its threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
+                  * have REDCC_TILES */
+    bool steals; /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
+                  * finish early execute. (`owners` is not used) */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: invalid. */
     int (*parse)(const char *text);
@@ -82,11 +84,16 @@ struct method {
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
+/** Do its threads find what they execute during the execution? */
+static inline bool redcc_goes_without_schedules(const struct method *method) {
+    return method->selects || method->tiles;
+}
+
 /** Auto's strategy for a method. */
 static inline enum way redcc_way_of(const struct method *method) {
     if (method->copies != COPY_NONE)
         return WAY_COPIES;
-    if (method->selects)
+    if (redcc_goes_without_schedules(method))
         return WAY_DIRECT;
     return method->by_graph || method->in_levels ? WAY_GRAPH : WAY_INDEX;
 }

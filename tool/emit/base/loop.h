@@ -39,6 +39,7 @@ typedef struct outline_text {
     const char *text;                             /* of both, and of each thread's last
                                                    * statements */
     const char *slice_call, *body_call;           /* for iteration redcc__k */
+    const char *tile_call;                        /* for those of its turns in a tile; or NULL */
     const char *body_parameters, *body_arguments; /* ", ..." without the counter */
 } outline_text;
 
@@ -59,6 +60,7 @@ typedef struct loop_text {
     outline_text outline;
     const struct bins_plan *bins; /* from the plan, if it is written in that form; or NULL */
     lanes_text lanes;
+    const struct tile_plan *tiles; /* while the body for tiles is written; or NULL */
 } loop_text;
 
 /** Records the reason why this loop cannot be written, unless there is one already. */

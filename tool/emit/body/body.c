@@ -20,6 +20,7 @@
 #include "emit/body/live_out.h"
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
+#include "emit/body/series.h"
 #include "emit/text/edit.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
@@ -28,6 +29,7 @@
 #include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/place.h"
+#include "plan/tiles.h"
 #include "plan/unroll.h"
 
 typedef struct body_copy {
@@ -72,6 +74,8 @@ static bool needs_braces(const reduction_update *update) {
 
 /** The text before an update. */
 static const char *guard_text(loop_text *loop, const reduction_update *update) {
+    if (loop->tiles) /* the thread makes all updates of its tiles */
+        return needs_braces(update) ? "{ { " : "{ ";
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
     if (!target) {
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
@@ -133,8 +137,9 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
 
 /** The operands of a loop over constants, in bins; then the loop. */
 static bool print_appends(body_copy *copy, const ir_node *statement) {
-    const char *appends =
-        copy->within == statement ? NULL : bins_appends(copy->loop, statement, local_name);
+    const char *appends = copy->within == statement || copy->loop->tiles
+                              ? NULL
+                              : bins_appends(copy->loop, statement, local_name);
     if (!appends)
         return false;
     writer_line(copy->printer.out, "{ %s", appends);
@@ -249,10 +254,17 @@ static const char *other_name(const loop_text *loop, const ir_node *node, bool *
     return name ? name : pointed_name(loop, node);
 }
 
+/** A bound of the loop over columns, which a tile replaces. */
+static bool is_clipped(const loop_text *loop, const ir_node *node) {
+    return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
+}
+
 /** Visits each node in the body that must be replaced by another name. */
 static void visit_names(body_copy *copy, const ir_node *node,
                         void (*visit)(body_copy *, const ir_node *, const char *name)) {
     bool is_base;
+    if (is_clipped(copy->loop, node))
+        return;
     const char *name = other_name(copy->loop, node, &is_base);
     if (name)
         visit(copy, node, name);
@@ -447,6 +459,33 @@ static void guard_updates(body_copy *copy) {
     }
 }
 
+/** The loop over columns is clipped to those of the tile. */
+static void clip_columns(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    const tile_plan *tiles = loop->tiles;
+    if (!tiles)
+        return;
+    const ir_node *const inner = tiles->inner;
+    const char *type = origin_type(loop->arena, span_of(loop->facts, inner)->counted.counter->type);
+    const char *lower = text_operand(loop->arena, tiles->lower, local_name, loop);
+    const char *bound = text_operand(loop->arena, tiles->bound, local_name, loop);
+    if (!type || !lower || !bound || is_printed(copy, inner) ||
+        syntax_editable_statement(inner, loop->facts->counted.body) != inner) {
+        loop_obstacle(loop, inner->range, "the loop over columns cannot be clipped");
+        return;
+    }
+    edit_insert(loop->arena, &copy->edits, inner->range.begin,
+                arena_format(loop->arena,
+                             "{ const %s redcc__column = REDCC_TILE_FROM(%s, %s), "
+                             "redcc__column_end = REDCC_TILE_%s(%s, %s); ",
+                             type, type, macro_argument(loop->arena, lower),
+                             tiles->is_inclusive ? "UP_TO" : "TO", type,
+                             macro_argument(loop->arena, bound)));
+    replace_bytes(copy, tiles->lower->range.begin, tiles->lower->range.end, "redcc__column");
+    replace_bytes(copy, tiles->bound->range.begin, tiles->bound->range.end, "redcc__column_end");
+    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner), " }");
+}
+
 /* ---- the copy ------------------------------------------------------------------------------ */
 
 /** A statement from the IR, on one line. */
@@ -518,10 +557,14 @@ static const char *copied_text(body_copy *copy) {
     choose_accessors(copy, body);
     print_dead_in_macros(copy, body);
     choose_printed_updates(copy);
-    choose_printed_nests(copy, body);
+    if (!loop->tiles)
+        choose_printed_nests(copy, body);
     visit_names(copy, body, replace_name);
-    skip_inner_iterations(copy, body);
-    append_nests(copy, body);
+    if (!loop->tiles) {
+        skip_inner_iterations(copy, body);
+        append_nests(copy, body);
+    }
+    clip_columns(copy);
     guard_updates(copy);
     if (!loop->lanes.is_wanted) /* compiled once, in addition to the code for lanes */
         unroll_loops(copy, body);
@@ -605,4 +648,6 @@ void write_iteration(loop_text *loop, writer *out) {
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");
     keep_own(loop, out);
     note_live_outs(loop, out);
+    if (loop->tiles)
+        leave_series(loop, out);
 }

@@ -113,19 +113,33 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
                 type, type, value, number, made_text(loop, number, true));
 }
 
+/** Its value when an iteration begins, or when a tile goes on with one. */
+static const char *so_far_text(loop_text *loop, unsigned number) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    const char *neutral = neutral_of(update);
+    if (!loop->tiles)
+        return neutral;
+    const char *is_made = update->is_conditional
+                              ? arena_format(loop->arena, " || !redcc__made_%u[redcc__k]", number)
+                              : "";
+    return arena_format(loop->arena,
+                        "redcc__tile->is_first%s ? %s : (redcc_word)redcc__operands_%u[redcc__k]",
+                        is_made, neutral, number);
+}
+
 /** The operand that an iteration accumulates for an update in an inner loop: redcc__so_far_N. */
 void declare_repeated_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (loop->facts->scalars[i].is_repeated && !loop->facts->scalars[i].is_series)
-            writer_line(out, "redcc_word redcc__so_far_%u = %s;", i,
-                        neutral_of(&loop->facts->scalars[i]));
+            writer_line(out, "redcc_word redcc__so_far_%u = %s;", i, so_far_text(loop, i));
 }
 
 void note_no_operands(loop_text *loop, writer *out) {
     begin_series(loop, out);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (loop->facts->scalars[i].is_conditional && !loop->facts->scalars[i].is_series)
-            writer_line(out, "%s", made_text(loop, i, false));
+            writer_line(out, "%s%s", loop->tiles ? "if (redcc__tile->is_first) " : "",
+                        made_text(loop, i, false));
 }
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {

@@ -94,6 +94,9 @@ void declare_thread_series(loop_text *loop, writer *out) {
                         i);
     writer_line(out, "redcc_series_writer redcc__of_thread_writers[%u];",
                 count_series(loop->facts));
+    if (loop->outline.tile_call)
+        writer_line(out, "redcc_series_part *redcc__ends[%u][REDCC_TILE_ROWS];",
+                    count_series(loop->facts));
 }
 
 void join_series(loop_text *loop, writer *out) {
@@ -101,6 +104,10 @@ void join_series(loop_text *loop, writer *out) {
         if (is_first(loop->facts, i))
             writer_line(out,
                         "redcc_series_begin(redcc__worker, redcc__attempt, redcc__writers, %u);",
+                        place_of(loop->facts, i));
+    for (unsigned i = 0; i < loop->facts->scalar_count && loop->outline.tile_call; i++)
+        if (is_first(loop->facts, i))
+            writer_line(out, "redcc__writers[%u].ends = redcc__ends[%u];", place_of(loop->facts, i),
                         place_of(loop->facts, i));
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (is_first(loop->facts, i) && is_kept_scalar(loop, i)) /* read before the loop */
@@ -156,7 +163,14 @@ void finish_series(loop_text *loop, writer *out) {
 void begin_series(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (is_first(loop->facts, i))
-            writer_line(out, "REDCC_SERIES_NEXT(redcc__writers[%u]);", place_of(loop->facts, i));
+            writer_line(out, "REDCC_SERIES_%s(redcc__writers[%u]);", loop->tiles ? "GO_ON" : "NEXT",
+                        place_of(loop->facts, i));
+}
+
+void leave_series(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (is_first(loop->facts, i))
+            writer_line(out, "REDCC_SERIES_STOP(redcc__writers[%u]);", place_of(loop->facts, i));
 }
 
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value) {

@@ -19,6 +19,8 @@ const char *series_go_on(loop_text *loop);
 void finish_series(loop_text *loop, writer *out);
 /** The beginning of an iteration; the text of update number `number`. */
 void begin_series(loop_text *loop, writer *out);
+/** The end of an iteration's turns in a tile. */
+void leave_series(loop_text *loop, writer *out);
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value);
 /** After the loop: the scalars get their values. */
 void take_series(loop_text *loop, writer *out);

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "execute/tiles.h"
+
+enum { WORDS_OF_A_LINE = 16 }; /* as the method's flags */
+
+void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid) {
+    *walk = (struct tile_walk){.grid = grid};
+}
+
+/* Of as many bands as there are threads, at most, some tile is not done. One more is looked at. */
+static uint32_t flag_of(const struct plan *plan, uint32_t band) {
+    return WORDS_OF_A_LINE * (1 + band % ((uint32_t)plan->threads + 1));
+}
+
+/* The value of the band's flag after `done` blocks. It grows with the bands that share the flag,
+ * and with the plan's rounds, modulo 2^32: a flag is raised in each round. */
+static unsigned value_of(const struct plan *plan, const struct tile_grid *grid, uint32_t band,
+                         uint32_t done) {
+    return (plan->round * grid->bands + band) * (grid->bands + 1) + done;
+}
+
+static uint32_t first_block(const struct tile_grid *grid, uint32_t band) {
+    return grid->below ? 0 : band;
+}
+
+static uint32_t last_block(const struct tile_grid *grid, uint32_t band) {
+    return grid->below ? band : grid->bands - 1;
+}
+
+static bool take_band(struct tile_walk *walk, atomic_uint *claimed) {
+    const uint32_t band = atomic_fetch_add_explicit(claimed, 1, memory_order_relaxed);
+    walk->has_band = band < walk->grid.bands;
+    if (!walk->has_band)
+        return false;
+    walk->band = band;
+    walk->block = first_block(&walk->grid, band);
+    return true;
+}
+
+static void pass_on(struct tile_walk *walk, const struct plan *plan) {
+    const struct tile_grid *grid = &walk->grid;
+    walk->is_handed = false;
+    if (walk->block > last_block(grid, walk->band))
+        walk->has_band = false;
+    redcc_flag_raise(plan->flags, flag_of(plan, walk->band),
+                     value_of(plan, grid, walk->band, walk->block));
+}
+
+/* The band above is done with the block, unless that is none of its blocks. */
+static void await_tile_above(const struct tile_walk *walk, const struct plan *plan) {
+    const uint32_t above = walk->band - 1;
+    if (walk->band == 0 || walk->block > last_block(&walk->grid, above))
+        return;
+    redcc_flag_await_past(plan->flags, flag_of(plan, above),
+                          value_of(plan, &walk->grid, above, walk->block + 1), plan->threads);
+}
+
+const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
+                                   atomic_uint *claimed) {
+    const struct tile_grid *grid = &walk->grid;
+    if (walk->is_handed)
+        pass_on(walk, plan);
+    if (!walk->has_band && !take_band(walk, claimed))
+        return NULL;
+    await_tile_above(walk, plan);
+    const redcc_int row = (redcc_int)walk->band * grid->side;
+    const redcc_int column = (redcc_int)walk->block * grid->side;
+    walk->tile =
+        (redcc_tile){.row = row,
+                     .row_end = grid->trip - row < grid->side ? grid->trip : row + grid->side,
+                     .column = column,
+                     .column_end = column + grid->side,
+                     .is_first = walk->block == first_block(grid, walk->band),
+                     .is_last = walk->block == last_block(grid, walk->band)};
+    walk->block++;
+    walk->is_handed = true;
+    return &walk->tile;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The tiles of a loop over pairs. Rows, the loop's iterations, are cut into bands, and columns, the
+ * values of the inner counter, into blocks at the same places. Tile (I, J) is band I times block J:
+ *
+ *     J    0  1  2  3            columns above their rows: a thread takes a band and executes its
+ *   I 0    a  a  a  a            tiles from left to right, each after the tile above it. Then it
+ *     1       b  b  b            takes the next band that no thread has. Thread b follows a, one
+ *     2          a  a            block behind it.
+ *     3             b
+ *
+ * Before (I, J) all tiles (I', J') with I' <= I and J' <= J are done: those to the left by the
+ * thread itself; and by induction those above. So of two pairs that have an element in common, the
+ * one that comes first in the loop is executed first (docs/soundness.md).
+ *
+ * Bands are taken in order, and a thread waits only for a band before its own, so that some thread
+ * can always go on.
+ */
+#ifndef REDCC_EXECUTE_TILES_H
+#define REDCC_EXECUTE_TILES_H
+
+#include "plan/plan.h"
+#include "plan/tile_grid.h"
+
+#include <stdbool.h>
+
+/** One thread's place in the grid. */
+struct tile_walk {
+    struct tile_grid grid;
+    uint32_t band;
+    uint32_t block;  /* of its next tile */
+    redcc_tile tile; /* handed out */
+    bool has_band;
+    bool is_handed; /* the tile before `block` was handed out, and is done at the next call */
+};
+
+void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);
+
+/** Waits until the thread's next tile may be executed. *claimed counts the bands that threads have
+ *  taken. NULL: no tile is left. */
+const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
+                                   atomic_uint *claimed);
+
+#endif

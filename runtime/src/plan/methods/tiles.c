@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * tiles: a loop over pairs, `for (i ...) for (j = i + 1; ...) { f[i] += e; f[j] -= e; }`, is cut
+ * into tiles, a band of rows times a block of columns. Threads follow each other from block to
+ * block, each in a band of its own (execute/tiles.h). The inspection only finds extents for the
+ * overlap guard.
+ *
+ * Source: loop tiling with a wavefront of tiles: M. Wolfe, More iteration space tiling,
+ * Supercomputing 1989.
+ */
+#include "plan/plan.h"
+
+enum { WORDS_OF_A_LINE = 16 };
+
+/* How far each thread's band is, and the one before the first: in cache lines of their own. */
+static uint32_t flags(uint32_t owners) {
+    return WORDS_OF_A_LINE * (owners + 2);
+}
+
+/* The number of pairs is not known; threads share them evenly. */
+static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    plan->schedule[thread].iterations = redcc_share(evidence->trip, evidence->threads, thread + 1) -
+                                        redcc_share(evidence->trip, evidence->threads, thread);
+    return true;
+}
+
+const struct method redcc_method_tiles = {.name = "tiles",
+                                          .keeps = REDCC_ORDER_SERIAL,
+                                          .tiles = true,
+                                          .flags = flags,
+                                          .prepare = prepare};

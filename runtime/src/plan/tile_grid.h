@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** How a loop over pairs is cut into tiles, which execute/tiles.h draws. */
+#ifndef REDCC_PLAN_TILE_GRID_H
+#define REDCC_PLAN_TILE_GRID_H
+
+#include "redcc/runtime.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { TILES_MOST_BANDS = 8192 };
+
+/** For tests: rows of a band; 0: as many as serve best. */
+extern redcc_int redcc_tile_side;
+
+/** How a loop is cut. */
+struct tile_grid {
+    redcc_int trip;
+    redcc_int side; /* rows of a band, columns of a block */
+    uint32_t bands;
+    bool below; /* columns are below their rows */
+};
+
+/** Can a loop of so many iterations be cut? */
+static inline bool redcc_can_be_tiled(redcc_int trip) {
+    return trip <= (redcc_int)TILES_MOST_BANDS * REDCC_TILE_ROWS;
+}
+
+struct tile_grid redcc_tile_grid(redcc_int trip, int threads, bool below);
+
+#endif

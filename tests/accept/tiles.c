@@ -1,0 +1,223 @@
+// Loops over pairs, cut into tiles: rows and columns above and below each other, in several spellings, and near twins
+// that are not cut (NOT-TILED), since two of their turns meet in other ways than by a row or a column.
+// THREADS: 2 7 33
+// INTEGERS: no
+// MAY-RUN-SERIALLY: arrays overlap, and counts are small
+#include <math.h>
+
+#include "case.h"
+
+enum { N = 210, ROOM = 8 * N };
+typedef struct {
+    double x, y, z;
+} vector;
+typedef struct {
+    vector at, speed, force;
+} point;
+static point points[N];
+static double memory[ROOM], energy, virial;
+static long pairs;
+
+#define SUB(a, b, c) (a).x = (b).x - (c).x, (a).y = (b).y - (c).y, (a).z = (b).z - (c).z
+#define ADD(a, s, b) (a).x = (a).x + (s) * (b).x, (a).y = (a).y + (s) * (b).y, (a).z = (a).z + (s) * (b).z
+
+static void records(int n, double cut) {
+    vector d;
+    double rr, f;
+    int i, j;
+    for (i = 0; i < n - 1; i++) { // EXPECT: transformed
+        for (j = i + 1; j < n; j++) {
+            SUB(d, points[i].at, points[j].at);
+            rr = d.x * d.x + d.y * d.y + d.z * d.z;
+            if (rr < cut) {
+                f = 1 / (rr + 0.1) - 0.3;
+                ADD(points[i].force, f, d);
+                ADD(points[j].force, -f, d);
+                energy += f * rr;
+                virial += 4 * f + 1.;
+                pairs++;
+            }
+        }
+    }
+} // TILED: 28
+
+static void below(long n, const float *x, float *f, float cut) {
+    for (long i = 1; i < n; i++) { // EXPECT: transformed
+        const float mine = x[i];
+        for (long j = 0; j <= i; j++) {
+            const float d = mine - x[j];
+            if (d * d > cut)
+                continue;
+            f[i] -= d;
+            f[j] += sqrtf(d * d) + 0.5f;
+        }
+    }
+} // TILED: 45
+
+static void packed(unsigned n, const double (*x)[3], double (*f)[3], double *left, double *right) {
+    for (unsigned i = 3; i < n; ++i) { // EXPECT: transformed
+        for (unsigned j = i; n > j; ++j) {
+            double s = 0;
+            for (int c = 0; c < 3; c++)
+                s += (x[i][c] - x[j][c]) * 0.5;
+            for (int c = 0; c < 3; c++)
+                f[i][c] = f[i][c] * 0.75 + s;
+            for (int c = 0; c < 3; c++)
+                f[j][c] -= s;
+            left[i] += s;
+            right[j] = s - right[j];
+        }
+    }
+} // TILED: 58
+
+/* A shift of both subscripts; rows end before the columns, and some have none. */
+static void shifted(int first, int n, int most, const double *x, double *f, double sum[2]) {
+    for (int i = first; i < n; i++) // EXPECT: transformed
+        for (int j = i + 2; j <= most - (i & 3); j++) {
+            const double e = x[i - first] * x[j - first];
+            sum[1] += e;
+            if (e > 0)
+                sum[0] -= e;
+            f[i + 4] += e;
+            f[j + 4] *= 1 - e;
+        }
+} // TILED: 75
+
+/* Row and column of one element are not one apart from each other. */
+static void uneven(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = i + 1; j < n; j++) {
+            f[i + 1] += x[j];
+            f[j] = f[j] * 0.5 + x[i];
+        }
+} // NOT-TILED: 88
+
+static void full(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = i & 1; j < n; j++) {
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+} // NOT-TILED: 96
+
+static void above_and_below(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = 0; j < i + 2; j++) {
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+} // NOT-TILED: 104
+
+static void carried(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double before = 1;
+        for (int j = i + 1; j < n; j++) {
+            const double e = x[i] * before;
+            before = x[j];
+            f[i] += e;
+            f[j] = f[j] * 0.5 - e;
+        }
+    }
+} // NOT-TILED: 112
+
+static void sometimes_carried(int n, const double *x, double *f) {
+    double e = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        e = x[i];
+        for (int j = i + 1; j < n; j++) {
+            if (x[j] > 0)
+                e = x[j] * 0.25;
+            f[i] += e;
+            f[j] = f[j] * 0.5 - e;
+        }
+    }
+} // NOT-TILED: 125
+
+static void left_early(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = i + 1; j < n; j++) {
+            if (x[i] * x[j] > 0.9)
+                break;
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+} // NOT-TILED: 137
+
+static void counted_by_rows(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        energy += x[i];
+        for (int j = i + 1; j < n; j++) {
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+    }
+} // NOT-TILED: 147
+
+static void begun_by_rows(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        f[i] = f[i] * 0.5 + 1;
+        for (int j = i + 1; j < n; j++) {
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+    }
+} // NOT-TILED: 157
+
+static void by_twos(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i += 2) // EXPECT: transformed
+        for (int j = i + 1; j < n; j++) {
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+} // NOT-TILED: 167
+
+static void fill(void) {
+    case_values(memory, ROOM);
+    case_values((double *)points, (long)(sizeof points / (sizeof(double))));
+    memory[N + 7] = -0.0;
+    energy = -0.0;
+    virial = case_value();
+    pairs = 3;
+}
+
+static void print(void) {
+    CASE_PRINT(memory);
+    CASE_PRINT(points);
+    CASE_PRINT(&energy);
+    CASE_PRINT(&virial);
+    CASE_PRINT(&pairs);
+}
+
+int main(void) {
+    static const int counts[] = {N, N - 1, 17, 1};
+    static float x[N], f[N];
+    double *const m = memory;
+    for (int round = 0; round < 4; round++) {
+        const int n = counts[round];
+        fill();
+        if (round == 1)
+            points[40].at.y = memory[33] = __builtin_inf() - __builtin_inf();
+        records(n, round == 1 ? 1e9 : 1.5);
+        for (int i = 0; i < N; i++) {
+            x[i] = (float)case_value();
+            f[i] = (float)memory[i];
+        }
+        below(n, x, f, 0.5f);
+        CASE_PRINT(f);
+        packed((unsigned)n, (const double(*)[3])m, (double(*)[3])(m + 3 * N), m + 6 * N, m + (round == 1 ? 6 * N + 3 : 7 * N));
+        print();
+        shifted(round - 3, n / 2, n - 10, m + 9, m + 3 * N, round == 2 ? m + 12 : m + 7 * N);
+        shifted(0, n / 3, n / 3 * 2, m, m + (round == 1 ? N : 2 * N), m + 7 * N);
+        print();
+        uneven(n, m, m + 2 * N);
+        full(n, m, m + 2 * N);
+        above_and_below(n - 1, m, m + 2 * N);
+        carried(n, m, m + 2 * N);
+        sometimes_carried(n, m, m + 2 * N);
+        left_early(n, m, m + 2 * N);
+        counted_by_rows(n, m, m + 2 * N);
+        begun_by_rows(n, m, m + 2 * N);
+        by_twos(n - 1, m, m + 2 * N);
+        print();
+    }
+}

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Is a variable assigned before it is read, in each execution of a statement? */
+#ifndef PLAN_FRESH_H
+#define PLAN_FRESH_H
+
+#include "ir/ir.h"
+
+/** On each path through the statement, each read of the variable, or of a member of it, comes after
+ *  an assignment of that variable, or member, in the same execution. As far as the text
+ *  shows it: else false. The statement has no labels. */
+bool is_fresh_in(const ir_node *statement, const ir_variable *variable);
+
+#endif

@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/tiles.h"
+
+#include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
+#include "analysis/overlap/row_address.h"
+#include "ir/ir_syntax.h"
+#include "plan/fresh.h"
+#include "plan/lookup.h"
+
+typedef struct pairs {
+    const loop_plan *plan;
+    const loop_facts *facts;
+    const loop_span *span; /* the inner loop */
+    const ir_variable *row, *column;
+} pairs;
+
+/* ---- the nest -------------------------------------------------------------------------------- */
+
+/** The inner loop: all of the body, or the last of its statements. */
+static const ir_node *find_inner(const ir_node *body) {
+    while (body->kind == IR_BLOCK && body->child_count > 0)
+        body = body->children[body->child_count - 1];
+    return body->kind == IR_FOR ? body : NULL;
+}
+
+static bool is_number_of(const ir_type *type) {
+    return ir_type_is_plain_integer(type) && type->size >= 4;
+}
+
+/** `row + c`, c >= 0: *offset is c. It does not wrap around: i + 1 is at most the bound. */
+static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
+    *offset = 0;
+    if (expression_is_variable(node, p->row))
+        return true;
+    if (node->kind != IR_BINARY || node->op != IR_OP_ADD ||
+        !ir_type_equal(node->type, p->row->type))
+        return false;
+    for (unsigned i = 0; i < 2; i++)
+        if (expression_is_variable(node->children[i], p->row) &&
+            expression_constant(node->children[1 - i], offset) && *offset >= 0)
+            return p->row->type->is_signed || *offset <= 1;
+    return false;
+}
+
+/** In the text of the header, so that it can be replaced there. */
+static bool is_editable(const ir_node *node, const ir_node *loop) {
+    return node && !(node->flags & (IR_FROM_MACRO | IR_FROM_CALL)) &&
+           node->range.begin < node->range.end && loop->range.begin < node->range.begin &&
+           node->range.end <= loop->children[3]->range.begin;
+}
+
+/** Are the columns all above their rows, or all below? */
+static const char *look_at_header(const pairs *p, tile_plan *tiles) {
+    const counted_loop *outer = &p->facts->counted, *inner = &p->span->counted;
+    int64_t offset;
+    if (p->facts->loop->kind != IR_FOR || outer->step != 1 || outer->stride ||
+        !is_number_of(p->row->type))
+        return "its counter does not pass through consecutive integers";
+    if (inner->step != 1 || inner->stride || inner->start_count > 0 || inner->ahead ||
+        inner->bound_variable || !ir_type_equal(p->row->type, p->column->type))
+        return "the counters of the two loops differ";
+    if (!is_editable(inner->lower, p->span->loop) || !is_editable(inner->bound, p->span->loop))
+        return "the bounds of the inner loop are not in its text";
+    tiles->is_inclusive = inner->comparison == IR_OP_LESS_EQUAL;
+    tiles->lower = inner->lower;
+    tiles->bound = inner->bound;
+    if (is_row_plus(p, inner->lower, &offset))
+        return NULL;
+    tiles->is_below = true;
+    return is_row_plus(p, inner->bound, &offset) && offset + tiles->is_inclusive <= 1
+               ? NULL
+               : "columns may be above and below their rows";
+}
+
+/* ---- what it does ---------------------------------------------------------------------------- */
+
+static bool may_leave(const ir_node *node, bool is_inside) {
+    if (node->kind == IR_GOTO || node->kind == IR_LABEL || node->kind == IR_RETURN ||
+        node->kind == IR_OPAQUE || (node->kind == IR_BREAK && !is_inside))
+        return true;
+    is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (may_leave(node->children[i], is_inside))
+            return true;
+    return false;
+}
+
+/** Only variables of the iteration: it is repeated in each tile. */
+static bool only_computes(const pairs *p, const ir_node *node) {
+    const ir_node *written = expression_written(node);
+    if (loop_update_at(p->facts, node) || scalar_update_at(p->facts, node) >= 0 ||
+        node->kind == IR_CONTINUE || (written && !expression_object(written)))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!only_computes(p, node->children[i]))
+            return false;
+    return true;
+}
+
+/** Everything before the inner loop, in the blocks around it. */
+static bool row_only_computes(const pairs *p) {
+    for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
+        for (unsigned i = 0; node->parent->children[i] != node; i++)
+            if (!only_computes(p, node->parent->children[i]))
+                return false;
+    return true;
+}
+
+static bool is_written_in(const ir_node *node, const ir_variable *variable) {
+    const ir_node *written = expression_written(node);
+    if (written && expression_object(written) == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_written_in(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/** Does no turn see what an earlier turn of its row has left in the iteration's variables? Those
+ *  that are declared in the inner loop are new in each turn. */
+static bool turns_are_apart(const pairs *p) {
+    const loop_variables *variables = &p->facts->variables;
+    const ir_node *const body = ir_loop_body(p->span->loop);
+    for (unsigned i = 0; i < variables->private_count; i++) {
+        const ir_variable *variable = variables->privates[i].variable;
+        if (variable == p->column || ir_declarator_in(p->span->loop, variable) ||
+            !expression_mentions(body, variable))
+            continue;
+        if (variable->address_taken || variable->type->kind == IR_ARRAY)
+            return false;
+        if (is_written_in(body, variable) && !is_fresh_in(body, variable))
+            return false;
+    }
+    return true;
+}
+
+static bool has_other_results(const loop_facts *facts) {
+    const loop_exits *exits = facts->slice.exits;
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped)
+            return true;
+    return leaves_variables(facts) || facts->forward_count > 0 || facts->variables.own_count > 0 ||
+           (facts->distribution && facts->distribution->count > 0) || (exits && exits->count > 0) ||
+           facts->slice.may_abort;
+}
+
+static bool sums_are_in_turns(const pairs *p) {
+    for (unsigned i = 0; i < p->facts->scalar_count; i++) {
+        const scalar_update *scalar = &p->facts->scalars[i];
+        if (!ir_contains(p->span->loop, scalar->statement) || scalar->is_extremum ||
+            !(scalar->is_series || scalar->is_repeated))
+            return false;
+    }
+    return true;
+}
+
+/* ---- elements -------------------------------------------------------------------------------- */
+
+/** An address as stride * counter + [low, high). */
+typedef struct element {
+    int64_t by_row, by_column, low, high;
+} element;
+
+static bool add(int64_t *sum, int64_t value, int64_t times) {
+    int64_t product;
+    return !__builtin_mul_overflow(value, times, &product) &&
+           !__builtin_add_overflow(*sum, product, sum);
+}
+
+/** A value between two others, times `bytes`. */
+static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
+    return add(&e->low, bytes < 0 ? high : low, bytes) &&
+           add(&e->high, bytes < 0 ? low : high, bytes);
+}
+
+static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
+
+/** Sums of addresses are modulo 2^64; narrower unsigned ones may wrap around before. */
+static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
+    int64_t factor, times;
+    if (!is_number_of(node->type) || !(node->type->is_signed || node->type->size == 8))
+        return false;
+    switch (node->op) {
+    case IR_OP_ADD:
+        return add_term(p, node->children[0], bytes, e) && add_term(p, node->children[1], bytes, e);
+    case IR_OP_SUBTRACT:
+        return add_term(p, node->children[0], bytes, e) &&
+               add_term(p, node->children[1], -bytes, e);
+    case IR_OP_MULTIPLY:
+        for (unsigned i = 0; i < 2; i++)
+            if (expression_constant(node->children[i], &factor) &&
+                !__builtin_mul_overflow(bytes, factor, &times))
+                return add_term(p, node->children[1 - i], times, e);
+        return false;
+    default:
+        return false;
+    }
+}
+
+static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
+    int64_t low, high;
+    if (bytes == INT64_MIN)
+        return false;
+    if (expression_is_variable(node, p->row))
+        return add(&e->by_row, bytes, 1);
+    if (expression_is_variable(node, p->column))
+        return add(&e->by_column, bytes, 1);
+    if (counted_range(node, &low, &high))
+        return add_range(e, low, high, bytes);
+    if (node->kind == IR_CAST && node->type->size == 8 && ir_type_is_plain_integer(node->type) &&
+        is_number_of(node->children[0]->type))
+        return add_term(p, node->children[0], bytes, e);
+    return node->kind == IR_BINARY && add_operation(p, node, bytes, e);
+}
+
+static bool find_element(const pairs *p, const reduction_update *update, element *e) {
+    row_address address;
+    *e = (element){0};
+    if (!row_address_of(update->row, &address) || update->row->type->size <= 0 ||
+        !syntax_same(address.base, p->facts->arrays[update->array].base))
+        return false;
+    e->low = e->high = address.offset;
+    for (unsigned i = 0; i < address.term_count; i++)
+        if (!add_term(p, address.terms[i].subscript, address.terms[i].bytes, e))
+            return false;
+    return add(&e->high, update->row->type->size, 1);
+}
+
+/** Does each update of the array change bytes of the element with its row's or its column's number?
+ *  These do not overlap: the array's bytes lie within one stride. */
+static bool has_elements(const pairs *p, unsigned array) {
+    int64_t stride = 0, low = INT64_MAX, high = INT64_MIN, span;
+    for (unsigned i = 0; i < p->facts->update_count; i++) {
+        const reduction_update *update = &p->facts->updates[i];
+        element e;
+        if (update->array != array)
+            continue;
+        if (!find_element(p, update, &e) || (e.by_row != 0) == (e.by_column != 0))
+            return false;
+        const int64_t by = e.by_row + e.by_column;
+        if (by <= 0 || (stride > 0 && by != stride))
+            return false;
+        stride = by;
+        low = e.low < low ? e.low : low;
+        high = e.high > high ? e.high : high;
+    }
+    return stride > 0 && !__builtin_sub_overflow(high, low, &span) && span <= stride;
+}
+
+static const char *look_at_updates(const pairs *p) {
+    for (unsigned i = 0; i < p->facts->update_count; i++)
+        if (!ir_contains(p->span->loop, p->facts->updates[i].statement))
+            return "it updates elements outside of the inner loop";
+    for (unsigned i = 0; i < p->facts->array_count; i++)
+        if (p->facts->arrays[i].is_scattered || !has_elements(p, i))
+            return "an update is not of the element of its row or of its column";
+    return NULL;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------- */
+
+static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
+    const loop_facts *facts = plan->facts;
+    pairs p = {.plan = plan, .facts = facts, .row = facts->counted.counter};
+    tiles->inner = find_inner(facts->counted.body);
+    p.span = tiles->inner ? span_of(facts, tiles->inner) : NULL;
+    if (!p.span)
+        return "it is no loop over pairs";
+    p.column = p.span->counted.counter;
+    const char *why = look_at_header(&p, tiles);
+    if (why)
+        return why;
+    if (plan->precheck != PRECHECK_NONE)
+        return "its subscripts must be checked in order before";
+    if (may_leave(facts->counted.body, false) || may_leave(ir_loop_body(tiles->inner), false))
+        return "its inner loop may end early";
+    if (has_other_results(facts) || !sums_are_in_turns(&p))
+        return "it has other results than updates and sums in its inner loop";
+    if (!row_only_computes(&p))
+        return "it does more than to compute values before its inner loop";
+    if (!turns_are_apart(&p))
+        return "a turn of the inner loop may see values of the turn before";
+    return look_at_updates(&p);
+}
+
+void plan_tiles(loop_plan *plan) {
+    tile_plan *tiles = ARENA_NEW(plan->arena, tile_plan);
+    *tiles = (tile_plan){0};
+    tiles->declined = why_not(plan, tiles);
+    plan->tiles = tiles;
+}

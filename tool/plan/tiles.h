@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Tiles of a loop over pairs (runtime: execute/tiles.h):
+ *
+ *     for (i = 0; i < n; i++)
+ *         for (j = i + 1; j < n; j++) { ... f[i] += e; f[j] -= e; }
+ *
+ * A tile executes rows i of a band, and of each row the columns j of a block, in the order of the
+ * loop, after the tiles above it and to its left.
+ *
+ * Why it is sound: (i, j) names a turn of the inner loop, and element e of an array the bytes of
+ * [S e, S e + S) from a fixed place, S being the array's stride. Turn (i, j) updates bytes of
+ * elements i and j only, and j >= i. It reads nothing else that the loop writes: no array (the
+ * overlap guard), and no variable of an earlier turn (fresh.h). So it suffices that turns that
+ * share an element keep their order. Let e be that element. Turns that update it are (r, e) with r
+ * <= e, and (e, c) with c >= e; the loop executes the former by ascending r, and then the latter by
+ * ascending c. Of two of them, the one that comes first has neither the later row nor the later
+ * column. So it is in the same tile, where rows and columns keep their order, or in one that
+ * precedes it. With columns below their rows, j <= i, turns (e, c) come first, by ascending c, and
+ * then (r, e) by ascending r; again neither row nor column ever falls.
+ *
+ * What an iteration does before the inner loop is done again in each tile of its row: it computes
+ * variables of its own, and has no other effect. The sums of scalars are kept by row, and each
+ * row's operands in the order of its tiles (emit/body/series.h).
+ */
+#ifndef PLAN_TILES_H
+#define PLAN_TILES_H
+
+#include "plan/plan.h"
+
+typedef struct tile_plan {
+    const char *declined;         /* why there are no tiles; NULL: there are */
+    const ir_node *inner;         /* the loop over columns, a statement of the body or all of it */
+    const ir_node *lower, *bound; /* expressions of its header, */
+    bool is_inclusive;            /* counter <= bound, not counter < bound */
+    bool is_below;                /* columns are below their rows */
+} tile_plan;
+
+/** Sets tiles. */
+void plan_tiles(loop_plan *plan);
+
+/** The plan's tiles; NULL: none. */
+static inline const tile_plan *tiles_of(const loop_plan *plan) {
+    return plan->tiles && !plan->tiles->declined ? plan->tiles : NULL;
+}
+
+#endif
