@@ -23,12 +23,12 @@ typedef struct view_request {
 #define VIEW_WIDTH                                                                                 \
     {                                                                                              \
         "--width", "N", "of the pictures, in pixels, even (default 960)", OPTION_WHOLE,            \
-            offsetof(view_request, width), 32, 4096                                                \
+            .offset = offsetof(view_request, width), .low = 32, .high = 4096                       \
     }
 #define VIEW_HEIGHT                                                                                \
     {                                                                                              \
         "--height", "N", "of the pictures, in pixels, even (default 720)", OPTION_WHOLE,           \
-            offsetof(view_request, height), 32, 4096                                               \
+            .offset = offsetof(view_request, height), .low = 32, .high = 4096                      \
     }
 
 /** Reads a command line with one folder. OPTIONS_READ, or the exit status. */
