@@ -12,6 +12,9 @@
 
 enum { MOST_OPTIONS = 32 };
 
+/** What was read instead of an option's number in the table. */
+enum { END = -1, WORD = -2, HELP = -3, WRONG = -4 };
+
 const char *program_name = "fabric";
 
 int options_complain(const command *of, const char *format, ...) {
@@ -49,7 +52,7 @@ static int complain_unknown(const options *o, const char *word, int length) {
         options_complain(o->of, "unknown option '%s', did you mean '%s'?", name, nearest);
     else
         options_complain(o->of, "unknown option '%s', --help lists the known ones", name);
-    return OPTIONS_WRONG;
+    return WRONG;
 }
 
 /** An option's value: after its '=', or the next word. */
@@ -71,47 +74,50 @@ static int take_value(options *o, const option *known, const char *equals) {
     return -1;
 }
 
-int options_next(options *o) {
+/** Reads the next word: the option's number, or one of the above. */
+static int read_next(options *o) {
     if (o->next >= o->argc)
-        return OPTIONS_END;
+        return END;
     const char *word = o->argv[o->next++];
     o->value = word;
     if (!o->only_words && strcmp(word, "--") == 0) {
         o->only_words = 1;
-        return options_next(o);
+        return read_next(o);
     }
     if (o->only_words || word[0] != '-' || word[1] == '\0')
-        return OPTIONS_WORD;
+        return WORD;
     if (strcmp(word, "--help") == 0) {
         print_help(o->of);
-        return OPTIONS_HELP;
+        return HELP;
     }
     const char *equals = word[1] == '-' ? strchr(word, '=') : NULL;
     const size_t length = equals ? (size_t)(equals - word) : strlen(word);
     for (int k = 0; o->of->options[k].name; k++)
         if (strlen(o->of->options[k].name) == length &&
             memcmp(o->of->options[k].name, word, length) == 0)
-            return take_value(o, &o->of->options[k], equals) == 0 ? k : OPTIONS_WRONG;
+            return take_value(o, &o->of->options[k], equals) == 0 ? k : WRONG;
     return complain_unknown(o, word, (int)length);
 }
 
-int options_whole(const options *o, const char *name, long low, long high, long *value) {
+static int read_whole(const options *o, const option *known, long *value) {
+    const long low = (long)known->low, high = (long)known->high;
     char *end;
     errno = 0;
     *value = strtol(o->value, &end, 10);
     if (end != o->value && *end == '\0' && errno == 0 && *value >= low && *value <= high)
         return 0;
-    options_complain(o->of, "%s is '%s', expected a whole number from %ld to %ld", name, o->value,
-                     low, high);
+    options_complain(o->of, "%s is '%s', expected a whole number from %ld to %ld", known->name,
+                     o->value, low, high);
     return -1;
 }
 
-int options_number(const options *o, const char *name, double low, double *value) {
+static int read_number(const options *o, const option *known, double *value) {
     char *end;
     *value = strtod(o->value, &end);
-    if (end != o->value && *end == '\0' && isfinite(*value) && *value >= low)
+    if (end != o->value && *end == '\0' && isfinite(*value) && *value >= known->low)
         return 0;
-    options_complain(o->of, "%s is '%s', expected a number, %g or more", name, o->value, low);
+    options_complain(o->of, "%s is '%s', expected a number, %g or more", known->name, o->value,
+                     known->low);
     return -1;
 }
 
@@ -129,4 +135,46 @@ int options_choice(const options *o, const char *name, const char *const *choice
                      nearest ? "; did you mean '" : "", nearest ? nearest : "",
                      nearest ? "'?" : "");
     return -1;
+}
+
+int options_only_word(const options *o, const char **text, const char *what) {
+    if (*text)
+        return options_complain(o->of, "one %s at a time, not '%s' as well", what, o->value);
+    *text = o->value;
+    return 0;
+}
+
+static int store(const options *o, const option *known, void *to) {
+    switch (known->kind) {
+    case OPTION_TEXT:
+        *(const char **)to = o->value;
+        return 0;
+    case OPTION_FLAG:
+        *(int *)to = 1;
+        return 0;
+    case OPTION_WHOLE:
+        return read_whole(o, known, to);
+    case OPTION_NUMBER:
+        return read_number(o, known, to);
+    case OPTION_CHOICE:
+        *(int *)to = options_choice(o, known->name, known->choices);
+        return *(int *)to < 0;
+    case OPTION_OWN:
+        break;
+    }
+    return known->take(o, to);
+}
+
+int options_read(const command *of, int argc, char **argv, void *request, option_taker *take_word) {
+    options o = {of, argc, argv, 0, NULL, 0};
+    for (int next; (next = read_next(&o)) != END;) {
+        if (next == HELP)
+            return EXIT_SUCCESS;
+        if (next == WRONG ||
+            (next == WORD
+                 ? take_word(&o, request)
+                 : store(&o, &of->options[next], (char *)request + of->options[next].offset)) != 0)
+            return EXIT_USAGE;
+    }
+    return OPTIONS_READ;
 }

@@ -3,10 +3,39 @@
 #ifndef FABRIC_OPTIONS_H
 #define FABRIC_OPTIONS_H
 
+#include <stddef.h>
+
+typedef enum option_kind {
+    OPTION_TEXT,   /* const char *, by reference */
+    OPTION_FLAG,   /* int: 1 */
+    OPTION_WHOLE,  /* long, from low to high */
+    OPTION_NUMBER, /* double, low or more */
+    OPTION_CHOICE, /* int: the number of the word in choices */
+    OPTION_OWN     /* read by `take` */
+} option_kind;
+
+/** Position in a command line. */
+typedef struct options {
+    const struct command *of;
+    int argc;
+    char **argv;
+    int next;
+    const char *value; /* of the option just read, or the word */
+    int only_words;    /* "--" was read */
+} options;
+
+/** Takes o->value into *to. 0, or another number after a message. */
+typedef int option_taker(const options *o, void *to);
+
 typedef struct option {
     const char *name;     /* "--steps" or "-o" */
     const char *argument; /* what follows it, as --help names it; NULL: nothing */
     const char *help;     /* one line */
+    option_kind kind;
+    size_t offset; /* of the value in the request that options_read fills */
+    double low, high;
+    const char *const *choices; /* NULL after the last */
+    option_taker *take;
 } option;
 
 /** A command: `fabric NAME ...`. */
@@ -18,34 +47,20 @@ typedef struct command {
     int (*run)(const struct command *self, int argc, char **argv); /* its words; the exit status */
 } command;
 
-enum { EXIT_USAGE = 2 };
-
-enum { OPTIONS_END = -1, OPTIONS_WORD = -2, OPTIONS_HELP = -3, OPTIONS_WRONG = -4 };
-
-/** Position in a command line. Start with {command, argc, argv, 0, NULL, 0}. */
-typedef struct options {
-    const command *of;
-    int argc;
-    char **argv;
-    int next;
-    const char *value; /* of the option just read, or the word */
-    int only_words;    /* "--" was read */
-} options;
+enum { EXIT_USAGE = 2, OPTIONS_READ = -1 };
 
 /**
- * Reads the next word of the command line: the option's number in the table, OPTIONS_WORD for a
- * word that is none, OPTIONS_END after the last, OPTIONS_HELP (the help was printed),
- * OPTIONS_WRONG (a message was printed: exit with EXIT_USAGE).
+ * Reads the command line into *request: options as the table says, words by `take_word`, whose `to`
+ * is the request. OPTIONS_READ, or the exit status: 0 where help was asked for, EXIT_USAGE after a
+ * message.
  */
-int options_next(options *o);
-
-/** The value as a whole number from low to high, or as a number from low up. 0, or -1 after a
- *  message. `name`: the option's. */
-int options_whole(const options *o, const char *name, long low, long high, long *value);
-int options_number(const options *o, const char *name, double low, double *value);
+int options_read(const command *of, int argc, char **argv, void *request, option_taker *take_word);
 
 /** The word as the number of one of `choices` (NULL after the last); -1 after a message. */
 int options_choice(const options *o, const char *name, const char *const *choices);
+
+/** Takes the only word, "a folder", into *text. */
+int options_only_word(const options *o, const char **text, const char *what);
 
 /** "fabric run: ..." on standard error. Returns EXIT_USAGE. */
 int options_complain(const command *of, const char *format, ...)

@@ -12,19 +12,6 @@
 #include "solver/solver.h"
 #include "step/integrator.h"
 
-enum { SCENE, OUTPUT, SET, REPEAT, STEPS, QUICK, ERROR };
-static const option accuracy_options[] = {
-    [SCENE] = {"--scene", "SCENE", "the scene (default: flap)"},
-    [OUTPUT] = {"-o", "DIR", "folder for tables (default: accuracy)"},
-    [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as mesh.vertices=100"},
-    [REPEAT] = {"--repeat", "N", "measure each time N times and keep the least (default 1)"},
-    [STEPS] = {"--most-steps", "N",
-               "the finest division of the scene (default 64; advise: 16 times "
-               "its steps)"},
-    [QUICK] = {"--quick", NULL, "few and coarse runs, as a test"},
-    [ERROR] = {"--error", "LENGTH", "advise: the rms error to reach, in m, or with mm, um"},
-    {NULL, NULL, NULL}};
-
 static const char *const names[] = {"dt",        "cg",     "newton", "integrator", "preconditioner",
                                     "precision", "solver", "sum",    "mesh",       "horizon",
                                     "all",       "advise", NULL};
@@ -42,25 +29,40 @@ typedef struct request {
     double error;            /* m; 0: none given */
 } request;
 
-/* "1mm", "0.001", "50um". 0, or -1 after a message. */
-static int read_length(const command *self, const char *text, double *length) {
+/* "1mm", "0.001", "50um". */
+static int take_length(const options *o, void *length) {
     static const struct {
         const char *name;
         double metres;
     } units[] = {{"", 1}, {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}};
     char *end;
-    const double value = strtod(text, &end);
+    const double value = strtod(o->value, &end);
     for (size_t k = 0; k < sizeof units / sizeof *units; k++)
-        if (end != text && strcmp(end, units[k].name) == 0 && isfinite(value) && value > 0) {
-            *length = value * units[k].metres;
+        if (end != o->value && strcmp(end, units[k].name) == 0 && isfinite(value) && value > 0) {
+            *(double *)length = value * units[k].metres;
             return 0;
         }
-    options_complain(self, "--error is '%s', expected a length above 0, such as 1mm or 0.001",
-                     text);
-    return -1;
+    return options_complain(
+        o->of, "--error is '%s', expected a length above 0, such as 1mm or 0.001", o->value);
 }
 
-static int take_word(const command *self, const options *o, request *r) {
+#define VALUE(field) offsetof(request, field)
+static const option accuracy_options[] = {
+    {"--scene", "SCENE", "the scene (default: flap)", .offset = VALUE(scene_name)},
+    {"-o", "DIR", "folder for tables (default: accuracy)", .offset = VALUE(folder)},
+    SETTING_OPTION(request, "mesh.vertices=100"),
+    {"--repeat", "N", "measure each time N times and keep the least (default 1)", OPTION_WHOLE,
+     VALUE(repeat), .low = 1, .high = 1000},
+    {"--most-steps", "N",
+     "the finest division of the scene (default 64; advise: 16 times its steps)", OPTION_WHOLE,
+     VALUE(most_steps), .low = 8, .high = 100000},
+    {"--quick", NULL, "few and coarse runs, as a test", OPTION_FLAG, .offset = VALUE(quick)},
+    {"--error", "LENGTH", "advise: the rms error to reach, in m, or with mm, um", OPTION_OWN,
+     VALUE(error), .take = take_length},
+    {.name = NULL}};
+
+static int take_word(const options *o, void *to) {
+    request *r = to;
     if (r->name < 0) {
         r->name = options_choice(o, "the experiment", names);
         return r->name < 0;
@@ -69,52 +71,19 @@ static int take_word(const command *self, const options *o, request *r) {
         r->scene_name = o->value;
         return 0;
     }
-    options_complain(self, "one experiment at a time, not '%s' as well", o->value);
-    return 1;
+    return options_complain(o->of, "one experiment at a time, not '%s' as well", o->value);
 }
 
-/** Exit status, or -1 to continue. */
+/** Exit status, or OPTIONS_READ. */
 static int read_request(const command *self, int argc, char **argv, request *r) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    int wrong = 0;
-    for (int next; !wrong && (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case SCENE:
-            r->scene_name = o.value;
-            break;
-        case OUTPUT:
-            r->folder = o.value;
-            break;
-        case SET:
-            wrong = add_setting(self, &r->settings, o.value);
-            break;
-        case REPEAT:
-            wrong = options_whole(&o, "--repeat", 1, 1000, &r->repeat);
-            break;
-        case STEPS:
-            wrong = options_whole(&o, "--most-steps", 8, 100000, &r->most_steps);
-            break;
-        case QUICK:
-            r->quick = 1;
-            break;
-        case ERROR:
-            wrong = read_length(self, o.value, &r->error);
-            break;
-        case OPTIONS_WORD:
-            wrong = take_word(self, &o, r);
-            break;
-        case OPTIONS_HELP:
-            return EXIT_SUCCESS;
-        default:
-            return EXIT_USAGE;
-        }
-    if (wrong)
-        return EXIT_USAGE;
+    const int status = options_read(self, argc, argv, r, take_word);
+    if (status != OPTIONS_READ)
+        return status;
     if (r->name < 0)
         return options_complain(self, "which experiment? %s", self->synopsis);
     if (r->name == ADVISE && (r->error <= 0 || !r->scene_name))
         return options_complain(self, "advise needs --error and a scene: advise --error 1mm SCENE");
-    return -1;
+    return OPTIONS_READ;
 }
 
 static void print_advice(const scene *s, const advice *a) {
@@ -215,9 +184,9 @@ static int experiment(const request *r) {
 
 static int run(const command *self, int argc, char **argv) {
     request r = {.name = -1, .folder = "accuracy", .repeat = 1};
-    const int wrong = read_request(self, argc, argv, &r);
-    if (wrong >= 0)
-        return wrong;
+    const int read = read_request(self, argc, argv, &r);
+    if (read != OPTIONS_READ)
+        return read;
     return r.name == ADVISE ? give_advice(&r) : experiment(&r);
 }
 

@@ -23,8 +23,15 @@ typedef struct setting_list {
     int count;
 } setting_list;
 
-/** Takes one more. 0, or the exit status after a complaint that there are too many. */
-int add_setting(const command *self, setting_list *settings, const char *setting);
+/** Takes one more into the list: an option_taker. */
+int take_setting(const options *o, void *list);
+
+/** The option for it, of a request with `settings`. */
+#define SETTING_OPTION(request_, example)                                                          \
+    {                                                                                              \
+        "--set", "KEY=VALUE", "change a key of the scene, such as " example,                       \
+            .kind = OPTION_OWN, .offset = offsetof(request_, settings), .take = take_setting       \
+    }
 
 /** Makes the settings. 0, or -1 after a message: then the scene is empty. */
 int make_settings(scene *s, const setting_list *settings);

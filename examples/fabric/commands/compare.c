@@ -11,10 +11,16 @@
 
 enum { EXIT_DIFFERENT = 1, EXIT_UNUSABLE = 2 };
 
-enum { TOLERANCE };
+typedef struct request {
+    const char *path[2];
+    int count;
+    double tolerance; /* m; below 0: to the bit */
+} request;
+
 static const option compare_options[] = {
-    [TOLERANCE] = {"--tolerance", "T", "largest permitted difference in metres (default: 0 bits)"},
-    {NULL, NULL, NULL}};
+    {"--tolerance", "T", "largest permitted difference in metres (default: 0 bits)", OPTION_NUMBER,
+     .offset = offsetof(request, tolerance)},
+    {.name = NULL}};
 
 /** The largest difference of two arrays of numbers. */
 typedef struct difference {
@@ -129,30 +135,22 @@ static int compare_files(const char *const path[2], double tolerance) {
     return status;
 }
 
+static int take_word(const options *o, void *to) {
+    request *r = to;
+    if (r->count == 2)
+        return options_complain(o->of, "two states at a time, not '%s' as well", o->value);
+    r->path[r->count++] = o->value;
+    return 0;
+}
+
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    const char *path[2] = {NULL, NULL};
-    double tolerance = -1.0;
-    int count = 0;
-    for (int next; (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case TOLERANCE:
-            if (options_number(&o, "--tolerance", 0.0, &tolerance) != 0)
-                return EXIT_USAGE;
-            break;
-        case OPTIONS_WORD:
-            if (count == 2)
-                return options_complain(self, "two states at a time, not '%s' as well", o.value);
-            path[count++] = o.value;
-            break;
-        case OPTIONS_HELP:
-            return EXIT_SUCCESS;
-        default:
-            return EXIT_USAGE;
-        }
-    if (count < 2)
+    request r = {.tolerance = -1};
+    const int read = options_read(self, argc, argv, &r, take_word);
+    if (read != OPTIONS_READ)
+        return read;
+    if (r.count < 2)
         return options_complain(self, "which states? %s", self->synopsis);
-    return compare_files(path, tolerance);
+    return compare_files(r.path, r.tolerance);
 }
 
 const command compare_command = {

@@ -13,19 +13,6 @@
 
 enum { ERROR_SIZE = 256 };
 
-enum { OUTPUT, VERTICES, BOUNDARY, SIDE, SEED, ORDER, NUMBERS, RESTORE };
-static const option mesh_options[] = {
-    [OUTPUT] = {"-o", "FILE.obj", "output file (generate, reorder)"},
-    [VERTICES] = {"--vertices", "N", "generate: vertices (default 2602)"},
-    [BOUNDARY] = {"--boundary", "N", "generate: vertices on the border (default 220)"},
-    [SIDE] = {"--side", "M", "generate: the square's side in metres (default 1)"},
-    [SEED] = {"--seed", "N", "generate, reorder: random seed (default 1)"},
-    [ORDER] = {"--order", "ORDER",
-               "generated, sorted (reverse Cuthill-McKee), shuffled, hilbert or metis"},
-    [NUMBERS] = {"--numbers", "FILE", "output file for the new number of each vertex, one a line"},
-    [RESTORE] = {"--restore", "FILE", "reorder: undo a renumbering by such a file"},
-    {NULL, NULL, NULL}};
-
 static const char *const actions[] = {"generate", "reorder", "info", NULL};
 enum { GENERATE, REORDER, INFO };
 
@@ -38,50 +25,39 @@ typedef struct request {
     const char *output;
     long vertices, boundary, seed;
     double side;
-    mesh_order order;
+    int order; /* mesh_order */
     const char *numbers, *restore;
 } request;
 
-static int take_word(const command *self, const options *o, request *r) {
+#define VALUE(field) offsetof(request, field)
+static const option mesh_options[] = {
+    {"-o", "FILE.obj", "output file (generate, reorder)", .offset = VALUE(output)},
+    {"--vertices", "N", "generate: vertices (default 2602)", OPTION_WHOLE, VALUE(vertices),
+     .low = 5, .high = 2e7},
+    {"--boundary", "N", "generate: vertices on the border (default 220)", OPTION_WHOLE,
+     VALUE(boundary), .low = 4, .high = 1e7},
+    {"--side", "M", "generate: the square's side in metres (default 1)", OPTION_NUMBER, VALUE(side),
+     .low = 1e-9},
+    {"--seed", "N", "generate, reorder: random seed (default 1)", OPTION_WHOLE, VALUE(seed),
+     .low = 0, .high = 4294967295},
+    {"--order", "ORDER", "generated, sorted (reverse Cuthill-McKee), shuffled, hilbert or metis",
+     OPTION_CHOICE, VALUE(order), .choices = orders},
+    {"--numbers", "FILE", "output file for the new number of each vertex, one a line",
+     .offset = VALUE(numbers)},
+    {"--restore", "FILE", "reorder: undo a renumbering by such a file", .offset = VALUE(restore)},
+    {.name = NULL}};
+
+static int take_word(const options *o, void *to) {
+    request *r = to;
     if (r->action < 0) {
         r->action = options_choice(o, "the action", actions);
-        return r->action < 0 ? -1 : 0;
+        return r->action < 0;
     }
     if (r->action != GENERATE && !r->input) {
         r->input = o->value;
         return 0;
     }
-    options_complain(self, "what is '%s' for? %s", o->value, self->synopsis);
-    return -1;
-}
-
-static int take_option(const command *self, int option_number, const options *o, request *r) {
-    int number;
-    switch (option_number) {
-    case OUTPUT:
-        r->output = o->value;
-        return 0;
-    case VERTICES:
-        return options_whole(o, "--vertices", 5, 20000000, &r->vertices);
-    case BOUNDARY:
-        return options_whole(o, "--boundary", 4, 10000000, &r->boundary);
-    case SIDE:
-        return options_number(o, "--side", 1e-9, &r->side);
-    case SEED:
-        return options_whole(o, "--seed", 0, 4294967295, &r->seed);
-    case NUMBERS:
-        r->numbers = o->value;
-        return 0;
-    case RESTORE:
-        r->restore = o->value;
-        return 0;
-    case ORDER:
-        number = options_choice(o, "--order", orders);
-        r->order = (mesh_order)number;
-        return number < 0 ? -1 : 0;
-    default:
-        return take_word(self, o, r);
-    }
+    return options_complain(o->of, "what is '%s' for? %s", o->value, o->of->synopsis);
 }
 
 static int check_request(const command *self, const request *r) {
@@ -196,7 +172,7 @@ static int change_order(const request *r, mesh *m, char *error) {
                      ? mesh_renumber(m, number, 1, error)
                      : -1;
     else if (number)
-        status = mesh_reorder(m, r->order, (unsigned)r->seed, number, error);
+        status = mesh_reorder(m, (mesh_order)r->order, (unsigned)r->seed, number, error);
     if (status == 0 && r->numbers && write_numbers(r->numbers, number, m->vertex_count) != 0) {
         error[0] = '\0';
         status = -1;
@@ -230,14 +206,10 @@ static int perform(const request *r) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
     request r = {-1, NULL, NULL, 2602, 220, 1, 1.0, MESH_ORDER_GENERATED, NULL, NULL};
-    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
-        if (next == OPTIONS_HELP)
-            return EXIT_SUCCESS;
-        if (next == OPTIONS_WRONG || take_option(self, next, &o, &r) != 0)
-            return EXIT_USAGE;
-    }
+    const int read = options_read(self, argc, argv, &r, take_word);
+    if (read != OPTIONS_READ)
+        return read;
     const int wrong = check_request(self, &r);
     return wrong != 0 ? wrong : perform(&r);
 }

@@ -11,10 +11,12 @@
 
 enum { ERROR_SIZE = 256 };
 
-enum { SET };
-static const option plan_options[] = {
-    [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as material.bend=0"},
-    {NULL, NULL, NULL}};
+typedef struct request {
+    const char *scene_name;
+    setting_list settings;
+} request;
+
+static const option plan_options[] = {SETTING_OPTION(request, "material.bend=0"), {.name = NULL}};
 
 static double mebibytes(double bytes) {
     return bytes / (1024.0 * 1024.0);
@@ -100,30 +102,19 @@ static int plan(const scene *s) {
     return status;
 }
 
+static int take_word(const options *o, void *to) {
+    return options_only_word(o, &((request *)to)->scene_name, "scene");
+}
+
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    const char *name = NULL;
-    setting_list settings = {.count = 0};
-    for (int next; (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case SET:
-            if (add_setting(self, &settings, o.value) != 0)
-                return EXIT_USAGE;
-            break;
-        case OPTIONS_WORD:
-            if (name)
-                return options_complain(self, "one scene at a time, not '%s' as well", o.value);
-            name = o.value;
-            break;
-        case OPTIONS_HELP:
-            return EXIT_SUCCESS;
-        default:
-            return EXIT_USAGE;
-        }
-    if (!name)
-        return options_complain(self, "which scene? %s", self->synopsis);
+    request r = {.scene_name = NULL};
     scene s;
-    if (read_scene(&s, name, &settings) != 0)
+    const int read = options_read(self, argc, argv, &r, take_word);
+    if (read != OPTIONS_READ)
+        return read;
+    if (!r.scene_name)
+        return options_complain(self, "which scene? %s", self->synopsis);
+    if (read_scene(&s, r.scene_name, &r.settings) != 0)
         return EXIT_FAILURE;
     const int status = plan(&s);
     scene_free(&s);

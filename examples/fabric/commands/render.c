@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "commands/commands.h"
 
-static const option no_options[] = {{NULL, NULL, NULL}};
+static const option no_options[] = {{.name = NULL}};
 
 /** The program installed in the same folder, otherwise by PATH. Returns only on errors. */
 static void become_view(char **words) {

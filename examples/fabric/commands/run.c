@@ -15,32 +15,26 @@
 
 enum { ERROR_SIZE = 256, EXIT_INTERRUPTED = 130 };
 
-enum {
-    OUTPUT,
-    STEPS,
-    THREADS,
-    SET,
-    PROGRESS,
-    FRAME_COUNT,
-    CHECKPOINT_EVERY,
-    STOP_AFTER,
-    RESUME,
-    OPTION_COUNT
-};
-static const option run_options[OPTION_COUNT + 1] = {
-    [OUTPUT] = {"-o", "DIR", "output folder (default: the scene's name and -run)"},
-    [STEPS] = {"--steps", "N", "number of steps, instead of the scene's"},
-    [THREADS] = {"--threads", "N",
-                 "number of threads (default: the fastest, up to OMP_NUM_THREADS)"},
-    [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as material.bend=0.01"},
-    [PROGRESS] = {"--progress", "STYLE", "auto, bar, lines, json or none"},
-    [FRAME_COUNT] = {"--frames", "N", "number of states kept for pictures (default 25; 0: none)"},
-    [CHECKPOINT_EVERY] =
-        {"--checkpoint-every", "N",
-         "write DIR/checkpoint every N steps and after the last (default 0: none)"},
-    [STOP_AFTER] = {"--stop-after", "N", "end after step N with a checkpoint, as Ctrl-C does"},
-    [RESUME] = {"--resume", "DIR", "resume the run in DIR, or from a checkpoint FILE"},
-    [OPTION_COUNT] = {NULL, NULL, NULL}};
+#define VALUE(field) offsetof(run_request, field)
+static const option run_options[] = {
+    {"-o", "DIR", "output folder (default: the scene's name and -run)", .offset = VALUE(folder)},
+    {"--steps", "N", "number of steps, instead of the scene's", OPTION_WHOLE, VALUE(steps),
+     .low = 0, .high = 1e9},
+    {"--threads", "N", "number of threads (default: the fastest, up to OMP_NUM_THREADS)",
+     OPTION_WHOLE, VALUE(threads), .low = 1, .high = 4096},
+    SETTING_OPTION(run_request, "material.bend=0.01"),
+    {"--progress", "STYLE", "auto, bar, lines, json or none", OPTION_CHOICE, VALUE(progress),
+     .choices = progress_styles},
+    {"--frames", "N", "number of states kept for pictures (default 25; 0: none)", OPTION_WHOLE,
+     VALUE(frames), .low = 0, .high = 1e6},
+    {"--checkpoint-every", "N",
+     "write DIR/checkpoint every N steps and after the last (default 0: none)", OPTION_WHOLE,
+     VALUE(every), .low = 0, .high = 1e9},
+    {"--stop-after", "N", "end after step N with a checkpoint, as Ctrl-C does", OPTION_WHOLE,
+     VALUE(stop_after), .low = 0, .high = 1e9},
+    {"--resume", "DIR", "resume the run in DIR, or from a checkpoint FILE",
+     .offset = VALUE(resume)},
+    {.name = NULL}};
 
 static volatile sig_atomic_t interrupted;
 
@@ -70,27 +64,7 @@ static void set_threads(long threads) {
 #endif
 }
 
-/** The number of an option. Exit status, or -1 to continue. */
-static int read_number(const options *o, int which, run_request *r) {
-    static const struct {
-        long low, high;
-    } ranges[OPTION_COUNT] = {[STEPS] = {0, 1000000000},
-                              [THREADS] = {1, 4096},
-                              [FRAME_COUNT] = {0, 1000000},
-                              [CHECKPOINT_EVERY] = {0, 1000000000},
-                              [STOP_AFTER] = {0, 1000000000}};
-    long *const numbers[OPTION_COUNT] = {[STEPS] = &r->steps,
-                                         [THREADS] = &r->threads,
-                                         [FRAME_COUNT] = &r->frames,
-                                         [CHECKPOINT_EVERY] = &r->every,
-                                         [STOP_AFTER] = &r->stop_after};
-    return options_whole(o, run_options[which].name, ranges[which].low, ranges[which].high,
-                         numbers[which]) == 0
-               ? -1
-               : EXIT_USAGE;
-}
-
-/** Checks combinations of options. Exit status, or -1 to continue. */
+/** Checks combinations of options. Exit status, or OPTIONS_READ. */
 static int check_request(const command *self, const run_request *r) {
     if (!r->scene_name && !r->resume)
         return options_complain(self, "which scene? %s", self->synopsis);
@@ -100,48 +74,24 @@ static int check_request(const command *self, const run_request *r) {
     if (r->resume && r->frames != NOT_GIVEN)
         return options_complain(self, "--frames is for a run that begins: --resume keeps to what "
                                       "it began with");
-    return -1;
+    return OPTIONS_READ;
 }
 
-/** Exit status, or -1 to continue. */
+static int take_word(const options *o, void *request) {
+    return options_only_word(o, &((run_request *)request)->scene_name, "scene");
+}
+
+/** Exit status, or OPTIONS_READ. */
 static int read_request(const command *self, int argc, char **argv, run_request *r) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    int wrong = -1, number;
-    for (int next; wrong < 0 && (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case OUTPUT:
-            r->folder = o.value;
-            break;
-        case RESUME:
-            r->resume = o.value;
-            break;
-        case SET:
-            wrong = add_setting(self, &r->settings, o.value) == 0 ? -1 : EXIT_USAGE;
-            break;
-        case PROGRESS:
-            number = options_choice(&o, "--progress", progress_styles);
-            wrong = number < 0 ? EXIT_USAGE : -1;
-            r->progress = (progress_style)number;
-            break;
-        case OPTIONS_WORD:
-            if (r->scene_name)
-                return options_complain(self, "one scene at a time, not '%s' as well", o.value);
-            r->scene_name = o.value;
-            break;
-        case OPTIONS_HELP:
-            return EXIT_SUCCESS;
-        case OPTIONS_WRONG:
-            return EXIT_USAGE;
-        default:
-            wrong = read_number(&o, next, r);
-        }
-    return wrong >= 0 ? wrong : check_request(self, r);
+    const int status = options_read(self, argc, argv, r, take_word);
+    return status == OPTIONS_READ ? check_request(self, r) : status;
 }
 
-int add_setting(const command *self, setting_list *settings, const char *setting) {
+int take_setting(const options *o, void *list) {
+    setting_list *settings = list;
     if (settings->count == MOST_SETTINGS)
-        return options_complain(self, "more than %d times --set", MOST_SETTINGS);
-    settings->setting[settings->count++] = setting;
+        return options_complain(o->of, "more than %d times --set", MOST_SETTINGS);
+    settings->setting[settings->count++] = o->value;
     return 0;
 }
 
@@ -301,9 +251,9 @@ static int simulate(cloth_run *run, const run_request *r) {
 static int run(const command *self, int argc, char **argv) {
     run_request r = {
         .steps = NOT_GIVEN, .stop_after = NOT_GIVEN, .frames = NOT_GIVEN, .every = NOT_GIVEN};
-    const int wrong = read_request(self, argc, argv, &r);
-    if (wrong >= 0)
-        return wrong;
+    const int read = read_request(self, argc, argv, &r);
+    if (read != OPTIONS_READ)
+        return read;
     cloth_run *all = calloc(1, sizeof *all);
     if (!all) {
         fprintf(stderr, "out of memory\n");

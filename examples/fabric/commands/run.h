@@ -21,7 +21,7 @@ typedef struct run_request {
     long threads;           /* 0: as OpenMP chooses */
     long frames;            /* NOT_GIVEN: FRAMES, or the resumed run's */
     long every;             /* as frames; NOT_GIVEN of a new run: 0 */
-    progress_style progress;
+    int progress;           /* progress_style */
     setting_list settings;
 } run_request;
 

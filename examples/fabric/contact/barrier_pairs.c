@@ -66,23 +66,10 @@ static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     return pair;
 }
 
-/* Whether the swept boxes of the two features keep a distance of at least the reach. For most
- * pairs they do. */
+/* Do the two features stay further apart than their reach, by the boxes that they sweep? */
 static int boxes_apart(const barrier_pair *pair, const double (*x)[3], const double (*way)[3]) {
-    const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
-    for (int a = 0; a < 3; a++) {
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-        for (int k = 0; k < 4; k++) {
-            const int i = pair->vertex[k], f = k >= firsts;
-            const double from = x[i][a], to = way ? from + way[i][a] : from;
-            const double least = to < from ? to : from, most = to < from ? from : to;
-            low[f] = least < low[f] ? least : low[f];
-            high[f] = most > high[f] ? most : high[f];
-        }
-        if (low[0] - high[1] >= pair->reach || low[1] - high[0] >= pair->reach)
-            return 1;
-    }
-    return 0;
+    return self_pair_stays_apart(pair->vertex, pair->kind == BARRIER_EDGES, pair->reach,
+                                 way ? 1 : 0, x, way ? way : x);
 }
 
 /* Leaves the pair out if it cannot come within its reach. */

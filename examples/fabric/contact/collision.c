@@ -5,7 +5,6 @@
 
 #include "base/chunk_sum.h"
 #include "base/vector.h"
-#include "pin.h"
 #include "shape.h"
 
 /* Steps in a row in which a constraint may pull before it is ended (flickering contacts otherwise

@@ -183,4 +183,8 @@ long collisions_inside(const collisions *c, double time, const double (*x)[3]);
 /** Contacts now; and of them, how many stick. Either may be NULL. */
 void collisions_count(const collisions *c, long *contacts, long *sticking);
 
+/** Sets pin_of[i] = number for each vertex i of the mesh that the pin holds: by where the mesh has
+ *  it, before anything moves. pin_of: [vertex_count]. */
+void pin_find(const pin *p, const mesh *m, int number, int *pin_of);
+
 #endif

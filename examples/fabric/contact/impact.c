@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "impact_zone.h"
-
 /* Number of rounds of impulses, and of searches for pairs. */
 enum { most_rounds = 20, most_searches = 3 };
 

@@ -4,7 +4,7 @@
  * through itself nor through a body. Both together, since what one pushes the other may have to
  * push back: rounds of impulses over the cloth's own pairs, the vertices that came too near to a
  * body and the triangles that meet one between their vertices. What still passes after that moves
- * as one: impact zones (impact_zone.h).
+ * as one: impact zones.
  */
 #ifndef FABRIC_IMPACT_H
 #define FABRIC_IMPACT_H
@@ -26,5 +26,19 @@ typedef struct impact_step {
  *  own impulses take. Energy that these add is not counted as external work, so the monitor
  *  detects it. 0, or -1: out of memory, or the step ends in something not finite. */
 int impact_resolve(impact_step *step, double *work);
+
+/**
+ * Impact zones (Provot 1997; Bridson, Fedkiw and Anderson 2002; Harmon et al. 2008): vertices of
+ * pairs that impulses could not keep from passing move together in the step, so that nothing passes
+ * between them.
+ *
+ * Joins the vertices of passing pairs to zones, each of which gets the velocities of a rigid
+ * body with its momenta; a zone with vertices that a pin or contact holds moves like these.
+ * Zones grow by pairs that pass at their boundary, until none does or the number of rounds is
+ * exhausted. Adds the required energy to *work, J. s->left counts the pairs that still pass. 0,
+ * or -1: out of memory.
+ */
+int impact_zones_make(self_collision *s, const movable *of, double h, const double (*x)[3],
+                      double (*v)[3], double *work);
 
 #endif

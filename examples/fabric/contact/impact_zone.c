@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "impact_zone.h"
+#include "impact.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "pin.h"
+#include "collision.h"
 
 #include "base/vector.h"
 

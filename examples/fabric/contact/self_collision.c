@@ -85,7 +85,7 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
 static double asked(const self_collision *s, const self_pair *pair, double h, const double (*x)[3],
                     const double (*v)[3], self_contact *found) {
     double from[4][3], to[4][3], speed = 0, least = 0;
-    if (self_pair_stays_apart(pair, s->gap, h, x, v))
+    if (self_pair_stays_apart(pair->vertex, pair->is_edges, s->gap, h, x, v))
         return 0;
     self_pair_gather(pair, h, x, v, from, to);
     const double(*start)[3] = (const double(*)[3])from, (*end)[3] = (const double(*)[3])to;
@@ -181,7 +181,7 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]) {
     double start[4][3], end[4][3];
     self_contact found;
-    if (self_pair_stays_apart(pair, s->gap, h, x, v))
+    if (self_pair_stays_apart(pair->vertex, pair->is_edges, s->gap, h, x, v))
         return 0;
     self_pair_gather(pair, h, x, v, start, end);
     return self_pair_passes(pair->is_edges, (const double(*)[3])start, (const double(*)[3])end,

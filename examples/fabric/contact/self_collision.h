@@ -122,8 +122,8 @@ void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], con
 
 /** Do the boxes that the two features sweep keep more than this distance? For most pairs they do.
  */
-int self_pair_stays_apart(const self_pair *pair, double apart, double h, const double (*x)[3],
-                          const double (*v)[3]);
+int self_pair_stays_apart(const int vertex[4], int is_edges, double apart, double h,
+                          const double (*x)[3], const double (*v)[3]);
 
 /** Do the pair's features pass through each other on the way from x to y, all [4]? */
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);

@@ -235,7 +235,8 @@ static int add_if_apart(const self_collision *s, const self_search *by, const in
             if (vertex[p] == vertex[q])
                 return 0;
     self_pair pair = {{vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, 0, 0};
-    if (by->within < INFINITY && self_pair_stays_apart(&pair, by->within, by->h, by->x, by->v))
+    if (by->within < INFINITY &&
+        self_pair_stays_apart(vertex, is_edges, by->within, by->h, by->x, by->v))
         return 0;
     pair.near_at_rest = near_at_rest(s, vertex, firsts);
     return add_pair(to, &pair);

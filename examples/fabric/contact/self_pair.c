@@ -13,14 +13,14 @@ void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], con
         }
 }
 
-int self_pair_stays_apart(const self_pair *pair, double apart, double h, const double (*x)[3],
-                          const double (*v)[3]) {
-    const int firsts = pair->is_edges ? 2 : 1;
+int self_pair_stays_apart(const int vertex[4], int is_edges, double apart, double h,
+                          const double (*x)[3], const double (*v)[3]) {
+    const int firsts = is_edges ? 2 : 1;
     for (int a = 0; a < 3; a++) {
         double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
         for (int k = 0; k < 4; k++) {
             const int side = k >= firsts;
-            const double start = x[pair->vertex[k]][a], end = start + h * v[pair->vertex[k]][a];
+            const double start = x[vertex[k]][a], end = start + h * v[vertex[k]][a];
             const double least = start < end ? start : end, most = start < end ? end : start;
             low[side] = least < low[side] ? least : low[side];
             high[side] = most > high[side] ? most : high[side];

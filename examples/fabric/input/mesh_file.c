@@ -5,9 +5,10 @@
 #include <string.h>
 #include <strings.h>
 
+#include "mesh/surface_check.h"
 #include "output/obj.h"
 
-enum { ERROR_SIZE = 256 };
+enum { ERROR_SIZE = 256, PLACE_SIZE = 64 };
 
 int mesh_file_read(mesh *m, const char *path) {
     const char *dot = strrchr(path, '.');
@@ -42,4 +43,40 @@ int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *erro
     }
     snprintf(error, ERROR_SIZE, "out of memory");
     return -1;
+}
+
+/** "triangle 3 (line 12)", counted from 1. */
+static void name_place(const char *path, int triangle, char place[PLACE_SIZE]) {
+    const long line = obj_triangle_line(path, triangle);
+    if (line > 0)
+        snprintf(place, PLACE_SIZE, "triangle %d (line %ld)", triangle + 1, line);
+    else
+        snprintf(place, PLACE_SIZE, "triangle %d", triangle + 1);
+}
+
+static void complain(const char *path, const surface_fault *fault, char *error) {
+    char place[PLACE_SIZE], other[PLACE_SIZE];
+    if (fault->triangle < 0) {
+        snprintf(error, ERROR_SIZE, "%s", fault->what);
+        return;
+    }
+    name_place(path, fault->triangle, place);
+    name_place(path, fault->other, other);
+    snprintf(error, ERROR_SIZE, "%s %s; the other is %s", place, fault->what, other);
+}
+
+surface *surface_read(const char *path, char *error) {
+    surface_fault fault;
+    surface *made = NULL;
+    mesh m = {0};
+    if (mesh_file_read(&m, path) != 0)
+        snprintf(error, ERROR_SIZE, "it cannot be read");
+    else if (surface_check(&m, &fault) != 0)
+        snprintf(error, ERROR_SIZE, "out of memory");
+    else if (fault.what)
+        complain(path, &fault, error);
+    else
+        made = surface_new(&m, error);
+    mesh_free(&m);
+    return made;
 }

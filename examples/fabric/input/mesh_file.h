@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Reads and checks the meshes of scenes. */
+/** Reads and checks the meshes of scenes: cloths, and the surfaces of colliders. */
 #ifndef FABRIC_INPUT_MESH_FILE_H
 #define FABRIC_INPUT_MESH_FILE_H
 
 #include "mesh/mesh.h"
 #include "mesh/mesh_rest.h"
+#include "mesh/surface.h"
 
 /** Reads an OBJ file (obj.h); its coordinates are metres, z is up. 0, or -1 after
  *  "file: ..., expected ..." on standard error. mesh_free frees it. */
@@ -14,5 +15,9 @@ int mesh_file_read(mesh *m, const char *path);
  *  mesh_check. Prints a line on standard error for each kind of defect, after `name`. 0, or -1
  *  with a message in error[256]. */
 int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *error);
+
+/** NULL with a message in error[256] that names the defect, its position and the expected value:
+ *  the file cannot be read, or is not the surface of a solid (surface_check.h). */
+surface *surface_read(const char *path, char *error);
 
 #endif

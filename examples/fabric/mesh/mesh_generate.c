@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "mesh_parts.h"
-#include "mesh_points.h"
 
 enum { ERROR_SIZE = 256 };
 

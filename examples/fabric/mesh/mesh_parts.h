@@ -32,4 +32,12 @@ int mesh_order_by_dissection(const mesh *m, int *new_of_old, char *error);
 /** Turns each triangle to begin with its lowest vertex, then sorts triangles by their vertices. */
 void mesh_sort_triangles(mesh *m);
 
+/**
+ * Puts `count` points into the square [-1/2, 1/2]^2: the first `boundary` (>= 4, corners included)
+ * around its border, the others inside, spread evenly but irregularly and well away from the
+ * border. Only +, -, *, / and square roots are used, so the seed alone decides every bit. points:
+ * [count]. Returns 0, or -1 when memory is out.
+ */
+int mesh_points(double (*points)[2], int count, int boundary, unsigned seed);
+
 #endif

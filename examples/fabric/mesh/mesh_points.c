@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "mesh_points.h"
+#include "mesh_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

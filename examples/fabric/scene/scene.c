@@ -8,8 +8,7 @@
 #include <string.h>
 
 #include "input/mesh_file.h"
-#include "input/surface_file.h"
-#include "scene_sheet.h"
+#include "scene_parts.h"
 #include "scene_value.h"
 
 /** The node at `path` (names and item numbers with dots between), or the nearest above it. */

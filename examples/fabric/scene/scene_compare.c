@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "scene.h"
+#include "scene_parts.h"
 #include "scene_value.h"
-#include "scene_write.h"
 
 /** Two structs with the same keys, and where what differs is to be said. */
 typedef struct comparison {

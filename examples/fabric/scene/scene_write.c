@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene_write.h"
+#include "scene_parts.h"
 
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent);

@@ -14,7 +14,6 @@
 #include "base/vector.h"
 #include "solver_direct.h"
 #include "solver_domains.h"
-#include "solver_packed.h"
 #include "solver_parts.h"
 #include "solver_precondition.h"
 #include "system/sparse_product.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "solver_packed.h"
+#include "solver_parts.h"
 
 #include <assert.h>
 #include <math.h>

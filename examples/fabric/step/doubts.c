@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "contact/pin.h"
+#include "contact/collision.h"
 
 /* Cloth of other sizes is possible, but not likely, m. */
 static const double smallest = 0.005, largest = 50;

@@ -10,7 +10,6 @@
 #include "base/vector.h"
 #include "contact/impact.h"
 #include "forces.h"
-#include "newton.h"
 #include "simulation_state.h"
 #include "timing.h"
 

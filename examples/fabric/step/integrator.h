@@ -17,6 +17,7 @@
 #define FABRIC_INTEGRATOR_H
 
 #include "simulation.h"
+#include "solver/solver.h"
 
 typedef enum integrator_kind { /* the order of the scene's key time.integrator */
                                INTEGRATOR_LINEAR_EULER,
@@ -53,5 +54,22 @@ int integrator_move(simulation *sim);
 /** The step ends at x_next and v_next: stores the state at its beginning, if needed. Must be
  *  called before x, v and the step's contacts change. */
 void integrator_accept(simulation *sim);
+
+/* Newton's method for the stage of an integrator: newton.c. */
+
+/** Expands the forces about x = X, v = 0: the first iteration starts there. */
+void newton_assemble_at_base(simulation *sim);
+
+/**
+ * With the system assembled at the base, and contacts and friction found: iterates until the
+ * stage's residual is below the scene's newton_tolerance. sim->step.dv is the initial guess, then
+ * the change of velocity; solver.residual holds the forces of constraints, as after solver_solve.
+ *
+ * An iteration's matrix is positive definite, so the residual r first decreases along its step d: d
+ * . r > 0. If d . r at the full step is below -0.9 of that, the step is too long and is cut to the
+ * zero of the secant (Dennis and Schnabel 1983, section 6.3, with the slope in place of the value:
+ * no effect needs an energy).
+ */
+solver_status newton_solve(simulation *sim);
 
 #endif

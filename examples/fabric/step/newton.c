@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "newton.h"
+#include "integrator.h"
 
 #include <string.h>
 

@@ -4,10 +4,66 @@
  * determine: positions, velocities, and all that later steps depend on. Data that each step
  * computes (the system, the constraints, contacts found, limited triangles) is left out.
  */
+#include <stdint.h>
 #include <string.h>
 
-#include "base/archive.h"
 #include "simulation_state.h"
+
+/**
+ * Values as a row of bytes, in either direction: one function says what belongs to a thing and in
+ * which order, and counts, stores or loads it. Bytes are as the machine has them.
+ */
+typedef enum archive_mode { ARCHIVE_COUNT, ARCHIVE_STORE, ARCHIVE_LOAD } archive_mode;
+
+typedef struct archive {
+    archive_mode mode;
+    unsigned char *bytes; /* [size] written or read, by reference; NULL while counting */
+    size_t size;
+    size_t used;
+    int failed; /* more was requested than is left, or a value is invalid */
+} archive;
+
+/** Passes `size` bytes from or to `value`. Where there are too few, `failed` is set, and nothing is
+ *  passed any more. */
+static void archive_pass(archive *a, void *value, size_t size) {
+    if (a->mode != ARCHIVE_COUNT && (a->failed || size > a->size - a->used)) {
+        a->failed = 1;
+        return;
+    }
+    if (a->mode == ARCHIVE_STORE && size > 0)
+        memcpy(a->bytes + a->used, value, size);
+    else if (a->mode == ARCHIVE_LOAD && size > 0)
+        memcpy(value, a->bytes + a->used, size);
+    a->used += size;
+}
+
+static void archive_int(archive *a, int *value) {
+    archive_pass(a, value, sizeof *value);
+}
+
+/** As 64 bits. */
+static void archive_long(archive *a, long *value) {
+    int64_t wide = *value;
+    archive_pass(a, &wide, sizeof wide);
+    *value = (long)wide;
+}
+
+static void archive_double(archive *a, double *value) {
+    archive_pass(a, value, sizeof *value);
+}
+
+static void archive_doubles(archive *a, double *values, size_t count) {
+    archive_pass(a, values, sizeof *values * count);
+}
+
+/** Fails if the loaded value is not from `low` to `high`. */
+static void archive_int_within(archive *a, int *value, int low, int high) {
+    archive_int(a, value);
+    if (a->mode == ARCHIVE_LOAD && (*value < low || *value > high)) {
+        *value = low;
+        a->failed = 1;
+    }
+}
 
 static size_t coordinates(const simulation *sim) {
     return 3 * (size_t)sim->mesh->vertex_count;

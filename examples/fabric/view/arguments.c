@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What the commands' command lines have in common. */
+#include <stdlib.h>
+
 #include "view/view.h"
 
-int read_picture_size(const options *o, const char *name, int *size) {
-    long given;
-    if (options_whole(o, name, 32, 4096, &given) != 0)
-        return -1;
-    *size = (int)(given / 2 * 2);
-    return 0;
+static int take_word(const options *o, void *request) {
+    return options_only_word(o, &((view_request *)request)->folder, "folder");
 }
 
-int take_folder(const options *o, const char **folder) {
-    if (*folder)
-        return options_complain(o->of, "one folder at a time, not '%s' as well", o->value);
-    *folder = o->value;
-    return 0;
+int view_read_request(const command *self, int argc, char **argv, view_request *r) {
+    *r = (view_request){.width = PICTURE_WIDTH, .height = PICTURE_HEIGHT};
+    const int status = options_read(self, argc, argv, r, take_word);
+    if (status != OPTIONS_READ)
+        return status;
+    /* Even: halving pictures, and films, want that. */
+    r->width = r->width / 2 * 2;
+    r->height = r->height / 2 * 2;
+    return r->folder ? OPTIONS_READ : options_complain(self, "which folder? %s", self->synopsis);
 }

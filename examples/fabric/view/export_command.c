@@ -8,9 +8,8 @@
 #include "view/view.h"
 #include "view/vtu.h"
 
-enum { OUTPUT };
-static const option export_options[] = {
-    [OUTPUT] = {"-o", "FOLDER", "output folder (default DIR/vtu)"}, {NULL, NULL, NULL}};
+static const option export_options[] = {VIEW_OUTPUT("FOLDER", "output folder (default DIR/vtu)"),
+                                        {.name = NULL}};
 
 /** A file for each frame, NNNN.vtu. */
 static int write_frames(const run_frames *run, const char *to, char (*name)[32]) {
@@ -58,19 +57,11 @@ static int export_run(const char *folder, const char *given) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    const char *folder = NULL, *given = NULL;
-    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
-        if (next == OPTIONS_HELP)
-            return EXIT_SUCCESS;
-        if (next == OPTIONS_WRONG || (next == OPTIONS_WORD && take_folder(&o, &folder) != 0))
-            return EXIT_USAGE;
-        if (next == OUTPUT)
-            given = o.value;
-    }
-    if (!folder)
-        return options_complain(self, "which folder? %s", self->synopsis);
-    return export_run(folder, given) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    view_request r;
+    const int read = view_read_request(self, argc, argv, &r);
+    if (read != OPTIONS_READ)
+        return read;
+    return export_run(r.folder, r.output) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 const command export_command = {"export", "DIR [options]",

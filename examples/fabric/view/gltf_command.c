@@ -10,10 +10,9 @@
 #include "view/run_frames.h"
 #include "view/view.h"
 
-enum { OUTPUT };
 static const option gltf_options[] = {
-    [OUTPUT] = {"-o", "FILE", "output file: .glb is binary, .gltf text (default DIR/cloth.glb)"},
-    {NULL, NULL, NULL}};
+    VIEW_OUTPUT("FILE", "output file: .glb is binary, .gltf text (default DIR/cloth.glb)"),
+    {.name = NULL}};
 
 /** The file's ending as a format: 1: binary, 0: text, -1 after a message. */
 static int is_binary(const char *path) {
@@ -47,20 +46,12 @@ static int write_run(const char *folder, const char *path) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    const char *folder = NULL, *given = NULL;
-    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
-        if (next == OPTIONS_HELP)
-            return EXIT_SUCCESS;
-        if (next == OPTIONS_WRONG || (next == OPTIONS_WORD && take_folder(&o, &folder) != 0))
-            return EXIT_USAGE;
-        if (next == OUTPUT)
-            given = o.value;
-    }
-    if (!folder)
-        return options_complain(self, "which folder? %s", self->synopsis);
+    view_request r;
+    const int read = view_read_request(self, argc, argv, &r);
+    if (read != OPTIONS_READ)
+        return read;
     char path[FILE_PATH_SIZE];
-    if (files_output(path, folder, "cloth.glb", given) != 0 || write_run(folder, path) != 0)
+    if (files_output(path, r.folder, "cloth.glb", r.output) != 0 || write_run(r.folder, path) != 0)
         return EXIT_FAILURE;
     return EXIT_SUCCESS;
 }

@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "view/view.h"
 
-static const option no_options[] = {{NULL, NULL, NULL}};
+static const option no_options[] = {{.name = NULL}};
 
 static const char *const tables[] = {"dt",     "cg",         "newton",         "energy",
                                      "mesh",   "robustness", "preconditioner", "precision",
@@ -64,17 +64,11 @@ static int draw(const char *folder) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    const char *folder = NULL;
-    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
-        if (next == OPTIONS_HELP)
-            return EXIT_SUCCESS;
-        if (next == OPTIONS_WRONG || take_folder(&o, &folder) != 0)
-            return EXIT_USAGE;
-    }
-    if (!folder)
-        return options_complain(self, "which folder? %s", self->synopsis);
-    return draw(folder) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    view_request r;
+    const int read = view_read_request(self, argc, argv, &r);
+    if (read != OPTIONS_READ)
+        return read;
+    return draw(r.folder) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 const command plot_command = {"plot", "DIR", "Draws the tables of 'fabric accuracy' by gnuplot.",

@@ -9,11 +9,7 @@
 
 enum { SHEET_COLUMNS = 4, SHEET_ROWS = 2, SHEET_FRAMES = SHEET_COLUMNS * SHEET_ROWS };
 
-enum { WIDTH, HEIGHT };
-static const option render_options[] = {
-    [WIDTH] = {"--width", "N", "of a frame's picture, in pixels, even (default 960)"},
-    [HEIGHT] = {"--height", "N", "of a frame's picture, in pixels, even (default 720)"},
-    {NULL, NULL, NULL}};
+static const option render_options[] = {VIEW_WIDTH, VIEW_HEIGHT, {.name = NULL}};
 
 /** A run's folder being drawn. */
 typedef struct job {
@@ -94,29 +90,11 @@ static int render(job *j) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    job j = {.width = PICTURE_WIDTH, .height = PICTURE_HEIGHT};
-    for (int next; (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case WIDTH:
-            if (read_picture_size(&o, "--width", &j.width) != 0)
-                return EXIT_USAGE;
-            break;
-        case HEIGHT:
-            if (read_picture_size(&o, "--height", &j.height) != 0)
-                return EXIT_USAGE;
-            break;
-        case OPTIONS_WORD:
-            if (take_folder(&o, &j.folder) != 0)
-                return EXIT_USAGE;
-            break;
-        case OPTIONS_HELP:
-            return EXIT_SUCCESS;
-        default:
-            return EXIT_USAGE;
-        }
-    if (!j.folder)
-        return options_complain(self, "which folder? %s", self->synopsis);
+    view_request r;
+    const int read = view_read_request(self, argc, argv, &r);
+    if (read != OPTIONS_READ)
+        return read;
+    job j = {.folder = r.folder, .width = (int)r.width, .height = (int)r.height};
     const int status = render(&j);
     close_job(&j);
     return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,6 +4,7 @@
 #define FABRIC_VIEW_VIEW_H
 
 #include "base/options.h"
+#include "view/picture.h"
 
 extern const command render_command;
 extern const command film_command;
@@ -11,11 +12,26 @@ extern const command gltf_command;
 extern const command export_command;
 extern const command plot_command;
 
-/** --width or --height of pictures, in pixels, made even: halving them, and films, want that. 0, or
- *  -1 after a message. */
-int read_picture_size(const options *o, const char *name, int *size);
+typedef struct view_request {
+    const char *folder; /* of a run */
+    const char *output; /* NULL: not given */
+    long width, height; /* of pictures, in pixels */
+} view_request;
 
-/** Takes the folder of a run, of which there is one. 0, or EXIT_USAGE after a message. */
-int take_folder(const options *o, const char **folder);
+#define VIEW_OUTPUT(argument, help)                                                                \
+    { "-o", argument, help, .offset = offsetof(view_request, output) }
+#define VIEW_WIDTH                                                                                 \
+    {                                                                                              \
+        "--width", "N", "of the pictures, in pixels, even (default 960)", OPTION_WHOLE,            \
+            .offset = offsetof(view_request, width), .low = 32, .high = 4096                       \
+    }
+#define VIEW_HEIGHT                                                                                \
+    {                                                                                              \
+        "--height", "N", "of the pictures, in pixels, even (default 720)", OPTION_WHOLE,           \
+            .offset = offsetof(view_request, height), .low = 32, .high = 4096                      \
+    }
+
+/** Reads a command line with one folder. OPTIONS_READ, or the exit status. */
+int view_read_request(const command *self, int argc, char **argv, view_request *r);
 
 #endif

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "contact/impact_zone.h"
+#include "contact/impact.h"
 #include "contact/shape_triangle.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/surface.h"
