@@ -227,6 +227,8 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
                        inspection->touched, call->compensated);
     execution->run.plan = plan;
     summarise(inspection);
+    if (plan && inspection->route == ROUTE_DIRECT)
+        redcc_plan_take_votes(plan, &inspection->partition, inspection->touched);
     if (plan && inspection->route == ROUTE_GRAPH &&
         !redcc_plan_take_map(plan, &inspection->partition, &inspection->divide)) {
         redcc_plan_free(plan);

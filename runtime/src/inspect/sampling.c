@@ -5,7 +5,11 @@
 #include "base/memory.h"
 #include "base/share.h"
 #include "ownership/cuts.h"
+#include "ownership/owner_map.h"
 #include "plan/method.h"
+
+/* The fraction of the share that a map's owners leave at most, to be worth their longer checks. */
+#define WORTH_A_MAP 0.9
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, of all threads together; */
@@ -145,6 +149,25 @@ static void place_known_sources(struct inspection *inspection) {
         inspection->sources[s] = redcc_range_of(request->known[s]);
 }
 
+/* Are owners by votes better for threads that find their iterations during execution? Then keeps
+ * their map. False: no memory. */
+static bool compare_votes(struct inspection *inspection, struct estimate *estimate) {
+    struct partition *partition = &inspection->partition;
+    const int threads = inspection->call->threads;
+    struct estimate voted = {.share = 1};
+    estimate->direct = estimate->share;
+    if (!(inspection->call->request.loop->flags & REDCC_SELECTS) || partition->owners < 2)
+        return true;
+    redcc_owner_map_vote(partition, inspection->touched, inspection->samples, threads);
+    if (partition->map.owner && !redcc_estimate(partition, inspection->samples, threads, &voted))
+        return false;
+    if (voted.share < WORTH_A_MAP * estimate->share)
+        estimate->direct = voted.share;
+    else
+        redcc_owner_map_end(&partition->map);
+    return true;
+}
+
 bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;
@@ -153,8 +176,10 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     for (int thread = 0; thread < threads; thread++)
         inspection->samples[thread] = &inspection->inspector[thread]->sample;
     place_known_sources(inspection);
+    redcc_owner_map_end(&partition->map);
     if (!redcc_choose_cuts(partition, inspection->samples, threads) ||
-        (estimate && !redcc_estimate(partition, inspection->samples, threads, estimate)))
+        (estimate && (!redcc_estimate(partition, inspection->samples, threads, estimate) ||
+                      !compare_votes(inspection, estimate))))
         return false;
     inspection->each = estimate ? estimate->each : (struct touching){0};
     return true;

@@ -35,6 +35,7 @@ bool redcc_partition_see_whole(struct partition *whole, const struct partition *
     uintptr_t *cut = redcc_memory_take((size_t)partition->array_count * 2 * sizeof *cut);
     *whole = *partition;
     whole->cut = cut;
+    whole->map = (struct owner_map){0};
     if (cut)
         redcc_partition_in_one(whole);
     return cut != NULL;
@@ -72,7 +73,14 @@ void redcc_partition_add_stealable(struct partition *partition) {
     partition->stealable = REDCC_STEALABLE;
 }
 
+void redcc_owner_map_end(struct owner_map *map) {
+    redcc_memory_give(map->owner);
+    redcc_memory_give(map->of);
+    *map = (struct owner_map){0};
+}
+
 void redcc_partition_end(struct partition *partition) {
+    redcc_owner_map_end(&partition->map);
     redcc_memory_give(partition->base);
     redcc_memory_give(partition->group_of);
     redcc_memory_give(partition->cut);

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "ownership/graph/divide.h"
+#include "ownership/owner_map.h"
 #include "plan/length.h"
 #include "plan/lost.h"
 
@@ -105,6 +106,15 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
     return true;
 }
 
+void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
+                           const struct range *touched) {
+    if (!partition->map.owner)
+        return;
+    redcc_owner_map_extend(partition, touched);
+    plan->map = partition->map;
+    partition->map = (struct owner_map){0};
+}
+
 void redcc_plan_free(struct plan *plan) {
     if (!plan)
         return;
@@ -116,8 +126,7 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_give(plan->shift);
     redcc_memory_give(plan->touched);
     redcc_memory_give(plan->bound);
-    redcc_memory_give(plan->map.owner);
-    redcc_memory_give(plan->map.of);
+    redcc_owner_map_end(&plan->map);
     redcc_memory_give(plan->schedule);
     redcc_memory_give(plan->teams.stages);
     redcc_memory_give(plan->teams.barrier);
