@@ -21,7 +21,8 @@ enum {
     CELLS = WIDE * LONG,
     ROWS = CELLS + 2 * LONG,
     TOUCHED = 5,
-    WIDTH = 3
+    WIDTH = 3,
+    MARGIN = 500 /* rows in front of them and behind them that few touch */
 };
 
 static const int threads_tried[] = {1, 2, 3, 7, 16, 33};
@@ -60,7 +61,7 @@ static void begin(struct fixture *fixture, const void *base, uint32_t owners) {
         int row[TOUCHED];
         touched_by(cell, row);
         for (int k = 0; k < TOUCHED; k++)
-            redcc_sample_add(&fixture->sample, (uintptr_t)strip[row[k]], 0);
+            redcc_sample_add(&fixture->sample, (uintptr_t)strip[row[k]], 0, 1, 0);
         redcc_sample_next_iteration(&fixture->sample);
     }
     fixture->samples[0] = &fixture->sample;
@@ -162,9 +163,9 @@ static struct problem strip_problem(void) {
     struct problem problem = {.name = "strip",
                               .trip = CELLS,
                               .touches = (long)CELLS * TOUCHED,
-                              .rows = ROWS,
+                              .rows = ROWS + 2 * MARGIN,
                               .width = WIDTH,
-                              .doubles = (long)ROWS * WIDTH};
+                              .doubles = (long)(ROWS + 2 * MARGIN) * WIDTH};
     unsigned long state = 5;
     problem.start = malloc((CELLS + 1) * sizeof *problem.start);
     problem.row = malloc((size_t)problem.touches * sizeof *problem.row);
@@ -175,6 +176,8 @@ static struct problem strip_problem(void) {
         problem.start[cell] = cell * TOUCHED;
     for (int cell = 0; cell < CELLS; cell++)
         touched_by(cell, problem.row + (ptrdiff_t)cell * TOUCHED);
+    for (long k = 0; k < problem.touches; k++)
+        problem.row[k] += MARGIN;
     for (long k = 0; k < problem.touches; k++)
         problem.value[k] = 1.0 / (double)(1 + next_random(&state) % 1000);
     return problem;
@@ -211,6 +214,62 @@ static void same_bits_for_any_owners(void **unused) {
     problem_free(&problem);
 }
 
+/* Executions in turn: what they touch, and where, differs from what the owners were chosen for. */
+static void change(struct problem *problem, int execution) {
+    double *const before = problem->first;
+    switch (execution) {
+    case 1: /* elsewhere */
+        problem->first = malloc((size_t)problem->doubles * sizeof *problem->first);
+        free(before);
+        break;
+    case 2: /* rows in front of all and behind all that had owners */
+        problem->row[0] = 0;
+        problem->row[problem->touches - 1] = ROWS + 2 * MARGIN - 1;
+        break;
+    case 3: /* fewer iterations: one owner has nearly all */
+        problem->trip = CELLS / 2 + 1;
+        break;
+    case 4: /* nothing is beside anything */
+        problem->trip = CELLS;
+        for (long k = 0; k < problem->touches; k++)
+            problem->row[k] = (int)((k * 7919) % (ROWS + 2 * MARGIN));
+        break;
+    default:
+        break;
+    }
+}
+
+static void owners_are_kept(void **unused) {
+    (void)unused;
+    enum { EXECUTIONS = 7 };
+    for (size_t i = 1; i < sizeof threads_tried / sizeof *threads_tried; i++) {
+        struct problem problem = strip_problem();
+        const size_t bytes = (size_t)problem.doubles * sizeof(double);
+        double *expected = malloc(bytes);
+        struct described described;
+        long last;
+        problem_describe(&problem, &described);
+        described.loop.flags &= ~(unsigned)REDCC_VERIFIABLE; /* no plan is kept */
+        for (int execution = 0; execution < EXECUTIONS; execution++) {
+            change(&problem, execution);
+            problem_reset(&problem);
+            problem_oracle(&problem);
+            memcpy(expected, problem.first, bytes);
+            problem_reset(&problem);
+            const int threads = execution == EXECUTIONS - 1 ? 2 : threads_tried[i];
+            assert_true(problem_run(&problem, &described, threads, &last));
+            assert_memory_equal(expected, problem.first, bytes);
+            const struct loop_state *state = redcc_made_state_of(&described.loop);
+            const double share = state->execution.inspection.partition.share;
+            assert_true(execution == 3 ? share == 0 : execution > 3 || (share > 0 && share < 1));
+        }
+        redcc_loop_forget(&described.loop);
+        assert_int_equal(redcc_memory_live(), 0);
+        free(expected);
+        problem_free(&problem);
+    }
+}
+
 static void memory_fails_anywhere(void **unused) {
     (void)unused;
     struct problem problem = strip_problem();
@@ -244,6 +303,7 @@ int main(void) {
         cmocka_unit_test(blocks_are_of_whole_rows),
         cmocka_unit_test(some_have_none),
         cmocka_unit_test(same_bits_for_any_owners),
+        cmocka_unit_test(owners_are_kept),
         cmocka_unit_test(memory_fails_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

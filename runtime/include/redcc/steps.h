@@ -220,8 +220,8 @@ static __inline__ int redcc_row_meets(const char *first, redcc_size size, const 
     return (redcc_size)row - (redcc_size)low < (size ? (redcc_size)(end - low) : 0);
 }
 
-static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
-                                         redcc_u32 array, const void *address, redcc_size bytes) {
+REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
+                                    const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     if (probe->selects) {
         if (bytes > 0)
@@ -238,9 +238,9 @@ static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker 
     probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 
-static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
-                                             redcc_u32 array, const void *base, redcc_int row,
-                                             redcc_size bytes) {
+REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
+                                        redcc_u32 array, const void *base, redcc_int row,
+                                        redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     redcc_probe_first(probe, window, (const char *)base + row * (redcc_int)bytes);
     if (probe->selects && window->map) {

@@ -61,7 +61,7 @@ static size_t touches_to_keep(const struct inspection *inspection) {
  * remain in the end. */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
-    const size_t all = touches_to_keep(inspection);
+    const size_t all = inspection->partition.share > 0 ? 1 : touches_to_keep(inspection);
     const size_t least = 1024, even = all / (size_t)inspector->threads;
     if (method && method->keeps == REDCC_ORDER_FIXED)
         return all;
@@ -93,7 +93,7 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
                            redcc_worker *worker) {
     const redcc_int stride = sample_stride(inspection), first = inspector->at;
     const redcc_int end = redcc_own_end(inspection, inspector);
-    if (inspector->failed || first >= end)
+    if (inspector->failed || first >= end || inspection->partition.share > 0)
         return false;
     inspector->at = end;
     redcc_hand_out(inspector, worker, first, end, stride, inspector->nowhere);
@@ -106,9 +106,8 @@ static void sample_rows(const struct inspection *inspection, struct inspector *i
     const uint32_t unit = inspection->partition.arrays[entry->array].unit;
     const uint32_t rows = entry->bytes / unit > 0 ? entry->bytes / unit : 1;
     const uint32_t step = (rows + ROWS_OF_A_TOUCH - 1) / ROWS_OF_A_TOUCH;
-    for (uint32_t row = 0; row < rows; row += step)
-        redcc_sample_add(&inspector->sample, (uintptr_t)entry->address + (uintptr_t)row * unit,
-                         entry->array);
+    redcc_sample_add(&inspector->sample, (uintptr_t)entry->address, entry->array,
+                     (rows + step - 1) / step, step * unit);
 }
 
 void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
@@ -172,10 +171,12 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;
     regroup_seen(inspection);
+    place_known_sources(inspection);
+    if (partition->share > 0)
+        return true;
     redcc_inspection_set_owners(inspection);
     for (int thread = 0; thread < threads; thread++)
         inspection->samples[thread] = &inspection->inspector[thread]->sample;
-    place_known_sources(inspection);
     redcc_owner_map_end(&partition->map);
     if (!redcc_choose_cuts(partition, inspection->samples, threads) ||
         (estimate && (!redcc_estimate(partition, inspection->samples, threads, estimate) ||

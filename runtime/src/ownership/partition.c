@@ -22,6 +22,16 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
     return true;
 }
 
+void redcc_partition_move(struct partition *partition, void *const *bases) {
+    for (uint32_t array = 0; array < partition->array_count; array++) {
+        uintptr_t *cut = redcc_cuts(partition, array);
+        for (uint32_t owner = 1; owner < partition->owners; owner++)
+            if (cut[owner] != 0 && cut[owner] != UINTPTR_MAX)
+                cut[owner] += (uintptr_t)bases[array] - partition->base[array];
+        partition->base[array] = (uintptr_t)bases[array];
+    }
+}
+
 void redcc_partition_in_one(struct partition *partition) {
     partition->owners = 1;
     partition->stealable = 0;

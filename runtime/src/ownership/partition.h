@@ -49,6 +49,8 @@ struct partition {
     bool mixed;         /* some group's arrays differ in type or operator */
     uint32_t leader;    /* the group that determines the cuts of the others */
     struct owner_map map; /* if there is one, it has the owners (shares) instead of the cuts */
+    double share; /* fraction of the iterations of the most loaded owner in the execution for which
+                   * the owners were chosen, if they are kept for later ones; else 0 */
 };
 
 /** The part of `amount` for the owners below `owner`: in each share the owner gets 84 %, its
@@ -64,6 +66,9 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
  *  the same). */
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
+
+/** Moves the owners to the arrays' present places. */
+void redcc_partition_move(struct partition *partition, void *const *bases);
 
 /** Makes a single owner of everything. To be cut again for at most the original number of owners,
  *  after setting partition->owners. */

@@ -115,6 +115,17 @@ void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
     partition->map = (struct owner_map){0};
 }
 
+void redcc_plan_keep_owners(struct plan *plan, struct partition *partition) {
+    const double share = (double)plan->length / (double)plan->trip;
+    bool stands = partition->share == 0 || share <= partition->share + partition->share / 16;
+    for (uint32_t array = 0; array < partition->array_count; array++)
+        stands = stands && redcc_leads_group(partition, array);
+    partition->map = plan->map;
+    plan->map = (struct owner_map){0};
+    if (partition->share == 0 || !stands)
+        partition->share = stands ? share : 0;
+}
+
 void redcc_plan_free(struct plan *plan) {
     if (!plan)
         return;

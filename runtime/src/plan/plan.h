@@ -86,6 +86,10 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
 void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
                            const struct range *touched);
 
+/** After an execution for which threads found their iterations: keeps the partition with the plan's
+ *  map while the most loaded thread executes no larger share than at first, by a 16th. */
+void redcc_plan_keep_owners(struct plan *plan, struct partition *partition);
+
 /** Frees a plan; NULL does nothing. */
 void redcc_plan_free(struct plan *plan);
 
