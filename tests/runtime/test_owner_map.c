@@ -138,6 +138,23 @@ static void blocks_are_of_whole_rows(void **unused) {
     end(&fixture);
 }
 
+static void owners_move_with_the_arrays(void **unused) {
+    (void)unused;
+    struct fixture fixture;
+    begin(&fixture, strip, 3);
+    void *const bases[] = {strip[100]};
+    const uintptr_t first = redcc_cuts(&fixture.partition, 0)[1];
+    const uintptr_t second = redcc_cuts(&fixture.partition, 0)[2];
+    redcc_partition_move(&fixture.partition, bases);
+    const uintptr_t *cut = redcc_cuts(&fixture.partition, 0);
+    assert_int_equal(fixture.partition.base[0], (uintptr_t)strip[100]);
+    assert_int_equal(cut[0], 0);
+    assert_int_equal(cut[1], first + 100 * sizeof *strip);
+    assert_int_equal(cut[2], second + 100 * sizeof *strip);
+    assert_int_equal(cut[3], UINTPTR_MAX);
+    end(&fixture);
+}
+
 static void some_have_none(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -301,6 +318,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(borders_belong_to_those_beside_them),
         cmocka_unit_test(blocks_are_of_whole_rows),
+        cmocka_unit_test(owners_move_with_the_arrays),
         cmocka_unit_test(some_have_none),
         cmocka_unit_test(same_bits_for_any_owners),
         cmocka_unit_test(owners_are_kept),
