@@ -501,11 +501,13 @@ int redcc_end(redcc_call *call) {
     const redcc_int trip = execution->call.request.trip;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
+        const bool is_reusable =
+            !redcc_goes_directly(&execution->advice) &&
+            redcc_is_reusable(&execution->call.request, execution->reuse.sources);
+        if (done && plan && plan->method->selects && !is_reusable)
+            redcc_plan_keep_owners(plan, &execution->inspection.partition);
         redcc_inspection_end(&execution->inspection);
-        const bool is_direct = redcc_goes_directly(&execution->advice);
-        if (plan &&
-            !(!is_direct && redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
-              redcc_reuse_keep(&execution->reuse, plan)))
+        if (plan && !(is_reusable && redcc_reuse_keep(&execution->reuse, plan)))
             redcc_plan_free(plan);
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;

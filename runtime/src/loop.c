@@ -17,6 +17,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_give(request->bases);
     redcc_memory_give(request->known);
     redcc_memory_give(request->key);
+    redcc_partition_end(&execution->inspection.partition);
     redcc_memory_give(execution->inspection.touched);
     redcc_memory_give(execution->inspection.sources);
     redcc_memory_give(state->binning.stream);

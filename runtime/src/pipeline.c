@@ -71,7 +71,8 @@ static enum stage begin_inspection(struct execution *execution) {
     /* No limit for the sample; auto sets one after it. */
     execution->inspection.deadline =
         is_dry && !named && !is_direct ? redcc_seconds() + execution->advice.deadline : 0;
-    if (!redcc_inspection_begin(&execution->inspection, !named && !is_direct))
+    if (!redcc_inspection_begin(&execution->inspection,
+                                named ? execution->call.method->selects : is_direct))
         return refuse(execution, REASON_NO_MEMORY);
     return is_dry ? STAGE_DRY_RUN : STAGE_SAMPLE;
 }
@@ -229,6 +230,8 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
                        inspection->touched, call->compensated);
     execution->run.plan = plan;
     summarise(inspection);
+    if (plan && inspection->route == ROUTE_DIRECT)
+        redcc_plan_take_votes(plan, &inspection->partition, inspection->touched);
     if (plan && inspection->route == ROUTE_GRAPH &&
         !redcc_plan_take_map(plan, &inspection->partition, &inspection->divide)) {
         redcc_plan_free(plan);

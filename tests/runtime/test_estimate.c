@@ -24,10 +24,10 @@ static void take_elements(struct sample *sample) {
     assert_true(redcc_sample_begin(sample, (size_t)8 * ELEMENTS, 0));
     for (int t = 0; t < ELEMENTS; t++) {
         for (int corner = 0; corner < 3; corner++)
-            redcc_sample_add(sample, (uintptr_t)force[t + corner], 0);
-        redcc_sample_add(sample, (uintptr_t)force[t], 0);
+            redcc_sample_add(sample, (uintptr_t)force[t + corner], 0, 1, 0);
+        redcc_sample_add(sample, (uintptr_t)force[t], 0, 1, 0);
         for (int b = 0; b < 2; b++)
-            redcc_sample_add(sample, (uintptr_t)block[2 * t + b], 1);
+            redcc_sample_add(sample, (uintptr_t)block[2 * t + b], 1, 1, 0);
         redcc_sample_next_iteration(sample);
     }
 }

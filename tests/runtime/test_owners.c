@@ -29,9 +29,28 @@ static bool owns_a_byte(const redcc_owner *owner, const char *at, redcc_size byt
 }
 
 static void check(const redcc_owner *owner) {
-    for (redcc_size bytes = 1; bytes <= (owner->map ? owner->unit : 40); bytes++)
+    for (redcc_size bytes = 1; bytes <= 40; bytes++)
         for (const char *at = memory; at + bytes <= memory + sizeof memory; at++)
             assert_int_equal(redcc_owns_part(owner, at, bytes), owns_a_byte(owner, at, bytes));
+}
+
+/* Iterations that touch rows: some of a row, all of it. */
+static void check_class(const redcc_owner *owner) {
+    const redcc_worker worker = {.window = owner};
+    for (redcc_size bytes = 1; bytes <= 3 * BYTES; bytes += 1 + bytes / 8)
+        for (const char *at = memory; at + bytes <= memory + sizeof memory; at++) {
+            redcc_probe by_address = {0, 0, 2, 0, 0, 0}, by_number = {0, 0, 2, 0, 0, 0};
+            bool others = false;
+            for (redcc_size i = 0; i < bytes; i++)
+                others = others || !redcc_owns(owner, at + i);
+            redcc_probe_touch(&by_address, &worker, 0, at, bytes);
+            redcc_probe_touch_row(&by_number, &worker, 0, at, 0, bytes);
+            const int class = (owns_a_byte(owner, at, bytes) ? REDCC_CLASS_OWN : 0) |
+                              (others ? REDCC_CLASS_OTHERS : 0) |
+                              (redcc_owns(owner, at) ? REDCC_CLASS_LEADS : 0);
+            assert_int_equal(redcc_class_of(&by_address), class);
+            assert_int_equal(redcc_class_of(&by_number), class);
+        }
 }
 
 static void a_range(void **state) {
@@ -44,24 +63,23 @@ static void a_range(void **state) {
 static void units_of_a_map(void **state) {
     (void)state;
     for (int round = 0; round < 300; round++) {
-        const redcc_size unit = 1 + random_below(24);
+        const unsigned unit = 1 + random_below(24);
         for (int i = 0; i < UNITS; i++)
             map[i] = (unsigned char)random_below(3);
-        check(&(redcc_owner){.first = memory + BYTES,
-                             .size = unit * (1 + random_below((unsigned)(BYTES / unit))),
-                             .map = map,
-                             .unit = unit,
-                             .self = random_below(3)});
+        const redcc_owner owner = {.first = memory + BYTES,
+                                   .size = unit * (1 + random_below((unsigned)(BYTES / unit))),
+                                   .map = map,
+                                   .reciprocal = round % 2 && unit > 1 ? UINT64_MAX / unit + 1 : 0,
+                                   .self = random_below(3),
+                                   .unit = unit};
+        check(&owner);
+        check_class(&owner);
     }
 }
 
 /* Where it is not known it may be. */
 static void what_is_not_known(void **state) {
     (void)state;
-    memset(map, 1, sizeof map);
-    const redcc_owner of_units = {.first = memory, .size = BYTES, .map = map, .unit = 8};
-    assert_true(redcc_owns_part(&of_units, memory, 9));
-    assert_false(redcc_owns_part(&of_units, memory, 8));
     struct redcc_hook *const hook = (struct redcc_hook *)(void *)memory;
     assert_true(redcc_owns_part(&(redcc_owner){.hook = hook}, memory, 8));
 }

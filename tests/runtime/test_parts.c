@@ -77,7 +77,7 @@ static void a_thinned_sample_is_even(void **unused) {
         assert_true(redcc_sample_begin(&sample, ITERATIONS * TOUCHES, 0));
         for (uint32_t i = 0; i < ITERATIONS; i++) {
             for (uint32_t touch = 0; touch < TOUCHES; touch++)
-                redcc_sample_add(&sample, i, touch);
+                redcc_sample_add(&sample, i, touch, 1, 0);
             redcc_sample_next_iteration(&sample);
         }
         redcc_sample_thin(&sample, keep_each);
@@ -98,7 +98,7 @@ static void a_full_sample_stays_even(void **unused) {
     size_t count[2][4] = {{0}};
     assert_true(redcc_sample_begin(&sample, 256, 0));
     for (uintptr_t i = 0; i < 20000; i++) {
-        redcc_sample_add(&sample, i, i % 2);
+        redcc_sample_add(&sample, i, i % 2, 1, 0);
         redcc_sample_next_iteration(&sample);
     }
     assert_in_range(sample.count, 96, 256);
@@ -127,10 +127,10 @@ static void cuts_of_several_arrays_lie_at_the_same_rows(void **unused) {
     for (long t = 0; t < 3000; t++) {
         for (int node = 0; node < 3; node++) {
             const long row = (t / 3 + (long)(next_random(&random) % 5)) % ROWS;
-            redcc_sample_add(&sample, (uintptr_t)&b[row * 24], 0);
+            redcc_sample_add(&sample, (uintptr_t)&b[row * 24], 0, 1, 0);
             /* the matrix is kept by halves: few touches in low rows, many in high ones */
             for (long block = 0; block < 1 + row / 100; block++)
-                redcc_sample_add(&sample, (uintptr_t)&a[row * 72], 1);
+                redcc_sample_add(&sample, (uintptr_t)&a[row * 72], 1, 1, 0);
         }
         redcc_sample_next_iteration(&sample);
     }

@@ -204,8 +204,8 @@ static void auto_does_without_them_where_they_cost_more(void **unused) {
 static void take_chain(struct sample *sample, int rows) {
     assert_true(redcc_sample_begin(sample, 4 * (size_t)rows, 0));
     for (int i = 0; i < rows; i++) {
-        redcc_sample_add(sample, (uintptr_t)&b[i], 0);
-        redcc_sample_add(sample, (uintptr_t)&b[i + 1], 0);
+        redcc_sample_add(sample, (uintptr_t)&b[i], 0, 1, 0);
+        redcc_sample_add(sample, (uintptr_t)&b[i + 1], 0, 1, 0);
         redcc_sample_next_iteration(sample);
     }
 }

@@ -451,19 +451,10 @@ static __attribute__((__noinline__, __cold__, __unused__)) int
 redcc_ask_hook(const redcc_worker *worker, struct redcc_hook *hook, const void *address) {
     return worker->call->calls->hooked(hook, address);
 }
-/* Owners that are no interval, or have a hook: in a function, because it has many call sites. */
-static __attribute__((__noinline__, __unused__)) int
-redcc_asks_further(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
-    const redcc_size into = (redcc_size)((const char *)address - owner->first);
-    if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))
-        return 1;
-    return owner->hook && redcc_ask_hook(worker, owner->hook, address);
-}
 REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner,
                             const void *address) {
-    if ((redcc_size)owner->map | (redcc_size)owner->hook)
-        return redcc_asks_further(worker, owner, address);
-    return (redcc_size)((const char *)address - owner->first) < owner->size;
+    return redcc_has(owner, address) ||
+           (owner->hook && redcc_ask_hook(worker, owner->hook, address));
 }
 
 /** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */

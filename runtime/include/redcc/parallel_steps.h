@@ -208,8 +208,7 @@ typedef struct redcc_body {
 
 REDCC_INLINE int redcc_owns_at(const redcc_body *it, redcc_u32 array, const void *address) {
     const redcc_owner *owner = &it->owner[array];
-    const redcc_size into = (redcc_size)((const char *)address - owner->first);
-    if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))
+    if (redcc_has(owner, address))
         return 1;
     return owner->hook && it->worker->call->calls->hooked(owner->hook, address);
 }

@@ -235,16 +235,13 @@ static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, r
     extent->end = (const char *)(redcc_size)end;
 }
 
+#include <redcc/steps.h>
+
 /** Executor, owner-checked form: may this thread write at `address`? Asked before each update of an
  *  element, or once before several elements that begin there and lie in one unit. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
-    const redcc_size into = (redcc_size)((const char *)address - owner->first);
-    if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))
-        return 1;
-    return owner->hook && redcc_hooked(owner->hook, address);
+    return redcc_has(owner, address) || (owner->hook && redcc_hooked(owner->hook, address));
 }
-
-#include <redcc/steps.h>
 
 #include <redcc/series.h>
 

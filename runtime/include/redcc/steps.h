@@ -11,6 +11,56 @@
 #define REDCC_INLINE                                                                               \
     static __inline__ __attribute__((__always_inline__, __unused__, __no_instrument_function__))
 
+/* ---- owners ---- */
+
+/** The number of the unit that contains the byte at offset `into` of a map: into / unit. With the
+ *  reciprocal m = floor((2^64 - 1) / unit) + 1, m * unit exceeds 2^64 by less than `unit`, so that
+ *  the high half of into * m is the quotient while into * unit < 2^64. */
+REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size into) {
+#ifdef __SIZEOF_INT128__
+    __extension__ typedef unsigned __int128 redcc__wide;
+    if (owner->reciprocal)
+        return (redcc_size)((redcc__wide)into * owner->reciprocal >> 64);
+#endif
+    return into / owner->unit;
+}
+
+/** Does the thread own the byte at `address`? Does not ask the hook. */
+REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
+    const redcc_size into = (redcc_size)((const char *)address - owner->first);
+    return into < owner->size &&
+           (!owner->map || owner->map[redcc_unit_number(owner, into)] == owner->self);
+}
+
+/* A range of several units, or one that leaves the map. */
+static __attribute__((__noinline__, __unused__)) unsigned
+redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
+    const redcc_size end = into + bytes; /* wraps if the range begins before the map */
+    const redcc_size from = into < owner->size ? into : 0;
+    const redcc_size to = end < owner->size ? end : owner->size;
+    unsigned seen = from != into || to != end ? REDCC_CLASS_OTHERS : 0;
+    redcc_size unit, last;
+    if (into >= owner->size && end - 1 >= bytes - 1)
+        return REDCC_CLASS_OTHERS; /* wholly before or behind it */
+    last = redcc_unit_number(owner, to - 1);
+    for (unit = redcc_unit_number(owner, from); unit <= last; unit++)
+        seen |= owner->map[unit] == owner->self ? REDCC_CLASS_OWN : REDCC_CLASS_OTHERS;
+    return seen;
+}
+
+/** REDCC_CLASS_OWN if the thread owns some of the `bytes` > 0 bytes at offset `into` of its map,
+ *  and REDCC_CLASS_OTHERS if it does not own all of them. */
+REDCC_INLINE unsigned redcc_mapped(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
+    if (into < owner->size) {
+        const redcc_size unit = redcc_unit_number(owner, into);
+        if (into + bytes <= (unit + 1) * owner->unit)
+            return owner->map[unit] == owner->self ? REDCC_CLASS_OWN : REDCC_CLASS_OTHERS;
+    }
+    return redcc_mapped_far(owner, into, bytes);
+}
+
+/* ---- the inspector ---- */
+
 /** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
 static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,
                                    redcc_size bytes) {
@@ -111,7 +161,16 @@ static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *
     if (probe->selects != 2 || probe->rank >= rank)
         return;
     probe->rank = rank;
-    probe->leads = (redcc_size)address - (redcc_size)window->first < window->size;
+    probe->leads = redcc_has(window, address);
+}
+
+/** REDCC_SELECT, owners by a map: whose are the `bytes` > 0 bytes at `address`? */
+REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *window,
+                                     const void *address, redcc_size bytes) {
+    const unsigned seen =
+        redcc_mapped(window, (redcc_size)address - (redcc_size)window->first, bytes);
+    probe->inside |= (seen & REDCC_CLASS_OWN) != 0;
+    probe->outside |= (seen & REDCC_CLASS_OTHERS) != 0;
 }
 
 /** True once REDCC_SETTLED consecutive iterations touched only the current owner's range. Then the
@@ -161,12 +220,16 @@ static __inline__ int redcc_row_meets(const char *first, redcc_size size, const 
     return (redcc_size)row - (redcc_size)low < (size ? (redcc_size)(end - low) : 0);
 }
 
-static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
-                                         redcc_u32 array, const void *address, redcc_size bytes) {
+REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
+                                    const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     if (probe->selects) {
         if (bytes > 0)
             redcc_probe_first(probe, window, address);
+        if (window->map && bytes > 0) {
+            redcc_probe_mapped(probe, window, address, bytes);
+            return;
+        }
         probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
         probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
         return;
@@ -175,11 +238,15 @@ static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker 
     probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 
-static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
-                                             redcc_u32 array, const void *base, redcc_int row,
-                                             redcc_size bytes) {
+REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
+                                        redcc_u32 array, const void *base, redcc_int row,
+                                        redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     redcc_probe_first(probe, window, (const char *)base + row * (redcc_int)bytes);
+    if (probe->selects && window->map) {
+        redcc_probe_mapped(probe, window, (const char *)base + row * (redcc_int)bytes, bytes);
+        return;
+    }
     probe->inside |=
         !probe->selects || redcc_row_meets(window->first, window->size, base, row, bytes);
     probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
@@ -224,14 +291,11 @@ static __inline__ void redcc_classes_give(const redcc_worker *worker,
 static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
                                       redcc_size bytes) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
-    const redcc_size last = into + bytes - 1;
     if (owner->hook)
         return 1;
-    if (!owner->map)
-        return last < owner->size + bytes - 1;
-    return bytes > owner->unit ||
-           (into < owner->size && owner->map[into / owner->unit] == owner->self) ||
-           (last < owner->size && owner->map[last / owner->unit] == owner->self);
+    if (owner->map)
+        return (redcc_mapped(owner, into, bytes) & REDCC_CLASS_OWN) != 0;
+    return into + bytes - 1 < owner->size + bytes - 1;
 }
 
 /* ---- bins ---- */

@@ -254,8 +254,9 @@ typedef struct redcc_owner {
     const char *first;
     redcc_size size;
     const unsigned char *map; /* the owner of each unit from `first`; 0: no map */
-    redcc_size unit;          /* bytes; of a map */
+    redcc_word reciprocal;    /* for a division by `unit`; 0: none (redcc_unit_number) */
     redcc_u32 self;
+    redcc_u32 unit;          /* bytes; of a map */
     struct redcc_hook *hook; /* 0, or: it decides, and sees every update (nothing is inside) */
 } redcc_owner;
 

@@ -240,7 +240,7 @@ static bool stealing_pays(const struct chooser *chooser, const struct call *call
 /* ---- after the sample ------------------------------------------------------------------------ */
 
 bool redcc_wants_estimate(const struct inspection *inspection) {
-    return !inspection->call->method;
+    return !inspection->call->method || inspection->call->method->selects;
 }
 
 static double bytes_touched(const struct inspection *inspection) {
@@ -266,10 +266,11 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
 /* Each thread evaluates all slices, after all threads together have evaluated them once; a dry run,
  * by one thread, counts as that, too. Owner-checked iterations skip more than half of their
  * work. */
-static double share_directly(const struct inspection *inspection, const struct findings *it) {
+static double share_directly(const struct inspection *inspection, const struct findings *it,
+                             double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
     const double even = 1.0 / it->threads;
-    const double share = flags & REDCC_PARTS ? even + (it->share - even) / 4 : it->share;
+    const double share = flags & REDCC_PARTS ? even + (largest - even) / 4 : largest;
     const double dried =
         flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
     const double slice = dried > 0 ? dried : 3 * it->touches * LEARN_TOUCH;
@@ -316,7 +317,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.runs = estimate->changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
     findings.fetched = is_fetched(inspection, findings.runs);
-    findings.direct = share_directly(inspection, &findings);
+    findings.direct = share_directly(inspection, &findings, estimate->direct);
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);

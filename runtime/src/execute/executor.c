@@ -48,11 +48,14 @@ static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const c
     const struct group_map *it = &plan->map.of[group];
     if (it->count == 0)
         return (redcc_owner){.first = base};
+    const redcc_size size = (redcc_size)it->count * it->bytes;
+    const bool is_exact = it->bytes > 1 && size <= UINT64_MAX / it->bytes;
     return (redcc_owner){.first = base + it->first,
-                         .size = (redcc_size)it->count * it->bytes,
+                         .size = size,
                          .map = plan->map.owner + it->begin,
-                         .unit = it->bytes,
-                         .self = owner};
+                         .reciprocal = is_exact ? UINT64_MAX / it->bytes + 1 : 0,
+                         .self = owner,
+                         .unit = it->bytes};
 }
 
 static void place_owners(struct runner *runner) {

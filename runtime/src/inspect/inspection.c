@@ -28,23 +28,37 @@ static uint32_t most_owners(const struct call *call) {
     return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
+/* The owners of an earlier execution serve again if threads find their iterations during
+ * execution; whose an element is makes no difference to the result. */
+static bool begin_partition(struct inspection *inspection, bool is_direct) {
     const struct call *call = inspection->call;
-    const struct request *request = &call->request;
+    struct partition *partition = &inspection->partition;
+    if (partition->share > 0 && is_direct && partition->owners == (uint32_t)call->planned) {
+        redcc_partition_move(partition, call->request.bases);
+        return true;
+    }
+    redcc_partition_end(partition);
+    const bool begun = redcc_partition_begin(partition, call->request.loop, call->request.bases,
+                                             most_owners(call));
+    if (begun)
+        redcc_inspection_set_owners(inspection);
+    return begun;
+}
+
+bool redcc_inspection_begin(struct inspection *inspection, bool is_direct) {
+    const struct call *call = inspection->call;
     const size_t threads = (size_t)call->threads;
-    const bool cuts_blocks =
-        call->method ? call->method->steals : steals && request->trip >= LEAST_TRIP_TO_STEAL;
+    const bool cuts_blocks = call->method ? call->method->steals
+                                          : !is_direct && call->request.trip >= LEAST_TRIP_TO_STEAL;
     inspection->stealable = cuts_blocks ? REDCC_STEALABLE : 0;
     inspection->route = ROUTE_OWNERS;
     inspection->no_copies = inspection->no_graph = false;
     inspection->samples = redcc_memory_take(threads * sizeof *inspection->samples);
     inspection->summaries = redcc_memory_take(threads * sizeof *inspection->summaries);
     inspection->seen = redcc_memory_take(threads * sizeof *inspection->seen);
-    if (!redcc_partition_begin(&inspection->partition, request->loop, request->bases,
-                               most_owners(call)))
-        return false;
-    redcc_inspection_set_owners(inspection);
     inspection->whole = (struct partition){0};
+    if (!begin_partition(inspection, is_direct))
+        return false;
     assert(inspection->partition.owners <= inspection->partition.room);
     return inspection->samples && inspection->summaries && inspection->seen;
 }
@@ -65,7 +79,8 @@ void redcc_inspection_end(struct inspection *inspection) {
     redcc_levels_end(&inspection->levels);
     redcc_memory_give(inspection->whole.cut); /* the partition owns its other memory */
     inspection->whole = (struct partition){0};
-    redcc_partition_end(&inspection->partition);
+    if (inspection->partition.share == 0)
+        redcc_partition_end(&inspection->partition);
     redcc_memory_give(inspection->samples);
     redcc_memory_give(inspection->summaries);
     redcc_memory_give(inspection->seen);

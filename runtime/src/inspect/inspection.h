@@ -85,14 +85,15 @@ struct inspection {
     struct levels levels;
 };
 
-/** Begins; steals: auto, which may cut the arrays for stealable blocks. False: no memory (call
- *  redcc_inspection_end all the same). */
-bool redcc_inspection_begin(struct inspection *inspection, bool steals);
+/** Begins; is_direct: threads will find their iterations during execution, by owners of an earlier
+ *  one if these are kept. Otherwise auto may cut the arrays for stealable blocks. False: no memory
+ *  (call redcc_inspection_end all the same). */
+bool redcc_inspection_begin(struct inspection *inspection, bool is_direct);
 
 /** Sets the number of owners for which the sample cuts the arrays. */
 void redcc_inspection_set_owners(struct inspection *inspection);
 
-/** Frees the inspection and its inspectors. */
+/** Frees the inspection and its inspectors, except for owners that are kept. */
 void redcc_inspection_end(struct inspection *inspection);
 
 /** Has it taken longer than auto allows? */
@@ -163,8 +164,8 @@ void redcc_sample_take(const struct inspection *inspection, struct inspector *in
  *  that overlap in it. */
 enum reason redcc_sample_finish(struct inspection *inspection);
 
-/** Cuts the groups among the owners according to the sample; estimate: statistics of the cut, or
- *  NULL. False: no memory. */
+/** Cuts the groups among the owners according to the sample, unless they are kept; estimate:
+ *  statistics of the cut, or NULL. False: no memory. */
 bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
 
 /* ---- sweep (sweeping.c) ---------------------------------------------------------------------- */

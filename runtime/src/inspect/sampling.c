@@ -5,7 +5,11 @@
 #include "base/memory.h"
 #include "base/share.h"
 #include "ownership/cuts.h"
+#include "ownership/owner_map.h"
 #include "plan/method.h"
+
+/* The fraction of the share that a map's owners leave at most, to be worth their longer checks. */
+#define WORTH_A_MAP 0.9
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, of all threads together; */
@@ -57,7 +61,7 @@ static size_t touches_to_keep(const struct inspection *inspection) {
  * remain in the end. */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
-    const size_t all = touches_to_keep(inspection);
+    const size_t all = inspection->partition.share > 0 ? 1 : touches_to_keep(inspection);
     const size_t least = 1024, even = all / (size_t)inspector->threads;
     if (method && method->keeps == REDCC_ORDER_FIXED)
         return all;
@@ -89,7 +93,7 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
                            redcc_worker *worker) {
     const redcc_int stride = sample_stride(inspection), first = inspector->at;
     const redcc_int end = redcc_own_end(inspection, inspector);
-    if (inspector->failed || first >= end)
+    if (inspector->failed || first >= end || inspection->partition.share > 0)
         return false;
     inspector->at = end;
     redcc_hand_out(inspector, worker, first, end, stride, inspector->nowhere);
@@ -102,9 +106,8 @@ static void sample_rows(const struct inspection *inspection, struct inspector *i
     const uint32_t unit = inspection->partition.arrays[entry->array].unit;
     const uint32_t rows = entry->bytes / unit > 0 ? entry->bytes / unit : 1;
     const uint32_t step = (rows + ROWS_OF_A_TOUCH - 1) / ROWS_OF_A_TOUCH;
-    for (uint32_t row = 0; row < rows; row += step)
-        redcc_sample_add(&inspector->sample, (uintptr_t)entry->address + (uintptr_t)row * unit,
-                         entry->array);
+    redcc_sample_add(&inspector->sample, (uintptr_t)entry->address, entry->array,
+                     (rows + step - 1) / step, step * unit);
 }
 
 void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
@@ -145,16 +148,39 @@ static void place_known_sources(struct inspection *inspection) {
         inspection->sources[s] = redcc_range_of(request->known[s]);
 }
 
+/* Are owners by votes better for threads that find their iterations during execution? Then keeps
+ * their map. False: no memory. */
+static bool compare_votes(struct inspection *inspection, struct estimate *estimate) {
+    struct partition *partition = &inspection->partition;
+    const int threads = inspection->call->threads;
+    struct estimate voted = {.share = 1};
+    estimate->direct = estimate->share;
+    if (!(inspection->call->request.loop->flags & REDCC_SELECTS) || partition->owners < 2)
+        return true;
+    redcc_owner_map_vote(partition, inspection->touched, inspection->samples, threads);
+    if (partition->map.owner && !redcc_estimate(partition, inspection->samples, threads, &voted))
+        return false;
+    if (voted.share < WORTH_A_MAP * estimate->share)
+        estimate->direct = voted.share;
+    else
+        redcc_owner_map_end(&partition->map);
+    return true;
+}
+
 bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;
     regroup_seen(inspection);
+    place_known_sources(inspection);
+    if (partition->share > 0)
+        return true;
     redcc_inspection_set_owners(inspection);
     for (int thread = 0; thread < threads; thread++)
         inspection->samples[thread] = &inspection->inspector[thread]->sample;
-    place_known_sources(inspection);
+    redcc_owner_map_end(&partition->map);
     if (!redcc_choose_cuts(partition, inspection->samples, threads) ||
-        (estimate && !redcc_estimate(partition, inspection->samples, threads, estimate)))
+        (estimate && (!redcc_estimate(partition, inspection->samples, threads, estimate) ||
+                      !compare_votes(inspection, estimate))))
         return false;
     inspection->each = estimate ? estimate->each : (struct touching){0};
     return true;

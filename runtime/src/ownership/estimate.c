@@ -2,6 +2,7 @@
 #include "ownership/estimate.h"
 
 #include "base/memory.h"
+#include "ownership/owner_map.h"
 
 /* For each owner, and for each share (an owner with its stealable blocks): the number of its
  * iterations, and the last one of them, counted from 1. */
@@ -43,13 +44,16 @@ static bool is_new_row(const struct sample *sample, size_t i) {
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
     const uint32_t each = 1 + partition->stealable;
+    const bool is_mapped = partition->map.owner;
     const struct span_of_owners none = {UINT32_MAX, 0};
     struct span_of_owners before = none, now = none;
     uint32_t changes = 0;
     for (size_t i = 0; i < sample->count; i++) {
         const struct sampled *item = &sample->item[i];
         const uint32_t group = partition->group_of[item->array];
-        const uint32_t owner = redcc_owner_of(partition, group, item->address);
+        const uint32_t owner = is_mapped
+                                   ? redcc_mapped_owner(partition, group, item->address) * each
+                                   : redcc_owner_of(partition, group, item->address);
         const uint32_t iteration = first + item->iteration;
         if (i > 0 && item->iteration != sample->item[i - 1].iteration) {
             changes +=

@@ -15,6 +15,8 @@ struct touching {
 struct estimate {
     double share;         /* fraction of the iterations of the most loaded share (an owner with its
                            * stealable blocks) */
+    double direct;        /* the same if threads find their iterations during execution: then owners
+                           * by votes are possible */
     double overhead;      /* fraction of the iterations that are replicated because of stealable
                            * owners */
     struct touching each; /* per iteration */
@@ -23,8 +25,8 @@ struct estimate {
                      * fraction that begins a run */
 };
 
-/** Statistics of the samples of `threads` threads for a partition that is cut. If the sample lacks
- *  some of an iteration's touches, the share is too low. False: no memory. */
+/** Statistics of the samples of `threads` threads for a partition that is cut, or has a map. If the
+ *  sample lacks some of an iteration's touches, the share is too low. False: no memory. */
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate);
 

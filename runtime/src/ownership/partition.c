@@ -22,6 +22,16 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
     return true;
 }
 
+void redcc_partition_move(struct partition *partition, void *const *bases) {
+    for (uint32_t array = 0; array < partition->array_count; array++) {
+        uintptr_t *cut = redcc_cuts(partition, array);
+        for (uint32_t owner = 1; owner < partition->owners; owner++)
+            if (cut[owner] != 0 && cut[owner] != UINTPTR_MAX)
+                cut[owner] += (uintptr_t)bases[array] - partition->base[array];
+        partition->base[array] = (uintptr_t)bases[array];
+    }
+}
+
 void redcc_partition_in_one(struct partition *partition) {
     partition->owners = 1;
     partition->stealable = 0;
@@ -35,6 +45,7 @@ bool redcc_partition_see_whole(struct partition *whole, const struct partition *
     uintptr_t *cut = redcc_memory_take((size_t)partition->array_count * 2 * sizeof *cut);
     *whole = *partition;
     whole->cut = cut;
+    whole->map = (struct owner_map){0};
     if (cut)
         redcc_partition_in_one(whole);
     return cut != NULL;
@@ -72,7 +83,14 @@ void redcc_partition_add_stealable(struct partition *partition) {
     partition->stealable = REDCC_STEALABLE;
 }
 
+void redcc_owner_map_end(struct owner_map *map) {
+    redcc_memory_give(map->owner);
+    redcc_memory_give(map->of);
+    *map = (struct owner_map){0};
+}
+
 void redcc_partition_end(struct partition *partition) {
+    redcc_owner_map_end(&partition->map);
     redcc_memory_give(partition->base);
     redcc_memory_give(partition->group_of);
     redcc_memory_give(partition->cut);

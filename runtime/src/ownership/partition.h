@@ -18,6 +18,21 @@ static inline bool redcc_is_scattered(const void *base) {
 /** Stealable blocks per share, if any. */
 enum { REDCC_STEALABLE = 2 };
 
+enum { REDCC_OWNERS_MOST = 256 }; /* of a map */
+
+/** The part of a map with the owners of a group's units. */
+struct group_map {
+    ptrdiff_t first; /* of the units, relative to the group's base */
+    uint32_t begin;  /* in the map */
+    uint32_t count;  /* of units */
+    uint32_t bytes;  /* of a unit, which is a row or several */
+};
+
+struct owner_map {
+    unsigned char *owner; /* NULL: there is no map */
+    struct group_map *of; /* [array_count] of each group; with the map */
+};
+
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;
@@ -33,6 +48,9 @@ struct partition {
                          * beginning of owner o; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */
     uint32_t leader;    /* the group that determines the cuts of the others */
+    struct owner_map map; /* if there is one, it has the owners (shares) instead of the cuts */
+    double share; /* fraction of the iterations of the most loaded owner in the execution for which
+                   * the owners were chosen, if they are kept for later ones; else 0 */
 };
 
 /** The part of `amount` for the owners below `owner`: in each share the owner gets 84 %, its
@@ -49,6 +67,9 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
 
+/** Moves the owners to the arrays' present places. */
+void redcc_partition_move(struct partition *partition, void *const *bases);
+
 /** Makes a single owner of everything. To be cut again for at most the original number of owners,
  *  after setting partition->owners. */
 void redcc_partition_in_one(struct partition *partition);
@@ -63,6 +84,9 @@ void redcc_partition_join_stealable(struct partition *partition);
 /** Gives every owner empty stealable blocks (they own nothing by address). There must be space for
  *  them. */
 void redcc_partition_add_stealable(struct partition *partition);
+
+/** Removes the map. */
+void redcc_owner_map_end(struct owner_map *map);
 
 /** Frees its memory. */
 void redcc_partition_end(struct partition *partition);

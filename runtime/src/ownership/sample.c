@@ -23,6 +23,17 @@ static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
     return fraction <= UINT64_MAX / in;
 }
 
+/* The same for `touch` + n of them from now on; returns n. */
+static uint32_t first_chosen(uint64_t iteration, uint32_t touch, uint32_t count, uint64_t in) {
+    uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
+    uint32_t n = 0;
+    while (n < count && fraction > UINT64_MAX / in) {
+        fraction += 0x91e10da5c79e7b1du;
+        n++;
+    }
+    return n;
+}
+
 static bool stays(const struct sample *sample, const struct sampled *item, uint64_t keep_each) {
     return chosen(sample->first + item->iteration, item->touch, keep_each);
 }
@@ -47,14 +58,24 @@ void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
     sample->keep_each = keep_each;
 }
 
-void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array) {
-    const struct sampled item = {address, array, sample->iterations, sample->touches++};
-    if (!stays(sample, &item, sample->keep_each))
-        return;
+static void add_one(struct sample *sample, struct sampled item) {
     while (sample->count == sample->capacity) {
         redcc_sample_thin(sample, 2 * sample->keep_each);
         if (!stays(sample, &item, sample->keep_each))
             return;
     }
     sample->item[sample->count++] = item;
+}
+
+void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, uint32_t count,
+                      uint32_t step) {
+    const uint64_t iteration = sample->first + sample->iterations;
+    const uint32_t before = sample->touches;
+    sample->touches += count;
+    for (uint32_t n = 0; n < count; n++) {
+        n += first_chosen(iteration, before + n, count - n, sample->keep_each);
+        if (n < count)
+            add_one(sample, (struct sampled){address + (uintptr_t)n * step, array,
+                                             sample->iterations, before + n});
+    }
 }

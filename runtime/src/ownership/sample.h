@@ -34,12 +34,13 @@ bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first);
 /** Frees its memory. */
 void redcc_sample_end(struct sample *sample);
 
-/** Adds a touch. A full sample drops about half of the items and halves the rate from then on, so
- *  that loops with thousands of touches per iteration are sampled evenly as well. An even sequence
- *  over iteration and touch selects the items. Ranks would not do: loops touch their arrays in
- *  turn, and every fourth touch might be of one array only. Nor would a hash, which leaves more
- *  items in one part than in another. */
-void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array);
+/** Adds `count` touches, `step` bytes apart. A full sample drops about half of the items and halves
+ * the rate from then on, so that loops with thousands of touches per iteration are sampled evenly
+ * as well. An even sequence over iteration and touch selects the items. Ranks would not do: loops
+ * touch their arrays in turn, and every fourth touch might be of one array only. Nor would a hash,
+ * which leaves more items in one part than in another. */
+void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, uint32_t count,
+                      uint32_t step);
 
 /** Drops items until each represents `keep_each` touches. */
 void redcc_sample_thin(struct sample *sample, uint64_t keep_each);

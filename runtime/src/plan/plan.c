@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "ownership/graph/divide.h"
+#include "ownership/owner_map.h"
 #include "plan/length.h"
 #include "plan/lost.h"
 
@@ -105,6 +106,26 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
     return true;
 }
 
+void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
+                           const struct range *touched) {
+    if (!partition->map.owner)
+        return;
+    redcc_owner_map_extend(partition, touched);
+    plan->map = partition->map;
+    partition->map = (struct owner_map){0};
+}
+
+void redcc_plan_keep_owners(struct plan *plan, struct partition *partition) {
+    const double share = (double)plan->length / (double)plan->trip;
+    bool stands = partition->share == 0 || share <= partition->share + partition->share / 16;
+    for (uint32_t array = 0; array < partition->array_count; array++)
+        stands = stands && redcc_leads_group(partition, array);
+    partition->map = plan->map;
+    plan->map = (struct owner_map){0};
+    if (partition->share == 0 || !stands)
+        partition->share = stands ? share : 0;
+}
+
 void redcc_plan_free(struct plan *plan) {
     if (!plan)
         return;
@@ -116,8 +137,7 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_give(plan->shift);
     redcc_memory_give(plan->touched);
     redcc_memory_give(plan->bound);
-    redcc_memory_give(plan->map.owner);
-    redcc_memory_give(plan->map.of);
+    redcc_owner_map_end(&plan->map);
     redcc_memory_give(plan->schedule);
     redcc_memory_give(plan->teams.stages);
     redcc_memory_give(plan->teams.barrier);

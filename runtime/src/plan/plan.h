@@ -9,26 +9,13 @@
 
 #include "base/barrier.h"
 #include "base/flags.h"
+#include "ownership/partition.h"
 #include "plan/copies.h"
 #include "plan/method.h"
 #include "plan/schedule.h"
 
 struct divide;
 struct lost;
-
-/** The part of a plan's map with the owners of a group's units. */
-struct group_map {
-    ptrdiff_t first; /* of the units, relative to the group's base */
-    uint32_t begin;  /* in the map */
-    uint32_t count;  /* of units */
-    uint32_t bytes;  /* of a unit */
-};
-
-/** The owner of each unit of all groups. */
-struct owner_map {
-    unsigned char *owner; /* NULL: there is no map */
-    struct group_map *of; /* [array_count] of each group; with the map */
-};
 
 /** Teams of threads, which synchronise after each stage. */
 struct teams {
@@ -94,6 +81,14 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
  *  no memory. */
 bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
                          struct divide *divide);
+
+/** The same by the partition's map, if it has one that can be extended to all that is touched. */
+void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
+                           const struct range *touched);
+
+/** After an execution for which threads found their iterations: keeps the partition with the plan's
+ *  map while the most loaded thread executes no larger share than at first, by a 16th. */
+void redcc_plan_keep_owners(struct plan *plan, struct partition *partition);
 
 /** Frees a plan; NULL does nothing. */
 void redcc_plan_free(struct plan *plan);

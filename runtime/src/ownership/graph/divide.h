@@ -22,8 +22,6 @@
 #include "ownership/graph/neighbours.h"
 #include "ownership/sweep.h"
 
-enum { REDCC_OWNERS_MOST = 256 }; /* of a map */
-
 /** Boundaries between parts. */
 struct boundary {
     unsigned char *is_boundary;      /* [units.leading] an iteration touches it and another part */

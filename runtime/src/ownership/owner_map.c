@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ownership/owner_map.h"
+
+#include "base/memory.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum {
+    TOUCHES_A_BLOCK = 4,        /* sampled ones: fewer do not tell who touches it most */
+    LEAST_BLOCKS = 64,          /* of a group */
+    TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between blocks costs as much as to misplace
+                                 * one touch in this many */
+    VOTES_MOST = 1 << 22,       /* blocks, times owners and TOUCHES_A_BLOCK */
+    BLOCK_MOST = 1 << 30,       /* bytes */
+    UNITS_MOST = 1 << 20        /* of a group, in the end */
+};
+
+/* The votes for each block, and an election. */
+struct poll {
+    uint32_t owners;
+    uint32_t *votes;     /* [blocks * owners] */
+    unsigned char *from; /* [blocks * owners] the owner of the block before, if this has owner o */
+    uint64_t *most;      /* [owners] the votes of the best map up to a block that has owner o */
+};
+
+/* Units of `bytes` bytes from `first` on that cover what is touched. */
+static uint64_t units_to(uintptr_t first, struct range touched, uint32_t bytes) {
+    return (touched.end - 1 - first) / bytes + 1;
+}
+
+/* Cuts the group into at most `most` blocks of rows, numbered from `begin` on. False: it is too
+ * long. */
+static bool number_blocks(struct group_map *it, const struct partition *partition, uint32_t group,
+                          struct range touched, uint32_t begin, uint64_t most) {
+    const uintptr_t first = redcc_unit_begin(partition, group, touched.first);
+    uint32_t bytes = partition->arrays[group].unit;
+    while (bytes <= BLOCK_MOST / 2 && units_to(first, touched, bytes) > most)
+        bytes *= 2;
+    const uint64_t count = units_to(first, touched, bytes);
+    *it = (struct group_map){.first = (ptrdiff_t)(first - partition->base[group]),
+                             .begin = begin,
+                             .count = (uint32_t)count,
+                             .bytes = bytes};
+    return count <= most;
+}
+
+/* Cuts all groups into blocks. Returns how many; 0: there can be no map. */
+static uint32_t number_all(struct owner_map *map, const struct partition *partition,
+                           const struct range *touched, size_t points, uint32_t owners) {
+    const size_t votes = points < VOTES_MOST / owners ? points : VOTES_MOST / owners;
+    const size_t each = votes / TOUCHES_A_BLOCK / partition->array_count;
+    const uint64_t most = each > LEAST_BLOCKS ? each : LEAST_BLOCKS;
+    uint32_t count = 0;
+    map->of = redcc_memory_take_zeroed(partition->array_count, sizeof *map->of);
+    for (uint32_t group = 0; map->of && group < partition->array_count; group++) {
+        if (!redcc_leads_group(partition, group) || redcc_range_empty(touched[group]))
+            continue;
+        if (redcc_is_scattered((const void *)partition->base[group]) ||
+            !number_blocks(&map->of[group], partition, group, touched[group], count, most))
+            return 0;
+        count += map->of[group].count;
+    }
+    return map->of ? count : 0;
+}
+
+/* The number in the map of the unit at `address`; outside of the group's units, of the nearest. */
+static uint32_t unit_at(const struct partition *partition, uint32_t group, uintptr_t address) {
+    const struct group_map *it = &partition->map.of[group];
+    const uintptr_t first = partition->base[group] + (uintptr_t)it->first;
+    const uint64_t unit = address > first ? (address - first) / it->bytes : 0;
+    return it->begin + (uint32_t)(unit < it->count ? unit : it->count - 1);
+}
+
+uint32_t redcc_mapped_owner(const struct partition *partition, uint32_t group, uintptr_t address) {
+    return partition->map.owner[unit_at(partition, group, address)];
+}
+
+/* The end of the iteration whose touches begin with item `begin`. */
+static size_t iteration_end(const struct sample *sample, size_t begin) {
+    size_t end = begin + 1;
+    while (end < sample->count && sample->item[end].iteration == sample->item[begin].iteration)
+        end++;
+    return end;
+}
+
+/* The iterations are cut into parts with equally many of the `all` touches; those of a part vote
+ * for its owner. */
+static void cast_votes(const struct partition *partition, const struct sample *const *samples,
+                       int threads, size_t all, struct poll *poll) {
+    size_t before = 0;
+    for (int thread = 0; thread < threads; thread++) {
+        const struct sample *sample = samples[thread];
+        for (size_t begin = 0, end; begin < sample->count; begin = end) {
+            end = iteration_end(sample, begin);
+            const uint64_t middle = before + (end - begin) / 2;
+            before += end - begin;
+            const size_t owner = (size_t)(middle * poll->owners / all);
+            for (size_t i = begin; i < end; i++) {
+                const struct sampled *item = &sample->item[i];
+                const size_t block =
+                    unit_at(partition, partition->group_of[item->array], item->address);
+                poll->votes[block * poll->owners + owner]++;
+            }
+        }
+    }
+}
+
+static uint32_t best_of(const struct poll *poll) {
+    uint32_t best = 0;
+    for (uint32_t owner = 1; owner < poll->owners; owner++)
+        best = poll->most[owner] > poll->most[best] ? owner : best;
+    return best;
+}
+
+/* The owners of a group's blocks that have most votes, less `price` for each change from one block
+ * to the next: where votes are nearly even, chance does not decide block by block. (The most
+ * probable path of a chain: Viterbi, 1967.) */
+static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it,
+                  uint64_t price) {
+    const size_t owners = poll->owners;
+    for (size_t o = 0; o < owners; o++)
+        poll->most[o] = price; /* so that none is below 0 */
+    for (size_t block = it->begin; block < it->begin + it->count; block++) {
+        const uint32_t best = best_of(poll);
+        const uint64_t changed = poll->most[best] - price;
+        for (size_t o = 0; o < owners; o++) {
+            const bool stays = poll->most[o] >= changed;
+            poll->from[block * owners + o] = (unsigned char)(stays ? o : best);
+            poll->most[o] = (stays ? poll->most[o] : changed) + poll->votes[block * owners + o];
+        }
+    }
+    size_t last = best_of(poll);
+    for (size_t block = it->begin + it->count; block-- > it->begin;) {
+        owner[block] = (unsigned char)last;
+        last = poll->from[block * owners + last];
+    }
+}
+
+static bool begin_poll(struct poll *poll, size_t blocks) {
+    poll->votes = redcc_memory_take_zeroed(blocks * poll->owners, sizeof *poll->votes);
+    poll->from = redcc_memory_take(blocks * poll->owners);
+    poll->most = redcc_memory_take(poll->owners * sizeof *poll->most);
+    return poll->votes && poll->from && poll->most;
+}
+
+static void end_poll(struct poll *poll) {
+    redcc_memory_give(poll->votes);
+    redcc_memory_give(poll->from);
+    redcc_memory_give(poll->most);
+}
+
+void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
+                          const struct sample *const *samples, int threads) {
+    struct owner_map *map = &partition->map;
+    struct poll poll = {.owners = partition->owners / (1 + partition->stealable)};
+    size_t all = 0;
+    for (int thread = 0; thread < threads; thread++)
+        all += samples[thread]->count;
+    redcc_owner_map_end(map);
+    const uint32_t count = all > 0 && poll.owners <= REDCC_OWNERS_MOST
+                               ? number_all(map, partition, touched, all, poll.owners)
+                               : 0;
+    map->owner = count > 0 && begin_poll(&poll, count) ? redcc_memory_take(count) : NULL;
+    if (map->owner)
+        cast_votes(partition, samples, threads, all, &poll);
+    for (uint32_t group = 0; map->owner && group < partition->array_count; group++)
+        elect(map->owner, &poll, &map->of[group], all / TOUCHES_OF_A_CHANGE + 1);
+    end_poll(&poll);
+    if (!map->owner)
+        redcc_owner_map_end(map);
+}
+
+/* The units that the map needs for what is touched: its own, and more of the same size. False: it
+ * has none of the group. */
+static bool widen(struct group_map *it, const struct partition *partition, uint32_t group,
+                  struct range touched) {
+    const uintptr_t first = partition->base[group] + (uintptr_t)it->first;
+    if (redcc_range_empty(touched) || it->count == 0)
+        return redcc_range_empty(touched);
+    const uint64_t before = touched.first < first ? (first - touched.first - 1) / it->bytes + 1 : 0;
+    const uint64_t count = before + units_to(first, touched, it->bytes);
+    it->first -= (ptrdiff_t)(before * it->bytes);
+    it->count = (uint32_t)(count < UNITS_MOST ? count : UNITS_MOST);
+    return count < UNITS_MOST;
+}
+
+static void copy_owners(const struct partition *partition, struct owner_map *wider) {
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        const struct group_map *it = &wider->of[group];
+        const uintptr_t first = partition->base[group] + (uintptr_t)it->first;
+        for (uint32_t unit = 0; unit < it->count; unit++)
+            wider->owner[it->begin + unit] = (unsigned char)redcc_mapped_owner(
+                partition, group, first + (uintptr_t)unit * it->bytes);
+    }
+}
+
+void redcc_owner_map_extend(struct partition *partition, const struct range *touched) {
+    const uint32_t groups = partition->array_count;
+    struct owner_map wider = {.of = redcc_memory_take(groups * sizeof *wider.of)};
+    uint32_t count = 0;
+    bool fits = wider.of != NULL;
+    for (uint32_t group = 0; fits && group < groups; group++) {
+        wider.of[group] = partition->map.of[group];
+        fits = widen(&wider.of[group], partition, group, touched[group]);
+        wider.of[group].begin = count;
+        count += wider.of[group].count;
+    }
+    wider.owner = fits && count > 0 ? redcc_memory_take(count) : NULL;
+    if (wider.owner)
+        copy_owners(partition, &wider);
+    else
+        redcc_owner_map_end(&wider);
+    redcc_owner_map_end(&partition->map);
+    partition->map = wider;
+}
