@@ -18,9 +18,9 @@ build() { # FILE LOOP...
   shift
   printf '{"directory":"%s","redcc":"1","schema":1,"file":"%s","order":"serial","loops":[%s]}\n' "$PWD" "$file" "$*"
 }
-ran() { # FILE LINE FUNCTION SEQUENTIAL-SECONDS EXECUTE-SECONDS SPEEDUP [FALLBACKS]
-  printf '{"file":"%s","line":%d,"function":"%s","method":"localwrite","mode":"reused","rule":"faster","threads":2,"calls":7,"plans_built":1,"plans_reused":4,"plans_lost":1,"changed":[{"array":"key","count":1}],"inspect_seconds":0,"execute_seconds":%s,"sequential_seconds":%s,"speedup":%s,"modelled_speedup":1.9,"fallbacks":[%s]}' \
-    "$1" "$2" "$3" "$5" "$4" "$6" "${7:-}"
+ran() { # FILE LINE FUNCTION SEQUENTIAL-SECONDS EXECUTE-SECONDS SPEEDUP [FALLBACKS [ADVICE]]
+  printf '{"file":"%s","line":%d,"function":"%s","method":"localwrite","mode":"reused","rule":"faster","threads":2,"calls":7,"plans_built":1,"plans_reused":4,"plans_lost":1,"changed":[{"array":"key","count":1}],"inspect_seconds":0,"execute_seconds":%s,"sequential_seconds":%s,"speedup":%s,"modelled_speedup":1.9,"why_sequential":%s,"fallbacks":[%s]}' \
+    "$1" "$2" "$3" "$5" "$4" "$6" "${8:-null}" "${7:-}"
 }
 run_report() { local IFS=,; printf '{"process": 1, "seconds": 4.0,\n "loops": [%s]}\n' "$*"; }
 
@@ -80,7 +80,7 @@ cp x.c y.c
   build x.c "$(parallel 10 slow)" "$(parallel 20 good)" "$(refused 30 no R201 may-alias 'may alias')"
 } >build.jsonl
 # slow: 1 s sequential on 2 threads loses half; good: 1 s in parallel at 1.8 loses a tenth; strange is in no build
-run_report "$(ran x.c 20 good 0 1 1.8)" "$(ran x.c 10 slow 1 0 null '{"slug":"little-work","reason":"too little <work>","count":3}')" "$(ran z.c 5 strange 0 0.5 2)" >one.json
+run_report "$(ran x.c 20 good 0 1 1.8)" "$(ran x.c 10 slow 1 0 null '{"slug":"little-work","reason":"too little <work>","count":3}' '"raise the <work>"')" "$(ran z.c 5 strange 0 0.5 2)" >one.json
 run_report "$(ran x.c 20 good 0 1 1.8)" >two.json
 "$redcc_cc" --redcc-html pages one.json build.jsonl two.json || fail "$case_name"
 check_pages pages
@@ -95,6 +95,7 @@ expect_match pages/index.html '<b>2</b> runs'
 expect_match pages/index.html '<b>3</b> parallel loops'
 expect_match pages/1-x.c.html 'line 10, in 2 compilations'
 expect_match pages/1-x.c.html '3 &#215; too little &lt;work&gt;'
+expect_match pages/1-x.c.html 'Advice<.*raise the &lt;work&gt;'
 expect_match pages/1-x.c.html 'built: 1, kept: 4 executions; lost: 1, as this had changed: <code>key</code>'
 for loop in 10 20 30; do expect_match pages/1-x.c.html "<span id=\"L$loop\" class=\"(parallel|refused)\">"; done
 cp -r pages before

@@ -51,9 +51,11 @@ static void add_list(buffer *out, const json_t *list, const char *name) {
     buffer_text(out, "</td></tr>\n");
 }
 
-static void add_fallbacks(buffer *out, const json_t *list) {
+/* Calls of the last run that were sequential, and what the run report advises. */
+static void add_fallbacks(buffer *out, const json_t *run) {
+    const json_t *list = json_object_get(run, "fallbacks"), *one;
+    const char *advice = json_word(run, "why_sequential");
     size_t i;
-    const json_t *one;
     if (json_array_size(list) == 0)
         return;
     add_row(out, "Ran sequentially");
@@ -62,6 +64,11 @@ static void add_fallbacks(buffer *out, const json_t *list) {
                       (long long)json_integer_value(json_object_get(one, "count")));
         html_text(out, json_word(one, "reason"));
     }
+    buffer_text(out, "</td></tr>\n");
+    if (!*advice)
+        return;
+    add_row(out, "Advice");
+    html_text(out, advice);
     buffer_text(out, "</td></tr>\n");
 }
 
@@ -108,7 +115,7 @@ static void add_time(buffer *out, const loop_time *time) {
                       (long long)time->reused);
     add_lost_plans(out, time);
     buffer_text(out, "</td></tr>\n");
-    add_fallbacks(out, json_object_get(time->last, "fallbacks"));
+    add_fallbacks(out, time->last);
 }
 
 static const char *kind_of(const report_loop *loop) {
