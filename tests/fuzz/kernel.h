@@ -107,6 +107,7 @@ typedef struct kernel {
     bool has_turns;   /* programs of seeds that leave 6, divided by 7: turns.c */
     bool has_shapes;  /* programs of seeds that leave 1, divided by 3: shapes.c */
     bool has_leaving; /* programs of seeds that leave 2, divided by 6: leave.c */
+    bool has_recent;  /* programs of seeds that leave 2, 5, 6 or 9, divided by 10: recent.c */
     bool has_held;    /* objects that cannot be written during the calls */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
@@ -172,7 +173,7 @@ const char *contribution(kernel *k, const array *a);
 const char *update(kernel *k, const array *a, const char *where);
 
 /* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
- * turns.c, shapes.c, leave.c */
+ * turns.c, shapes.c, leave.c, recent.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -199,6 +200,9 @@ void in_pieces(kernel *k);
 void idiom(kernel *k);
 void shape_of_an_attack(kernel *k);
 void leave_or_look(kernel *k);
+void recent_shape(kernel *k);
+/** Behind the other loops: one for OpenMP. */
+void loop_with_directives(kernel *k);
 void loop_along_a_list(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */

@@ -392,6 +392,12 @@ static void put_loops(kernel *k, bool with_bait) {
             k->scope = outside;
             put_loop(k, with_bait && chance(k, 50), counters[i]);
         }
+    if (k->has_recent && chance(k, 25)) {
+        const size_t begin = begin_statement(k);
+        k->scope = outside;
+        loop_with_directives(k);
+        end_statement(k, begin);
+    }
 }
 
 static void put_all(kernel *k, buffer *b) {
@@ -410,7 +416,7 @@ static void put_all(kernel *k, buffer *b) {
     put(k, b, "    (void)n, (void)c, (void)v, (void)live;\n%s%s",
         k->pointers.length ? k->pointers.data : "", k->locals.length ? k->locals.data : "");
     random_source branches = {k->seed * 0x9e3779b97f4a7c15u + 5}; /* the rest is as without */
-    if (chance(k, 15))
+    if (chance(k, 15) && !strstr(k->body.data, "#pragma")) /* noise would break such a line */
         put_with_noise(b, &k->random, k->body.data);
     else if (random_chance(&branches, 30))
         put_with_branches(b, &branches, k->body.data);
@@ -440,6 +446,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_turns = seed % 7 == 6;
     k.has_shapes = seed % 3 == 1;
     k.has_leaving = seed % 6 == 2;
+    k.has_recent = strchr("2569", '0' + (int)(seed % 10)) != NULL;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

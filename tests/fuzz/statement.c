@@ -348,6 +348,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
+    if (k->has_recent && k->scope.depth < 2 && !k->scope.in_loop && chance(k, 35)) {
+        recent_shape(k);
+        end_statement(k, begin);
+        return;
+    }
     int which = below(k, 108), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;
