@@ -111,16 +111,6 @@ void pairs_are_read(int n) {
             h[j] -= h[i] * e[j];
 }
 
-void pairs_with_stop(int n) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse text
-        for (int j = i + 1; j < n; j++) {
-            if (e[i] > e[j])
-                return;
-            h[i] += e[j];
-            h[j] -= e[i];
-        }
-}
-
 void pairs_with_carried_sum(int n) {
     double own = 0;
     for (int i = 0; i < n - 1; i++) { // EXPECT: refuse scalar-carried
