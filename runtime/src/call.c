@@ -494,9 +494,9 @@ int redcc_end(redcc_call *call) {
     if (execution->inspected) {
         redcc_inspection_end(&execution->inspection);
         const bool is_direct = redcc_goes_directly(&execution->advice);
-        if (plan &&
-            !(!is_direct && redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
-              redcc_reuse_keep(&execution->reuse, plan)))
+        if (plan && !((!is_direct || plan->method->tiles) &&
+                      redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
+                      redcc_reuse_keep(&execution->reuse, plan)))
             redcc_plan_free(plan);
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;
