@@ -335,6 +335,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .wake = redcc_wake_seconds(),
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
                                   .awaited = entry->awaited,
+                                  .tiled = findings.tiled,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified,
                                   .kept = {[WAY_DIRECT] = KEPT_FITS}};

@@ -478,7 +478,7 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
     const struct choice c = {&state->ledger, size, &here};
     const bool may_be_direct = size->stand == STAND_SAVING && goes_without_plan(&c) &&
                                size->arm[WAY_DIRECT].possible && is_clear(&c, WAY_DIRECT);
-    if (may_be_direct && no_plan_is_faster(&c, WAY_DIRECT))
+    if (may_be_direct && here.tiled && no_plan_is_faster(&c, WAY_DIRECT))
         return reuse(&c, WAY_DIRECT, RULE_COMPARING);
     const struct decision decision = set_up(&c, current);
     const bool is_direct = decision.action != ACTION_INSPECT && may_be_direct;
