@@ -168,7 +168,8 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 static void tell_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
-    const bool built = execution->inspected && !redcc_goes_without_schedules(plan->method);
+    const bool built = execution->inspected && !plan->method->selects; /* whose plans are not
+                                                                        * kept */
     const double entered = execution->call.entered, ready = execution->run.ready;
     const struct outcome outcome = {.result = RESULT_PARALLEL,
                                     .way = redcc_way_of(plan->method),

@@ -19,12 +19,15 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
 
 /* ---- verify ---------------------------------------------------------------------------------- */
 
-/* A named method may use any plan; auto only a plan of the strategy it has chosen. */
+/* A named method may use any plan; auto only a plan of the strategy it has chosen. Of the direct
+ * ones only tiles have plans that are kept: they do not depend on subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
     reuse->found = NULL;
-    if (!execution->call.in_bins && !redcc_goes_directly(advice) &&
+    const bool is_kept =
+        !redcc_goes_directly(advice) || execution->call.request.loop->flags & REDCC_TILES;
+    if (!execution->call.in_bins && is_kept &&
         (execution->call.method || advice->action == ACTION_REUSE))
         redcc_reuse_find(reuse, execution->call.threads,
                          execution->call.method ? WAY_SEQUENTIAL : advice->way);
@@ -150,7 +153,9 @@ static enum stage cut(struct execution *execution) {
     struct estimate estimate = {0};
     if (call->in_bins)
         return look_for_extents(execution);
-    if (!redcc_cut(inspection, redcc_wants_estimate(inspection) ? &estimate : NULL))
+    const bool decides =
+        redcc_wants_estimate(inspection) && !redcc_goes_directly(&execution->advice);
+    if (!redcc_cut(inspection, decides ? &estimate : NULL))
         return refuse(execution, REASON_NO_MEMORY);
     if (call->started > 0 && execution->woken > 0)
         execution->advice.awaited = execution->woken - call->entered;

@@ -125,7 +125,8 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .start = redcc_least_start(threads),
                             .steady = chooser->steady,
                             .verified = chooser->verified,
-                            .dry_run = loop->flags & REDCC_DRY_RUN};
+                            .dry_run = loop->flags & REDCC_DRY_RUN,
+                            .tiled = loop->flags & REDCC_TILES};
     if (loop->flags & REDCC_BINNED)
         now.kept[WAY_BINS] = KEPT_FITS;
     if (loop->flags & REDCC_SELECTS)
@@ -222,6 +223,7 @@ static struct findings begin_findings(const struct chooser *chooser,
                   redcc_copies_allowed(inspection),
         .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
         .lanes = call->one_will_do,
+        .tiled = redcc_may_be_tiled(inspection),
         .checked = bytes_to_check(loop, call->request.known)};
 }
 
@@ -274,6 +276,8 @@ static double share_directly(const struct inspection *inspection, const struct f
     const double dried =
         flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
     const double slice = dried > 0 ? dried : 3 * it->touches * LEARN_TOUCH;
+    if (redcc_may_be_tiled(inspection) && it->sequential > 0) /* each pair once; slices are short */
+        return even;
     return flags & REDCC_SELECTS && it->sequential > 0
                ? share + (dried + slice * (1 + even)) / it->sequential
                : 0;
@@ -295,11 +299,12 @@ static void find_bins(const struct inspection *inspection, const struct estimate
 
 static void trace_arms(const struct findings *findings, const struct arm *arm,
                        const redcc_loop *loop) {
-    static const char *const names[WAY_COUNT] = {[WAY_COPIES] = "copies",
-                                                 [WAY_INDEX] = "owners by index",
-                                                 [WAY_GRAPH] = "owners by graph",
-                                                 [WAY_DIRECT] = "owners directly",
-                                                 [WAY_BINS] = "bins"};
+    const char *const names[WAY_COUNT] = {
+        [WAY_COPIES] = "copies",
+        [WAY_INDEX] = "owners by index",
+        [WAY_GRAPH] = "owners by graph",
+        [WAY_DIRECT] = loop->flags & REDCC_TILES ? "tiles" : "owners directly",
+        [WAY_BINS] = "bins"};
     const double trip = (double)findings->trip;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         if (arm[way].possible)
@@ -331,6 +336,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .wake = redcc_wake_seconds(),
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
                                   .awaited = entry->awaited,
+                                  .tiled = findings.tiled,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified,
                                   .kept = {[WAY_DIRECT] = KEPT_FITS}};

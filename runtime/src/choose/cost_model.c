@@ -35,12 +35,12 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Useless if owners by index are equally balanced. */
+/* Useless if owners by index are equally balanced, and for pairs: no cut keeps them apart. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = it->touches * 7 * LEARN_TOUCH + it->further_rows * LEARN_ROW +
                                 it->leading_rows * 1.5 * LEARN_ROW;
     const double alone = it->leading_rows * 1.25 * LEARN_ROW;
-    arm->possible = it->reusable && it->share * it->threads > LEARN_CONTENDED;
+    arm->possible = it->reusable && !it->tiled && it->share * it->threads > LEARN_CONTENDED;
     arm->set_up = it->spent + (side_by_side / it->threads + alone) * (double)it->trip;
     arm->execution =
         it->sequential * by_owners(it) * LEARN_CONTENDED / it->threads + beginning_runs(it);

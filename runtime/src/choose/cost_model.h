@@ -18,6 +18,7 @@ struct findings {
     double runs;      /**< share of the iterations that touch other owners than the preceding one */
     bool fetched;     /**< its accesses are irregular and exceed the caches, and plans prefetch
                        * them */
+    bool tiled;       /**< it is a loop over pairs, to be cut into tiles */
     bool lanes;       /**< plans execute by lanes, if that is faster */
     bool copies;      /**< private copies are permitted and possible */
     double copied;    /**< bytes of one of them */

@@ -265,10 +265,11 @@ static struct decision decide_set_up(const struct choice *c) {
 }
 
 /* Are iterations so heavy that an inspection may take longer than a trial of bins may lose? They
- * have inner loops, and the inspection records all rows that those touch. */
+ * have inner loops, and the inspection records all rows that those touch, but for tiles only where
+ * they begin and end. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
-    return c->now->threads > 1 && !bins->measured && !bins->ruled_out &&
+    return c->now->threads > 1 && !c->now->tiled && !bins->measured && !bins->ruled_out &&
            c->now->kept[WAY_BINS] == KEPT_FITS &&
            redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK;
 }
@@ -440,6 +441,15 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
                                                 : REACH_TEAM;
 }
 
+/* Is none expected to be, which would be worth a construction? */
+static bool no_plan_is_faster(const struct choice *c, enum way than) {
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
+        if (c->size->arm[way].possible &&
+            redcc_expected(c->size, way) < redcc_expected(c->size, than))
+            return false;
+    return true;
+}
+
 void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
                      double spent) {
     struct size_state *size = size_of(state, trip);
@@ -466,9 +476,11 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
     const double current =
         size->stand == STAND_PARALLEL ? size->arm[size->way].execution : redcc_usual(size);
     const struct choice c = {&state->ledger, size, &here};
+    const bool may_be_direct = size->stand == STAND_SAVING && goes_without_plan(&c) &&
+                               size->arm[WAY_DIRECT].possible && is_clear(&c, WAY_DIRECT);
+    if (may_be_direct && here.tiled && no_plan_is_faster(&c, WAY_DIRECT))
+        return reuse(&c, WAY_DIRECT, RULE_COMPARING);
     const struct decision decision = set_up(&c, current);
-    const bool is_direct = decision.action != ACTION_INSPECT && size->stand == STAND_SAVING &&
-                           goes_without_plan(&c) && size->arm[WAY_DIRECT].possible &&
-                           is_clear(&c, WAY_DIRECT);
+    const bool is_direct = decision.action != ACTION_INSPECT && may_be_direct;
     return is_direct ? reuse(&c, WAY_DIRECT, RULE_COMPARING) : decision;
 }

@@ -57,6 +57,7 @@ struct situation {
     bool verified; /**< all subscripts were compared with those of the preceding call: they are
                     * equal */
     bool dry_run;  /**< an inspection begins with a dry run, perhaps as long as the loop */
+    bool tiled;    /**< it is a loop over pairs, whose inspection is short */
 };
 
 enum action {
