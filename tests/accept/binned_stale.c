@@ -80,7 +80,7 @@ static void read_anyway(int n, const int *at, const long *w, long *to) {
         if (w[t] > 40)
             to[i] += w[t];
     }
-} // CHECKED: 78
+} // BINNED: 78
 
 static void alternative(int n, const int *at, const long *w, const long *deep, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed

@@ -160,7 +160,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->inspector.spans = spans.items;
     facts->inspector.span_count = spans.count;
     facts->slice.has_floating_work = j->slice.has_floating_work;
-    facts->inspector.exists = true;
+    facts->inspector.exists = facts->slice.has_rows = j->slice.has_rows;
     facts->slice.is_verifiable = j->slice.is_verifiable;
     facts->slice.unkept = j->slice.unkept;
     facts->inspector.key = j->key.items;

@@ -14,8 +14,12 @@ enum { MOST_TAGS = 16, MOST_SOURCES = 32 };
 
 /* ---- operands ------------------------------------------------------------------------------ */
 
+bool is_updated_element(const ir_node *node, const ir_node *target) {
+    return expression_same(node, target);
+}
+
 static bool contains(const ir_node *node, const ir_node *target) {
-    if (syntax_same(node, target))
+    if (is_updated_element(node, target))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (contains(node->children[i], target))
@@ -119,7 +123,7 @@ static bool decides(const ir_node *node) {
 
 static bool gather_operands(const loop_facts *facts, bins_record *record, const ir_node *target,
                             const ir_node *node, bool is_certain) {
-    if (syntax_same(node, target) || (ir_is_expression(node) && is_constant(node)))
+    if (is_updated_element(node, target) || (ir_is_expression(node) && is_constant(node)))
         return true;
     if (ir_is_expression(node) && !contains(node, target))
         return add_operand(facts, record, node, is_certain);

@@ -101,6 +101,9 @@ const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part);
 
+/** Does the node name the updated element? Its subscript may have equal calls. */
+bool is_updated_element(const ir_node *node, const ir_node *target);
+
 /** The number of the operand that equals this node; -1: none. No two calls are equal. */
 int operand_number(const bins_record *record, const ir_node *node);
 

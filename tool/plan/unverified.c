@@ -386,11 +386,37 @@ static bool is_next_iteration(const unverified_reads *s, const ir_node *node) {
     return node == s->plan->facts->loop;
 }
 
+/** Is the node a part of the lvalue that ends at the pointer or variable it is reached by? */
+static bool is_part_of(const ir_node *node, const ir_node *lvalue) {
+    while (is_access(lvalue)) {
+        const ir_node *first = lvalue->children[0];
+        if (expression_same(node, lvalue))
+            return true;
+        if (!first->type || first->type->kind == IR_POINTER)
+            return false;
+        lvalue = first;
+    }
+    return false;
+}
+
+/** The body in bins only computes the address of an updated element: it is in a record, or on a
+ *  private copy if that has the row. */
+static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
+    const loop_facts *facts = s->plan->facts;
+    for (unsigned i = 0; i < facts->update_count && !s->in_slice && !s->in_callee; i++)
+        if (ir_contains(facts->updates[i].statement, node) &&
+            is_part_of(node, facts->updates[i].target))
+            return true;
+    return false;
+}
+
 void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     how.is_unverified |= s->may_have_left;
     if (ir_is_loop(node))
         s->is_harmful |= unverified_condition(s, node);
-    if (is_access(node))
+    if (is_access(node) && is_updated_in_bins(s, node))
+        ; /* its subscripts are checked below */
+    else if (is_access(node))
         check_access(s, node, how);
     else if (is_division(node))
         check_division(s, node, how);

@@ -172,7 +172,9 @@ enum {
      *  and these must not overlap. */
     REDCC_BINS_CHECKED = 524288,
     /** The attempt has the number of threads that the program requests. */
-    REDCC_TEAM = 1048576
+    REDCC_TEAM = 1048576,
+    /** REDCC_BINNED: the slice records no updates, so that no plan can be made. */
+    REDCC_NO_INSPECTOR = 2097152
 };
 
 enum {

@@ -32,6 +32,8 @@
     X(REASON_LEVELS, "levels", "too many iterations or touches for levels, or none")               \
     X(REASON_INSPECTOR, "inspector", "the inspector did not record all iterations")                \
     X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
+    X(REASON_NO_INSPECTOR, "no-inspector",                                                         \
+      "the subscripts cannot be computed twice: no plan can be made")                              \
     X(REASON_NO_SELECTION, "no-selection",                                                         \
       "the translated loop cannot select iterations during execution")                             \
     X(REASON_SPREAD, "spread", "the range of the subscripts is too large for binning")             \

@@ -280,7 +280,10 @@ static bool is_too_slow(const struct binning *binning) {
     const struct bins_trial *it = &binning->trial;
     const redcc_int binned = binning->round.begin - it->stretch;
     const double seconds = redcc_seconds() - it->began - it->sequential;
-    return is_trial(binning) && seconds - redcc_bins_usual(binning) * (double)binned > it->may_lose;
+    const double usual = redcc_bins_usual(binning);
+    const double whole = usual * (double)binning->call->request.trip;
+    const double most = it->may_lose < 0 ? -it->may_lose * whole : it->may_lose;
+    return is_trial(binning) && seconds - usual * (double)binned > most;
 }
 
 /* The next iterations, the number of the first round: their time shows the round's gain,

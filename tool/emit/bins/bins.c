@@ -81,7 +81,7 @@ static const char *name_in_record(const ir_node *node, void *context) {
     const spelling *its = context;
     if (!ir_is_expression(node))
         return NULL;
-    if (syntax_same(node, its->update->target))
+    if (is_updated_element(node, its->update->target))
         return element_in_row(its);
     const int number = operand_number(its->record, node);
     if (number < 0)
