@@ -2,6 +2,7 @@
 #include "library.h"
 
 #include "base/safe_load.h"
+#include "bins/buffer.h"
 #include "execute/ahead.h"
 #include "execute/rows.h"
 #include "operands.h"
@@ -52,4 +53,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
                                    .before = &before,
-                                   .ahead = &redcc_ahead_library};
+                                   .ahead = &redcc_ahead_library,
+                                   .is_there = redcc_is_readable};

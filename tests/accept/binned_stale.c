@@ -137,7 +137,7 @@ static void saturated(int n, const unsigned *at, unsigned char *h) {
             ++h[value];
         h[63 - value] = h[63 - value] > 100 ? h[63 - value] / 2 : h[63 - value] * 3 + 1;
     }
-} // CHECKED: 134
+} // BINNED: 134
 
 int main(void) {
     static long to[M + N];

@@ -156,6 +156,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->slice.exits = j->left_out.exits;
     facts->slice.may_abort = j->found.ends.count > 0;
     facts->slice.holds = j->slice.holds;
+    facts->slice.reads = j->slice.reads;
     const span_list spans = find_spans(j);
     facts->inspector.spans = spans.items;
     facts->inspector.span_count = spans.count;

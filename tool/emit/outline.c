@@ -19,6 +19,8 @@
 #include "emit/text/origin.h"
 #include "emit/write_loop.h"
 #include "ir/ir_position.h"
+#include "plan/bins.h"
+#include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/place.h"
@@ -124,7 +126,8 @@ static void add_stand_ins(loop_text *loop, head *h) {
     }
 }
 
-static void write_slice(loop_text *loop, writer *out) {
+/** Writes the slice as a function of that name; returns its call. */
+static const char *write_slice_as(loop_text *loop, const char *function, writer *out) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     writer statements = {.depth = 1};
@@ -135,18 +138,51 @@ static void write_slice(loop_text *loop, writer *out) {
     add_variables(loop, is_mentioned, false, &h);
     for_each_extra(loop, text, add_extra, &h);
     remember_text(loop, text);
-    loop->outline.slice_call =
-        arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
-                     loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
     const bool is_unfused = loop->is_unfused && facts->slice.has_floating_work;
     writer_line(out, "%s %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
-                loop->lanes.is_wanted ? "REDCC_SLICE_OF_LANES" : "REDCC_SLICE",
-                outlined_name(loop, "slice"), counter_parameter(loop, is_used),
-                buffer_take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+                loop->lanes.is_wanted ? "REDCC_SLICE_OF_LANES" : "REDCC_SLICE", function,
+                counter_parameter(loop, is_used), buffer_take(loop->arena, &h.parameters),
+                is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     if (loop->lanes.is_wanted)
         writer_line(out, "    REDCC_TOLD_OF_LANES");
     buffer_text(&out->out, text);
     writer_line(out, "}");
+    return arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", function,
+                        loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
+}
+
+/** The slice of the reads that are recorded while iterations are pushed, without the computation of
+ *  subscripts; NULL: that of the inspector serves. */
+static const char *write_slice_of_reads(loop_text *loop, writer *out) {
+    const loop_plan *plan = loop->plan;
+    const loop_facts *facts = loop->facts;
+    if (!loop->bins || !loop->bins->guarded_sources || !facts->slice.reads ||
+        plan_has_leaders(plan))
+        return NULL;
+    loop_facts reads = *facts;
+    loop_plan recorded = *plan;
+    int *numbers = ARENA_ARRAY(loop->arena, int, facts->source_count + 1);
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const int number = plan->source_number[i];
+        const bool is_recorded = number >= 0 && loop->bins->guarded_sources >> number & 1 &&
+                                 facts->sources[i].needs_guard;
+        numbers[i] = is_recorded ? number : SOURCE_NOT_LOGGED;
+    }
+    reads.slice.holds = (bool *)facts->slice.reads;
+    reads.slice.has_rows = false;
+    recorded.facts = &reads;
+    recorded.source_number = numbers;
+    loop->facts = &reads;
+    loop->plan = &recorded;
+    const char *call = write_slice_as(loop, outlined_name(loop, "reads"), out);
+    loop->facts = facts;
+    loop->plan = plan;
+    return call;
+}
+
+static void write_slice(loop_text *loop, writer *out) {
+    loop->outline.slice_call = write_slice_as(loop, outlined_name(loop, "slice"), out);
+    loop->outline.reads_call = write_slice_of_reads(loop, out);
 }
 
 static bool names_by_address(const loop_text *loop) {

@@ -18,6 +18,15 @@ bool is_updated_element(const ir_node *node, const ir_node *target) {
     return expression_same(node, target);
 }
 
+const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update) {
+    const ir_node *node = update->target;
+    if (!facts->arrays[update->array].is_scattered)
+        return NULL;
+    while (node->child_count > 0 && !(node->type && node->type->kind == IR_POINTER))
+        node = node->children[0];
+    return node->kind == IR_INDEX || node->kind == IR_MEMBER ? node : NULL;
+}
+
 static bool contains(const ir_node *node, const ir_node *target) {
     if (is_updated_element(node, target))
         return true;
@@ -181,13 +190,16 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
     for (unsigned other = 0; other < number; other++) /* one base is one array */
         assert(array->is_scattered || facts->arrays[other].is_scattered ||
                !syntax_same(facts->arrays[other].base, array->base));
-    return !array->is_scattered && element->spelling && is_power_of_two(element->size) &&
-           element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
+    return element->spelling && is_power_of_two(element->size) && element->size <= 8 &&
+           (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
-/** Is the element spelled from the array's base on, not by a pointer of the iteration's own? */
+/** Is the element spelled from the array's base on, not by a pointer of the iteration's own?
+ * Elements behind pointers are counted from address 0. */
 static bool is_spelled_from_base(const loop_facts *facts, const reduction_update *update) {
     const ir_node *node = update->target;
+    if (facts->arrays[update->array].is_scattered)
+        return true;
     while (loop_array_of_base(facts, node) != (int)update->array && node->child_count > 0)
         node = node->children[0];
     return loop_array_of_base(facts, node) == (int)update->array;
@@ -255,12 +267,12 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? Operands of scalars that it keeps in an aborted
- *  execution remain if the next one keeps none; of own elements each execution keeps a value. */
+/** Must the body see only verified values? What it keeps in an aborted execution, the next one
+ *  replaces: the operands of scalars, or that it kept none, and the values of own elements. Series
+ *  of an aborted execution remain. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
-           (plan->facts->scalar_count > 0 &&
-            unverified_has_suspects(plan, guarded_sources(plan))) ||
+           (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||
            may_meet_kept(plan->facts);
 }
 

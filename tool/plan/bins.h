@@ -101,6 +101,10 @@ const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part);
 
+/** The pointer in memory through which an update of a scattered array reaches its row; NULL: it is
+ * a variable, or the array is not scattered. */
+const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
+
 /** Does the node name the updated element? Its subscript may have equal calls. */
 bool is_updated_element(const ir_node *node, const ir_node *target);
 

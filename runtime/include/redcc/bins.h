@@ -72,6 +72,22 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
+/** In no bin. */
+#define REDCC_NO_ROW ((redcc_int)((redcc_word)1 << 63))
+
+/** Is the pointer at this address readable? */
+REDCC_INLINE int redcc_can_load(const redcc_bins *bins, redcc_size address) {
+    const redcc_size page = address / REDCC_PAGE;
+    if (__builtin_expect(address % sizeof(void *) != 0, 0))
+        return 0;
+    return __builtin_expect(page == *bins->there, 1) ||
+           bins->calls->is_there(bins->there, (const void *)address);
+}
+
+REDCC_INLINE redcc_int redcc_element_at(redcc_size address, redcc_size bytes) {
+    return address % bytes == 0 ? (redcc_int)(address / bytes) : REDCC_NO_ROW;
+}
+
 /** Identifies an array: number `part` of the arrays of a stream. */
 typedef struct redcc_part {
     redcc_u32 stream;
@@ -112,6 +128,29 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     (redcc__guarded == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
          : !redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+
+/** The number of an element behind a pointer, counted from address 0. In bins the pointer, at
+ *  redcc_pointer unless that is 0, may be loaded from a place that is not verified: a row that is
+ *  in no bin stands for one that cannot be read, and for a misaligned element. */
+#define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
+    ((redcc_size)(redcc_pointer) == 0 ||                                                           \
+             redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))                    \
+         ? redcc_element_at((redcc_size)(redcc_at), sizeof *(redcc_at))                            \
+         : REDCC_NO_ROW)
+#define REDCC_UPDATE_BEHIND_BY(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at, redcc_record, \
+                               redcc_values)                                                       \
+    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+        const redcc_record redcc__e = redcc_values;                                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, &redcc__e);  \
+    } else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
+#define REDCC_UPDATE_BEHIND_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at)            \
+    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, 0);          \
+    else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
+#define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
+    if (redcc__guarded != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
 /** The number of the row, of type `redcc_row`, that has the element as its part `redcc_part`. */
 #define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
@@ -330,16 +369,25 @@ REDCC_RECORDS(float);
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
     REDCC_BINNED_AND(0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,              \
-                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
+                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,                    \
+                     redcc_call_of_body)
+/** The same with a slice for the reads that are recorded while iterations are pushed. */
+#define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,     \
+                                    redcc_all_exact, redcc_call_of_reads, redcc_call_of_slice,     \
+                                    redcc_call_of_body)                                            \
+    REDCC_BINNED_AND(0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,              \
+                     redcc_all_exact, redcc_call_of_reads, redcc_call_of_slice,                    \
+                     redcc_call_of_body)
 /** The same if iterations may be handed out once more (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \
     REDCC_BINNED_AND(redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
-                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
+                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,                    \
+                     redcc_call_of_body)
 #define REDCC_BINNED_AND(redcc_again, redcc_selects, redcc_streams, redcc_chunk, redcc_bins_n,     \
-                         redcc_told_bits, redcc_all_exact, redcc_call_of_slice,                    \
-                         redcc_call_of_body)                                                       \
+                         redcc_told_bits, redcc_all_exact, redcc_call_of_reads,                    \
+                         redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
@@ -351,10 +399,10 @@ REDCC_RECORDS(float);
                                     0)) {                                                          \
                 const redcc_u32 redcc__told = redcc_told_bits;                                     \
                 if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                           \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_slice,           \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_reads,           \
                                      redcc_call_of_body)                                           \
                 else                                                                               \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,             \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_reads,             \
                                      redcc_call_of_body)                                           \
             }                                                                                      \
             {                                                                                      \

@@ -355,6 +355,9 @@ typedef struct redcc_binned {
 
 struct redcc_bin_buffer;
 
+enum { REDCC_PAGE = 4096 }; /* bytes; the system's are as large, or larger */
+#define REDCC_NOWHERE (~(redcc_size)0)
+
 /** One thread's bins of one stream. Constant while a chunk is executed, so that generated code
  *  keeps a copy. */
 typedef struct redcc_bins {
@@ -368,6 +371,7 @@ typedef struct redcc_bins {
     char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
+    redcc_size *there; /* the number of a page that can be read; REDCC_NOWHERE: none is known */
     const struct redcc_calls *calls;
 } redcc_bins;
 
@@ -464,6 +468,8 @@ typedef struct redcc_calls {
     const redcc_series_calls *series;
     const redcc_before_calls *before;
     const redcc_ahead_calls *ahead;
+    /** Is a pointer at this address readable? Then *there is the number of its page. */
+    int (*is_there)(redcc_size *there, const void *address);
 } redcc_calls;
 
 #endif

@@ -95,8 +95,8 @@ struct effects {
 };
 
 struct bins_trial {
-    double may_lose;   /* seconds; below 0: a share of the sequential loop's time, which is not
-                        * known yet; 0: no trial */
+    double may_lose;   /* seconds; from -1 to below 0: a share of the sequential loop's time,
+                        * which is not known yet; 0: no trial */
     double began;      /* its time */
     redcc_int stretch; /* iterations executed sequentially meanwhile, */
     double sequential; /* and their seconds */

@@ -2,6 +2,7 @@
 #include "bins/buffer.h"
 
 #include "base/memory.h"
+#include "base/safe_load.h"
 
 #include <assert.h>
 #include <string.h>
@@ -62,8 +63,11 @@ static void place_rows(struct redcc_bin_buffer *buffer, const redcc_stream *stre
                        struct window window) {
     buffer->stream = stream;
     buffer->bins = window.bins;
-    buffer->push = (redcc_bins){
-        .first = window.first, .span = window.rows, .shift = window.shift, .buffer = buffer};
+    buffer->push = (redcc_bins){.first = window.first,
+                                .span = window.rows,
+                                .shift = window.shift,
+                                .buffer = buffer,
+                                .there = &buffer->there};
 }
 
 bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
@@ -110,6 +114,7 @@ static void forget_outside(struct redcc_bin_buffer *buffer) {
     buffer->exhausted = false;
     buffer->outside = redcc_no_rows;
     buffer->outside_count = 0;
+    buffer->there = REDCC_NOWHERE; /* the program may have unmapped it */
 }
 
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {
@@ -129,6 +134,14 @@ void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *s
 void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
     buffer->outside = redcc_rows_union(buffer->outside, (struct row_range){row, row});
     buffer->outside_count++;
+}
+
+int redcc_is_readable(redcc_size *there, const void *address) {
+    void *pointer;
+    if (!redcc_load(&pointer, address, sizeof pointer))
+        return 0;
+    *there = (redcc_size)address / REDCC_PAGE;
+    return 1;
 }
 
 /* Without a free block, overwrites the last one: the round is lost. */

@@ -17,6 +17,7 @@
 struct redcc_bin_buffer {
     redcc_bins push; /* copied by generated code */
     const redcc_stream *stream;
+    redcc_size there; /* in this round, as redcc_bins.there */
     uint32_t bins;
     uint32_t blocks; /* allocated */
     uint32_t used;   /* blocks, so far */
@@ -79,6 +80,9 @@ bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records
 
 /** All is pushed: writes the lines still being combined. */
 void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
+
+/** Is a pointer at this address readable? Then *there is the number of its page. */
+int redcc_is_readable(redcc_size *there, const void *address);
 
 /** Are records missing? */
 static inline bool redcc_buffer_failed(const struct redcc_bin_buffer *buffer) {

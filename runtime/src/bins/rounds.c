@@ -282,7 +282,8 @@ static bool is_too_slow(const struct binning *binning) {
     const double seconds = redcc_seconds() - it->began - it->sequential;
     const double usual = redcc_bins_usual(binning);
     const double whole = usual * (double)binning->call->request.trip;
-    const double most = it->may_lose < 0 ? -it->may_lose * whole : it->may_lose;
+    const bool is_share = it->may_lose < 0 && it->may_lose >= -1;
+    const double most = is_share ? -it->may_lose * whole : it->may_lose;
     return is_trial(binning) && seconds - usual * (double)binned > most;
 }
 

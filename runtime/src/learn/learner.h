@@ -74,7 +74,7 @@ struct decision {
     double deadline; /**< INSPECT: time limit of a dry run, in seconds; of redcc_pick_way: of the
                       * plan construction */
     double may_lose; /**< REUSE, of a strategy that can stop when it is slower: the seconds it may
-                      * lose; below 0: a share of the sequential loop's time, which is unknown; 0:
+                      * lose; from -1 to below 0: a share of the sequential loop's time; 0:
                       * no limit */
     double earned;   /**< REUSE: seconds saved since the last plan construction, less its cost */
     enum rule rule;

@@ -431,6 +431,16 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
     return true;
 }
 
+/* An executor without an inspection records these reads alone. */
+static void find_slice_of_reads(loop_analysis *j) {
+    touch_list touches = {0};
+    for (unsigned i = 0; i < j->sources.count; i++)
+        if (j->sources.items[i].extent == EXTENT_TOUCHED && j->sources.items[i].needs_guard)
+            add_touch(j, &touches, &j->sources.items[i]);
+    const slice result = slice_compute(j, touches.count, touches.items);
+    j->slice.reads = result.obstacle ? NULL : result.keep;
+}
+
 static slice_result result_of(const loop_analysis *own) {
     return (slice_result){.why = own->why,
                           .privates = own->privates,
@@ -447,7 +457,10 @@ static bool is_compiled_unlike(const loop_analysis *j) {
 
 slice_result check_slice(const loop_analysis *j) {
     loop_analysis all = analysis_copy(j);
-    if (find_slice(&all, true) || all.why.id != REASON_INDEX_EXPENSIVE || j->left_out.exits ||
+    const bool is_found = find_slice(&all, true);
+    if (is_found)
+        find_slice_of_reads(&all);
+    if (is_found || all.why.id != REASON_INDEX_EXPENSIVE || j->left_out.exits ||
         is_compiled_unlike(j))
         return result_of(&all);
     loop_analysis reads = analysis_copy(j);

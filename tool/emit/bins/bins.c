@@ -206,22 +206,39 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
+/** A scattered array's elements are counted from address 0; their rows' pointers may be loaded from
+ *  unverified places. */
+static const char *place_behind(loop_text *loop, const reduction_update *update,
+                                const char *address, ir_c_rename name) {
+    const ir_node *load = row_load_of(loop->facts, update);
+    const char *text = load ? text_operand(loop->arena, load, name, loop) : NULL;
+    const char *pointer =
+        text ? macro_argument(loop->arena, arena_format(loop->arena, "&%s", text)) : "0";
+    if (load && !text)
+        loop_obstacle(loop, load->range, "a pointer to a row cannot be spelled");
+    return arena_format(loop->arena, "%s, %s", pointer, address);
+}
+
 /** The element of the update; the macros' names say whether rows are wide. */
-static const char *place_text(loop_text *loop, const reduction_update *update,
-                              const char *address) {
+static const char *place_text(loop_text *loop, const reduction_update *update, const char *address,
+                              ir_c_rename name) {
     const char *base = loop->arrays[update->array].local;
+    if (loop->facts->arrays[update->array].is_scattered)
+        return place_behind(loop, update, address, name);
     if (!is_wide_row(loop->facts, loop->bins, update->array))
         return arena_format(loop->arena, "%s, %s", base, address);
     return arena_format(loop->arena, "%s, %s, %s, %s", base, address, row_type(loop, update->array),
                         part_of_row_text(loop, update));
 }
 
-const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
+const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
+                        ir_c_rename name) {
     const bins_record *record = record_of(loop->bins, update);
     const bins_stream *stream = &loop->bins->streams[record->stream];
-    const char *macro =
-        is_wide_row(loop->facts, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
-    const char *place = place_text(loop, update, address);
+    const char *macro = loop->facts->arrays[update->array].is_scattered       ? "UPDATE_BEHIND"
+                        : is_wide_row(loop->facts, loop->bins, update->array) ? "UPDATE_ROW"
+                                                                              : "UPDATE";
+    const char *place = place_text(loop, update, address, name);
     if (record->updates[0] != update || record->nest)
         return arena_format(loop->arena, "REDCC_%s_WITH(%u, %s)", macro, update->array, place);
     if (stream_value_count(stream) == 0)
