@@ -54,4 +54,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .series = &series,
                                    .before = &before,
                                    .ahead = &redcc_ahead_library,
-                                   .is_there = redcc_is_readable};
+                                   .is_there = redcc_is_readable,
+                                   .push_span = redcc_push_span};

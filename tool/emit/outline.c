@@ -151,13 +151,34 @@ static const char *write_slice_as(loop_text *loop, const char *function, writer 
                         loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
 }
 
+static bool holds_work(const ir_node *node) {
+    if (ir_is_loop(node) || node->kind == IR_CALL)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (ir_is_expression(node->children[i]) && holds_work(node->children[i]))
+            return true;
+    return false;
+}
+
+/** Does the inspector's slice have loops or calls that are not needed for the reads? */
+static bool computes_more(const loop_slice *slice, const ir_node *node) {
+    if (ir_is_expression(node))
+        return false;
+    if (slice->holds[node->id] && !slice->reads[node->id] && holds_work(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (computes_more(slice, node->children[i]))
+            return true;
+    return false;
+}
+
 /** The slice of the reads that are recorded while iterations are pushed, without the computation of
  *  subscripts; NULL: that of the inspector serves. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;
     if (!loop->bins || !loop->bins->guarded_sources || !facts->slice.reads ||
-        plan_has_leaders(plan))
+        plan_has_leaders(plan) || !computes_more(&facts->slice, facts->counted.body))
         return NULL;
     loop_facts reads = *facts;
     loop_plan recorded = *plan;
@@ -183,6 +204,8 @@ static const char *write_slice_of_reads(loop_text *loop, writer *out) {
 static void write_slice(loop_text *loop, writer *out) {
     loop->outline.slice_call = write_slice_as(loop, outlined_name(loop, "slice"), out);
     loop->outline.reads_call = write_slice_of_reads(loop, out);
+    if (!loop->outline.reads_call && bins_have_spans(loop))
+        loop->outline.reads_call = loop->outline.slice_call;
 }
 
 static bool names_by_address(const loop_text *loop) {
@@ -275,10 +298,14 @@ static void write_parts(loop_text *loop, writer *out) {
     write_thread_end(loop, &last);
     remember_text(loop, writer_text(loop->arena, &last));
     declare_inlined(loop, out);
+    const bool is_context_first = bins_have_spans(loop);
+    if (is_context_first)
+        write_context(loop, out);
     if (loop->bins)
         write_bins(loop, out);
     write_description(loop, out);
-    write_context(loop, out);
+    if (!is_context_first)
+        write_context(loop, out);
     buffer_text(&out->out, writer_text(loop->arena, &parts));
     write_member(loop, out);
 }

@@ -206,6 +206,8 @@ static bool is_spelled_from_base(const loop_facts *facts, const reduction_update
 }
 
 static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
+    if (record->span) /* its text is applied as it is */
+        return record->update_count == 1 && is_in_step(facts, bins, record->updates[0]);
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
         const ir_node *statement = update->statement;
@@ -247,6 +249,7 @@ static bool can_be_grouped(const loop_plan *plan, bins_plan *bins, bool wide, bo
 /** Uses the smallest number of records. */
 static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     find_nests(plan->facts, bins);
+    find_bins_spans(plan, bins);
     for (unsigned i = 0; i < plan->facts->update_count; i++)
         bins->has_nests |= bins->nests[i].outermost != NULL;
     for (;; bins->has_nests = false) {
@@ -308,6 +311,7 @@ void plan_bins(loop_plan *plan) {
     bins->streams = ARENA_ARRAY(plan->arena, bins_stream, facts->array_count + 1);
     bins->row_bytes = ARENA_ARRAY(plan->arena, int64_t, facts->array_count + 1);
     bins->nests = ARENA_ARRAY(plan->arena, bins_nest, facts->update_count + 1);
+    bins->spans = ARENA_ARRAY(plan->arena, bins_span, facts->update_count + 1);
     bins->is_checked = needs_check(plan);
     if (!bins->is_checked)
         find_guarded_sources(plan, bins);

@@ -329,7 +329,10 @@ typedef struct redcc_applied {
     redcc_size count;
     redcc_size ahead;     /**< how far ahead of the current place rows may be prefetched; or 0 */
     const void *operands; /**< the operands given to redcc_bins_next */
+    redcc_size row_count; /**< of the bin */
 } redcc_applied;
+
+enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 
 /** Updates that must be applied in order: all those of an array, or of several arrays at one
  *  subscript. */
@@ -342,8 +345,9 @@ typedef struct redcc_stream {
     redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< bytes of a row of each: that array's `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< all updates of an array use its operator, on integers: they may be made in any
-                * order, and on private copies */
+    int exact; /**< REDCC_STREAM_EXACT: all updates of an array use its operator, on integers: they
+                * may be made in any order, and on private copies; REDCC_STREAM_SPANS: a record is
+                * of consecutive rows, and in each bin that has some of them; or 0 */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */
@@ -470,6 +474,9 @@ typedef struct redcc_calls {
     const redcc_ahead_calls *ahead;
     /** Is a pointer at this address readable? Then *there is the number of its page. */
     int (*is_there)(redcc_size *there, const void *address);
+    /** Pushes a record of `count` rows from the one at address `first` on. */
+    void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+                      redcc_int count, const void *record);
 } redcc_calls;
 
 #endif

@@ -264,14 +264,16 @@ static struct decision decide_set_up(const struct choice *c) {
     return set_up(c, redcc_usual(c->size));
 }
 
-/* Is there no inspection, or are iterations so heavy that an inspection may take longer than a
+/* Is there no inspection, does it begin with a dry run, which may take as long as the loop, or are
+ * iterations so heavy that an inspection may take longer than a
  * trial of bins may lose? They have inner loops, and the inspection records all rows that those
  * touch. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     return c->now->threads > 1 && !bins->measured && !bins->ruled_out &&
            c->now->kept[WAY_BINS] == KEPT_FITS &&
-           (c->now->bins_only || redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK);
+           (c->now->bins_only || c->now->dry_run ||
+            redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK);
 }
 
 bool redcc_goes_at_once(const struct situation *now) {
