@@ -31,8 +31,11 @@ static const redcc_series_calls series = {.join = redcc_series_join,
                                           .find = redcc_series_find,
                                           .give = redcc_operands_give_all};
 
+static const redcc_behind_calls behind = {.is_there = redcc_is_readable,
+                                          .push_span = redcc_push_span};
+
 static const redcc_before_calls before = {
-    .is_alone = redcc_is_alone, .may_load = may_load, .load = redcc_load};
+    .is_alone = redcc_is_alone, .may_load = may_load, .load = redcc_load, .behind = &behind};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
@@ -53,6 +56,4 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
                                    .before = &before,
-                                   .ahead = &redcc_ahead_library,
-                                   .is_there = redcc_is_readable,
-                                   .push_span = redcc_push_span};
+                                   .ahead = &redcc_ahead_library};

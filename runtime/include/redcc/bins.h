@@ -81,7 +81,7 @@ REDCC_INLINE int redcc_can_load(const redcc_bins *bins, redcc_size address) {
     if (__builtin_expect(address % sizeof(void *) != 0, 0))
         return 0;
     return __builtin_expect(page == *bins->there, 1) ||
-           bins->calls->is_there(bins->there, (const void *)address);
+           bins->calls->before->behind->is_there(bins->there, (const void *)address);
 }
 
 REDCC_INLINE redcc_int redcc_element_at(redcc_size address, redcc_size bytes) {
@@ -165,9 +165,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
             redcc__e.first = (redcc_size)(redcc_at);                                               \
             redcc__e.count = redcc__number;                                                        \
             (void)redcc_set;                                                                       \
-            redcc__bins_##redcc_i->calls->push_span(redcc__bins_##redcc_i,                         \
-                                                    &redcc__streams[redcc_s], redcc__e.first,      \
-                                                    redcc__number, &redcc__e);                     \
+            redcc__bins_##redcc_i->calls->before->behind->push_span(                               \
+                redcc__bins_##redcc_i, &redcc__streams[redcc_s], redcc__e.first, redcc__number,    \
+                &redcc__e);                                                                        \
         } else if (redcc__number > 0)                                                              \
             redcc__bins_##redcc_i->calls->push_outside(redcc__bins_##redcc_i->buffer,              \
                                                        REDCC_NO_ROW);                              \

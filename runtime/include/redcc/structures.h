@@ -397,6 +397,15 @@ typedef struct redcc_series_calls {
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
+/** For elements behind pointers, in bins. */
+typedef struct redcc_behind_calls {
+    /** Is a pointer at this address readable? Then *there is the number of its page. */
+    int (*is_there)(redcc_size *there, const void *address);
+    /** Pushes a record of `count` rows from the one at address `first` on. */
+    void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+                      redcc_int count, const void *record);
+} redcc_behind_calls;
+
 /** Calls of the library before a loop begins. */
 typedef struct redcc_before_calls {
     /** Can no other thread of the process run before the loop ends? */
@@ -406,6 +415,7 @@ typedef struct redcc_before_calls {
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
+    const redcc_behind_calls *behind;
 } redcc_before_calls;
 
 /** Rows that iterations read: iteration k at first + k * step, in bytes. */
@@ -472,11 +482,6 @@ typedef struct redcc_calls {
     const redcc_series_calls *series;
     const redcc_before_calls *before;
     const redcc_ahead_calls *ahead;
-    /** Is a pointer at this address readable? Then *there is the number of its page. */
-    int (*is_there)(redcc_size *there, const void *address);
-    /** Pushes a record of `count` rows from the one at address `first` on. */
-    void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
-                      redcc_int count, const void *record);
 } redcc_calls;
 
 #endif
