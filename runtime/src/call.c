@@ -63,9 +63,11 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
         return REASON_ORDER_NEEDED;
     if (loop->flags & REDCC_MAY_ABORT && !redcc_assertions_abort())
         return REASON_ASSERTION;
+    const bool in_bins = settings->method && settings->method->in_bins;
+    if (loop->flags & REDCC_NO_INSPECTOR && !in_bins && (settings->method || settings->compensated))
+        return REASON_NO_INSPECTOR;
     if (is_always_planned(settings))
         return REASON_NONE;
-    const bool in_bins = settings->method && settings->method->in_bins;
     if (in_bins && !redcc_binned_of(loop))
         return REASON_NO_BINS;
     if (settings->method && settings->method->selects && !(loop->flags & REDCC_SELECTS))
@@ -265,8 +267,9 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
  * once it takes long enough. */
 static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
                                const redcc_extent *known, bool may_gain) {
-    if (redcc_made_state_of(loop) || settings->method || settings->compensated ||
-        settings->validate || settings->report || redcc_traced)
+    if (redcc_made_state_of(loop) || (may_gain && redcc_advise_at_once(loop, trip)) ||
+        settings->method || settings->compensated || settings->validate || settings->report ||
+        redcc_traced)
         return false;
     if (may_gain && !redcc_within && redcc_unmade_call(&loop->state, trip))
         time_original(loop, trip, known);

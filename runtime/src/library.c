@@ -2,6 +2,7 @@
 #include "library.h"
 
 #include "base/safe_load.h"
+#include "bins/buffer.h"
 #include "execute/ahead.h"
 #include "execute/rows.h"
 #include "operands.h"
@@ -30,8 +31,11 @@ static const redcc_series_calls series = {.join = redcc_series_join,
                                           .find = redcc_series_find,
                                           .give = redcc_operands_give_all};
 
+static const redcc_behind_calls behind = {.is_there = redcc_is_readable,
+                                          .push_span = redcc_push_span};
+
 static const redcc_before_calls before = {
-    .is_alone = redcc_is_alone, .may_load = may_load, .load = redcc_load};
+    .is_alone = redcc_is_alone, .may_load = may_load, .load = redcc_load, .behind = &behind};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),

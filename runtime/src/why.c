@@ -35,6 +35,7 @@ static const char *const advice[REASON_COUNT] = {
     [REASON_LEVELS] = "name localwrite",
     [REASON_INSPECTOR] = "this is a fault of redcc's: please report it",
     [REASON_NO_BINS] = "name a method with a plan, as localwrite",
+    [REASON_NO_INSPECTOR] = "name binning, which computes each iteration once",
     [REASON_NO_SELECTION] = "name localwrite, which makes a plan",
     [REASON_NO_TILES] = "name localwrite, which makes a plan",
     [REASON_ASSERTION] =

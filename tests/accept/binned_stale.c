@@ -80,7 +80,7 @@ static void read_anyway(int n, const int *at, const long *w, long *to) {
         if (w[t] > 40)
             to[i] += w[t];
     }
-} // CHECKED: 78
+} // BINNED: 78
 
 static void alternative(int n, const int *at, const long *w, const long *deep, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -137,7 +137,7 @@ static void saturated(int n, const unsigned *at, unsigned char *h) {
             ++h[value];
         h[63 - value] = h[63 - value] > 100 ? h[63 - value] / 2 : h[63 - value] * 3 + 1;
     }
-} // CHECKED: 134
+} // BINNED: 134
 
 int main(void) {
     static long to[M + N];

@@ -61,7 +61,7 @@ void repeated(int n, const int *restrict s, const double *w, double *h) {
 
 double summed(int n, const int *restrict s, const double *w, double *h) {
     double sum = 0;
-    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared before
+    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; compared after
         h[s[t]] += w[t];
         sum += w[t];
     }
@@ -150,4 +150,49 @@ struct system {
 void keys(int n, const int *restrict s, struct system *restrict m) {
     for (int t = 0; t < n; t++) // PLAN: keys: 3
         m->b[s[t]] += 1;
+}
+
+/* Rows behind pointers: the operands of an inner loop are read when its record is applied. */
+void rows(int n, int m, const int *restrict s, double **restrict row, double *const *restrict x,
+          const double *restrict w) {
+    for (int t = 0; t < n; t++) { // PLAN: span of 2 variables; bins: 1 records of 0 values, 1 tags in 1 streams
+        const double scale = w[t];
+        for (int j = 0; j < m; j++)
+            row[s[t]][j] += scale * x[t][j];
+    }
+}
+
+double half(double x);
+#pragma redcc pure(half)
+
+/* Not if that could give other values: a call, two updates, an own element, a counter used below. */
+void not_later(int n, int m, const int *restrict s, double **restrict row, double *restrict own,
+               const double *restrict w, int *restrict last) {
+    for (int t = 0; t < n; t++) // PLAN: no span
+        for (int j = 0; j < m; j++)
+            row[s[t]][j] += half(w[j]);
+    for (int t = 0; t < n; t++) { // PLAN: no span
+        for (int j = 0; j < m; j++)
+            row[s[t]][j] += w[j];
+        row[s[t]][0] *= 2;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: no span
+        own[t] = own[t] * 0.5;
+        for (int j = 0; j < m; j++)
+            row[s[t]][j] += own[t];
+        own[t] = own[t] + 1;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: no span
+        int j;
+        for (j = 0; j < m; j++)
+            row[s[t]][j] += w[j];
+        last[t] = j;
+    }
+    for (int t = 0; t < n; t++) { // PLAN: no span
+        double some[8];
+        for (int j = 0; j < 8; j++)
+            some[j] = w[t + j];
+        for (int j = 0; j < m; j++)
+            row[s[t]][j] += some[j & 7];
+    }
 }

@@ -23,6 +23,12 @@ static void describe_bins(buffer *out, const loop_plan *plan) {
         values += stream_value_count(&plan->bins->streams[i]);
         tags += plan->bins->streams[i].tag_count;
     }
+    for (unsigned i = 0; i < plan->bins->record_count; i++)
+        if (plan->bins->records[i].span)
+            buffer_format(out, "span of %u variables; ",
+                          plan->bins->records[i].span->variable_count);
+        else if (plan->facts->arrays[plan->bins->records[i].updates[0]->array].is_scattered)
+            buffer_format(out, "no span; ");
     buffer_format(out, "bins: %u records of %u values, %u tags in %u streams; %s; ",
                   plan->bins->record_count, values, tags, plan->bins->stream_count,
                   plan->bins->is_checked ? "compared before" : "compared after");

@@ -270,7 +270,7 @@ void by_address(int n, const int **restrict h) {
 }
 
 void address_as_value(int n, const double *const *restrict marks, int *restrict h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
         static const double mark[2] = {1, 2};
         if (marks[t] == mark)
             h[s[t]]++;

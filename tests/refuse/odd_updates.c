@@ -184,30 +184,40 @@ void linked(int n, const int *k, double *h, int *next) {
     }
 }
 
-void logarithm(int n, double *h, const double *x) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
-        h[(int)(log(x[t]) * 10)] += 1;
-}
-
-void power(int n, double *h, const float *x) {
+/* No other executor than bins computes such a subscript once; these have none. */
+void logarithm_of_a_forwarded_value(int n, double *restrict h, int *restrict o, const double *x) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
-        const float scaled = powf(x[t], 0.5f);
-        h[(int)scaled] += 1;
+        o[t] = (int)(log(x[t]) * 10);
+        h[o[t]] += 1;
     }
 }
 
-void extended(int n, double *h, const double *x) {
+void power_of_the_last(int n, double *h, const float *x, float *last) {
+    float scaled = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+        scaled = powf(x[t], 0.5f);
+        h[(int)scaled] += 1;
+    }
+    *last = scaled;
+}
+
+void extended(int n, long double *h, const double *x) {
     for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
         h[(int)(x[t] * 10.0L)] += 1;
 }
 
-static int __attribute__((target("sse2"))) bin_of(double v) {
-    return (int)(v * 10);
+void leaving(int n, double *restrict h, const double *x) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+        if (x[t] < 0)
+            break;
+        h[(int)(log(x[t]) * 10)] += 1;
+    }
 }
 
-void by_function_with_attributes(int n, double *h, const double *x) {
+/* What decides a load may be one of the updated elements. */
+void unverified(int n, double *h, const double *x, const int *map) {
     for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
-        h[bin_of(x[t])] += 1;
+        h[map[(int)log(x[t])]] += 1;
 }
 
 double measured(double v) __attribute__((const));

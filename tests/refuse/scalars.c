@@ -88,17 +88,6 @@ static int both(int of, int *p) {
     return of / 8;
 }
 
-/* The values that a call stores are subscripts: the inspector would have to add as well. */
-long filled_subscript(int n, const int *k, double *restrict h) {
-    long sum = 0;
-    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
-        int p[1];
-        sum += both(k[t], p);
-        h[p[0]] += 1.5;
-    }
-    return sum;
-}
-
 /* It stores the next iteration's input. */
 long filled_outside(int n, const int *k, double *restrict h) {
     long sum = 0;

@@ -149,7 +149,8 @@ static void assert_span(const loop_facts *facts, const loop_span *span) {
 }
 
 static void assert_slice(const loop_facts *facts) {
-    assert(facts->inspector.exists && facts->slice.holds);
+    assert(facts->slice.holds && facts->inspector.exists == facts->slice.has_rows);
+    assert(facts->inspector.exists || (!facts->slice.is_verifiable && !facts->slice.exits));
     assert(!facts->slice.is_verifiable || !facts->slice.unkept.name);
     for (unsigned i = 0; i < facts->inspector.key_count; i++)
         assert(facts->inspector.key[i] && ir_is_expression(facts->inspector.key[i]));

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
@@ -147,6 +148,17 @@ static void add_not_a_reduction(loop_search *s, ir_node *loop) {
     VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
+static bool is_inspected(const loop_verdict *verdict) {
+    return verdict->kind == VERDICT_TRANSFORM && verdict->facts->inspector.exists;
+}
+
+static bool has_inspected(const loop_search *s, unsigned from) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (is_inspected(&s->verdicts.items[i]))
+            return true;
+    return false;
+}
+
 /* Analyses the loops below `node`, outermost first; an accepted loop covers all inner ones. */
 static void search(loop_search *s, ir_node *node) {
     if (!ir_is_loop(node)) {
@@ -172,7 +184,7 @@ static void search(loop_search *s, ir_node *node) {
         add_not_a_reduction(s, node);
     } else if (is_candidate(s->an, node)) {
         verdict = verdict_of(s->an, s->function, node);
-        if (verdict.kind == VERDICT_TRANSFORM) {
+        if (is_inspected(&verdict)) {
             VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
             return;
         }
@@ -181,6 +193,17 @@ static void search(loop_search *s, ir_node *node) {
         search(s, node->children[i]);
     if (!is_irregular)
         return;
+    const bool is_once = verdict.loop && verdict.kind == VERDICT_TRANSFORM;
+    if (is_once && !has_inspected(s, from)) {
+        s->verdicts.count = from;
+        VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+        return;
+    }
+    if (is_once) { /* an inner loop can have a plan */
+        verdict.kind = VERDICT_REFUSE;
+        verdict.why = reason_make(s->an->memory, REASON_INDEX_EXPENSIVE,
+                                  verdict.facts->arrays[0].name, node->range);
+    }
     if (verdict.loop && verdict.kind == VERDICT_NOT_A_REDUCTION) {
         add_not_a_reduction(s, node);
         return;

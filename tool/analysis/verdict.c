@@ -156,11 +156,12 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->slice.exits = j->left_out.exits;
     facts->slice.may_abort = j->found.ends.count > 0;
     facts->slice.holds = j->slice.holds;
+    facts->slice.reads = j->slice.reads;
     const span_list spans = find_spans(j);
     facts->inspector.spans = spans.items;
     facts->inspector.span_count = spans.count;
     facts->slice.has_floating_work = j->slice.has_floating_work;
-    facts->inspector.exists = true;
+    facts->inspector.exists = facts->slice.has_rows = j->slice.has_rows;
     facts->slice.is_verifiable = j->slice.is_verifiable;
     facts->slice.unkept = j->slice.unkept;
     facts->inspector.key = j->key.items;

@@ -19,6 +19,8 @@
 #include "emit/text/origin.h"
 #include "emit/write_loop.h"
 #include "ir/ir_position.h"
+#include "plan/bins.h"
+#include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/place.h"
@@ -125,7 +127,8 @@ static void add_stand_ins(loop_text *loop, head *h) {
     }
 }
 
-static void write_slice(loop_text *loop, writer *out) {
+/** Writes the slice as a function of that name; returns its call. */
+static const char *write_slice_as(loop_text *loop, const char *function, writer *out) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     writer statements = {.depth = 1};
@@ -136,18 +139,74 @@ static void write_slice(loop_text *loop, writer *out) {
     add_variables(loop, is_mentioned, false, &h);
     for_each_extra(loop, text, add_extra, &h);
     remember_text(loop, text);
-    loop->outline.slice_call =
-        arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
-                     loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
     const bool is_unfused = loop->is_unfused && facts->slice.has_floating_work;
     writer_line(out, "%s %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
-                loop->lanes.is_wanted ? "REDCC_SLICE_OF_LANES" : "REDCC_SLICE",
-                outlined_name(loop, "slice"), counter_parameter(loop, is_used),
-                buffer_take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+                loop->lanes.is_wanted ? "REDCC_SLICE_OF_LANES" : "REDCC_SLICE", function,
+                counter_parameter(loop, is_used), buffer_take(loop->arena, &h.parameters),
+                is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     if (loop->lanes.is_wanted)
         writer_line(out, "    REDCC_TOLD_OF_LANES");
     buffer_text(&out->out, text);
     writer_line(out, "}");
+    return arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", function,
+                        loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
+}
+
+static bool holds_work(const ir_node *node) {
+    if (ir_is_loop(node) || node->kind == IR_CALL)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (ir_is_expression(node->children[i]) && holds_work(node->children[i]))
+            return true;
+    return false;
+}
+
+/** Does the inspector's slice have loops or calls that are not needed for the reads? */
+static bool computes_more(const loop_slice *slice, const ir_node *node) {
+    if (ir_is_expression(node))
+        return false;
+    if (slice->holds[node->id] && !slice->reads[node->id] && holds_work(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (computes_more(slice, node->children[i]))
+            return true;
+    return false;
+}
+
+/** The slice of the reads that are recorded while iterations are pushed, without the computation of
+ *  subscripts; NULL: that of the inspector serves. */
+static const char *write_slice_of_reads(loop_text *loop, writer *out) {
+    const loop_plan *plan = loop->plan;
+    const loop_facts *facts = loop->facts;
+    if (!loop->bins || !loop->bins->guarded_sources || !facts->slice.reads ||
+        plan_has_leaders(plan) || !computes_more(&facts->slice, facts->counted.body))
+        return NULL;
+    loop_facts reads = *facts;
+    loop_plan recorded = *plan;
+    int *numbers = ARENA_ARRAY(loop->arena, int, facts->source_count + 1);
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const int number = plan->source_number[i];
+        const bool is_recorded = number >= 0 && loop->bins->guarded_sources >> number & 1 &&
+                                 facts->sources[i].needs_guard;
+        numbers[i] = is_recorded ? number : SOURCE_NOT_LOGGED;
+    }
+    reads.slice.holds = (bool *)facts->slice.reads;
+    reads.slice.has_rows = false;
+    recorded.facts = &reads;
+    recorded.source_number = numbers;
+    loop->facts = &reads;
+    loop->plan = &recorded;
+    const char *call = write_slice_as(loop, outlined_name(loop, "reads"), out);
+    loop->facts = facts;
+    loop->plan = plan;
+    return call;
+}
+
+static void write_slice(loop_text *loop, writer *out) {
+    loop->outline.slice_call = write_slice_as(loop, outlined_name(loop, "slice"), out);
+    loop->outline.reads_call = write_slice_of_reads(loop, out);
+    if (!loop->outline.reads_call && bins_have_spans(loop))
+        loop->outline.reads_call = loop->outline.slice_call;
 }
 
 static bool names_by_address(const loop_text *loop) {
@@ -273,10 +332,14 @@ static void write_parts(loop_text *loop, writer *out) {
     write_thread_end(loop, &last);
     remember_text(loop, writer_text(loop->arena, &last));
     declare_inlined(loop, out);
+    const bool is_context_first = bins_have_spans(loop);
+    if (is_context_first)
+        write_context(loop, out);
     if (loop->bins)
         write_bins(loop, out);
     write_description(loop, out);
-    write_context(loop, out);
+    if (!is_context_first)
+        write_context(loop, out);
     buffer_text(&out->out, writer_text(loop->arena, &parts));
     write_member(loop, out);
 }

@@ -10,7 +10,10 @@
 #include "plan/lookup.h"
 
 void write_region(loop_text *loop, writer *out) {
-    const char *kind = loop->bins ? "_BINNED" : loop->lanes.name ? "_LANES" : "";
+    const char *kind = loop->outline.reads_call ? "_BINNED_READS"
+                       : loop->bins             ? "_BINNED"
+                       : loop->lanes.name       ? "_LANES"
+                                                : "";
     const bool has_leaders = plan_has_leaders(loop->plan);
     assert(!has_leaders || !loop->lanes.name); /* errno and series are other values (lanes.c) */
     const char *series = has_leaders ? "_SERIES" : "";
@@ -23,6 +26,8 @@ void write_region(loop_text *loop, writer *out) {
                 loop->bins ? " " : "", loop->bins ? bins_phase(loop) : "", loop->bins ? "," : "");
     if (has_leaders)
         writer_line(out, "    (%s),", has_series(loop->facts) ? series_go_on(loop) : "0");
+    if (loop->outline.reads_call)
+        writer_line(out, "    %s,", loop->outline.reads_call);
     writer_line(out, "    %s,", loop->outline.slice_call);
     writer_line(out, "    %s%s", loop->outline.body_call, loop->lanes.name ? "," : ")");
     if (loop->lanes.name)

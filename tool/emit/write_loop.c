@@ -225,7 +225,8 @@ static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
             continue;
         front->text = write_outlined(loop, &front->replaced.begin);
         front->replaced.end = front->replaced.begin;
-        if ((front->text && (*form != FORM_LANES || loop->lanes.name)) || *form == FORM_SHORT)
+        if ((front->text && (*form != FORM_LANES || loop->lanes.name)) || *form == FORM_SHORT ||
+            !loop->facts->inspector.exists)
             break;
         loop->obstacle = NULL; /* perhaps there is none in the next form */
     }

@@ -14,8 +14,21 @@ enum { MOST_TAGS = 16, MOST_SOURCES = 32 };
 
 /* ---- operands ------------------------------------------------------------------------------ */
 
+bool is_updated_element(const ir_node *node, const ir_node *target) {
+    return expression_same(node, target);
+}
+
+const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update) {
+    const ir_node *node = update->target;
+    if (!facts->arrays[update->array].is_scattered)
+        return NULL;
+    while (node->child_count > 0 && !(node->type && node->type->kind == IR_POINTER))
+        node = node->children[0];
+    return node->kind == IR_INDEX || node->kind == IR_MEMBER ? node : NULL;
+}
+
 static bool contains(const ir_node *node, const ir_node *target) {
-    if (syntax_same(node, target))
+    if (is_updated_element(node, target))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (contains(node->children[i], target))
@@ -119,7 +132,7 @@ static bool decides(const ir_node *node) {
 
 static bool gather_operands(const loop_facts *facts, bins_record *record, const ir_node *target,
                             const ir_node *node, bool is_certain) {
-    if (syntax_same(node, target) || (ir_is_expression(node) && is_constant(node)))
+    if (is_updated_element(node, target) || (ir_is_expression(node) && is_constant(node)))
         return true;
     if (ir_is_expression(node) && !contains(node, target))
         return add_operand(facts, record, node, is_certain);
@@ -177,19 +190,24 @@ static bool can_be_stream(const loop_facts *facts, unsigned number) {
     for (unsigned other = 0; other < number; other++) /* one base is one array */
         assert(array->is_scattered || facts->arrays[other].is_scattered ||
                !syntax_same(facts->arrays[other].base, array->base));
-    return !array->is_scattered && element->spelling && is_power_of_two(element->size) &&
-           element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
+    return element->spelling && is_power_of_two(element->size) && element->size <= 8 &&
+           (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }
 
-/** Is the element spelled from the array's base on, not by a pointer of the iteration's own? */
+/** Is the element spelled from the array's base on, not by a pointer of the iteration's own?
+ * Elements behind pointers are counted from address 0. */
 static bool is_spelled_from_base(const loop_facts *facts, const reduction_update *update) {
     const ir_node *node = update->target;
+    if (facts->arrays[update->array].is_scattered)
+        return true;
     while (loop_array_of_base(facts, node) != (int)update->array && node->child_count > 0)
         node = node->children[0];
     return loop_array_of_base(facts, node) == (int)update->array;
 }
 
 static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
+    if (record->span) /* its text is applied as it is */
+        return record->update_count == 1 && is_in_step(facts, bins, record->updates[0]);
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
         const ir_node *statement = update->statement;
@@ -231,6 +249,7 @@ static bool can_be_grouped(const loop_plan *plan, bins_plan *bins, bool wide, bo
 /** Uses the smallest number of records. */
 static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     find_nests(plan->facts, bins);
+    find_bins_spans(plan, bins);
     for (unsigned i = 0; i < plan->facts->update_count; i++)
         bins->has_nests |= bins->nests[i].outermost != NULL;
     for (;; bins->has_nests = false) {
@@ -251,12 +270,12 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? Operands of scalars that it keeps in an aborted
- *  execution remain if the next one keeps none; of own elements each execution keeps a value. */
+/** Must the body see only verified values? What it keeps in an aborted execution, the next one
+ *  replaces: the operands of scalars, or that it kept none, and the values of own elements. Series
+ *  of an aborted execution remain. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
-           (plan->facts->scalar_count > 0 &&
-            unverified_has_suspects(plan, guarded_sources(plan))) ||
+           (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||
            may_meet_kept(plan->facts);
 }
 
@@ -292,6 +311,7 @@ void plan_bins(loop_plan *plan) {
     bins->streams = ARENA_ARRAY(plan->arena, bins_stream, facts->array_count + 1);
     bins->row_bytes = ARENA_ARRAY(plan->arena, int64_t, facts->array_count + 1);
     bins->nests = ARENA_ARRAY(plan->arena, bins_nest, facts->update_count + 1);
+    bins->spans = ARENA_ARRAY(plan->arena, bins_span, facts->update_count + 1);
     bins->is_checked = needs_check(plan);
     if (!bins->is_checked)
         find_guarded_sources(plan, bins);

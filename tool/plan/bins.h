@@ -50,11 +50,22 @@ typedef struct bins_nest {
     } levels[MOST_NEST_DEPTH];
 } bins_nest;
 
+/** An inner loop `for (j = 0; j < n; j++)` around one update of consecutive elements, whose
+ * operands are read when it is applied (bins_span.c). */
+typedef struct bins_span {
+    const ir_node *loop;      /* NULL: none */
+    const loop_span *counted; /* its header */
+    int64_t first;            /* the counter's first value */
+    unsigned variable_count;  /* of the iteration, whose values the record keeps: */
+    const ir_variable *variables[MOST_RECORD_OPERANDS];
+} bins_span;
+
 /** A record that the body appends: of one update, or of consecutive updates of one row of an array
  *  or of rows of different arrays at one subscript. Or of an update in a nest, in which each
  *  operand has a value for each part of the row. */
 typedef struct bins_record {
     const bins_nest *nest; /* NULL: none */
+    const bins_span *span; /* NULL: none */
     unsigned update_count;
     const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the first appends it */
     unsigned stream;
@@ -79,6 +90,7 @@ typedef struct bins_plan {
     int64_t *row_bytes; /* of each array, by number: of an element, or of several adjacent ones */
     bool has_nests;
     bins_nest *nests;         /* of each update, by number, if it has any */
+    bins_span *spans;         /* likewise */
     uint32_t guarded_sources; /* bits, by number: their reads are logged as iterations execute */
     bool is_checked; /* the ranges of all reads and writes are found and compared before any
                       * iteration executes: the body must not see unverified values */
@@ -86,6 +98,9 @@ typedef struct bins_plan {
 
 /** Sets bins, or no_bins. */
 void plan_bins(loop_plan *plan);
+
+/** The span whose records the stream has; NULL: it has others. */
+const bins_span *span_of_stream(const bins_plan *bins, unsigned stream);
 
 /** The number of values in a record of the stream. */
 unsigned stream_value_count(const bins_stream *stream);
@@ -100,6 +115,13 @@ const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
  *  number of the iteration. Requires find_rows. */
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part);
+
+/** The pointer in memory through which an update of a scattered array reaches its row; NULL: it is
+ * a variable, or the array is not scattered. */
+const ir_node *row_load_of(const loop_facts *facts, const reduction_update *update);
+
+/** Does the node name the updated element? Its subscript may have equal calls. */
+bool is_updated_element(const ir_node *node, const ir_node *target);
 
 /** The number of the operand that equals this node; -1: none. No two calls are equal. */
 int operand_number(const bins_record *record, const ir_node *node);

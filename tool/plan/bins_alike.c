@@ -28,9 +28,9 @@ static bool leaves_are_equal(const ir_node *a, const ir_node *b) {
 
 static bool say_the_same(said left, const ir_node *a, said right, const ir_node *b) {
     if (ir_is_expression(a) && ir_is_expression(b)) {
-        const bool is_element = syntax_same(a, left.update->target);
-        if (is_element || syntax_same(b, right.update->target))
-            return is_element && syntax_same(b, right.update->target);
+        const bool is_element = is_updated_element(a, left.update->target);
+        if (is_element || is_updated_element(b, right.update->target))
+            return is_element && is_updated_element(b, right.update->target);
         const int number = operand_number(left.record, a);
         if (number >= 0 || operand_number(right.record, b) >= 0)
             return number == operand_number(right.record, b);

@@ -117,6 +117,8 @@ static void add_record(const grouping *g, bins_plan *bins, unsigned group, unsig
     if (record.update_count == 0)
         return;
     record.nest = nest_of(g->facts, bins, record.updates[0]);
+    const bins_span *span = &bins->spans[record.updates[0] - g->facts->updates];
+    record.span = span->loop ? span : NULL;
     bins->records[bins->record_count++] = record;
 }
 

@@ -10,6 +10,9 @@ void find_nests(const loop_facts *facts, bins_plan *bins);
 /** The nest of update number `i`, for any rows; NULL: it has none, or nests are not used. */
 const bins_nest *nest_at(const bins_plan *bins, unsigned i);
 
+/** Sets spans. */
+void find_bins_spans(const loop_plan *plan, bins_plan *bins);
+
 /** The largest part of the array that contains the element at a constant offset, or at an offset
  *  given by counters of the nest (NULL: none). */
 const ir_node *outermost_row(const loop_facts *facts, const reduction_update *update,

@@ -91,7 +91,9 @@ static int64_t wide_row(const loop_facts *facts, const bins_plan *bins, unsigned
 
 void find_rows(const loop_facts *facts, bins_plan *bins, bool wide) {
     for (unsigned array = 0; array < facts->array_count; array++)
-        bins->row_bytes[array] = wide ? wide_row(facts, bins, array) : element_size(facts, array);
+        bins->row_bytes[array] = wide && !facts->arrays[array].is_scattered
+                                     ? wide_row(facts, bins, array)
+                                     : element_size(facts, array);
 }
 
 bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
@@ -122,11 +124,20 @@ unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduc
     return (unsigned)(offset / element_size(facts, update->array));
 }
 
+/** Has the path from the element reached the array's base or, in a scattered array, the pointer to
+ *  the row? */
+static bool is_row_reached(const loop_facts *facts, const reduction_update *update,
+                           const ir_node *node) {
+    return facts->arrays[update->array].is_scattered
+               ? node->child_count == 0 || (node->type && node->type->kind == IR_POINTER)
+               : loop_array_of_base(facts, node) == (int)update->array;
+}
+
 /** Does the element have its type's alignment? A member of a packed record need not. */
 static bool is_aligned(const loop_facts *facts, const reduction_update *update) {
     const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
     const ir_node *node = update->target;
-    for (; loop_array_of_base(facts, node) != (int)update->array; node = node->children[0]) {
+    for (; !is_row_reached(facts, update, node); node = node->children[0]) {
         if (node->kind != IR_MEMBER)
             continue;
         const ir_type *whole = node->children[0]->type;
@@ -145,6 +156,8 @@ bool is_in_step(const loop_facts *facts, const bins_plan *bins, const reduction_
     if (!ir_type_equal(update->target->type, facts->arrays[update->array].element) ||
         offset % element_size(facts, update->array) != 0 || !is_aligned(facts, update))
         return false;
+    if (facts->arrays[update->array].is_scattered)
+        return true;
     for (; loop_array_of_base(facts, node) != (int)update->array; node = node->children[0]) {
         const bool is_step = node->kind == IR_INDEX || node->kind == IR_MEMBER ||
                              (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);

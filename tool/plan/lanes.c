@@ -20,7 +20,8 @@ lane_reason plan_lanes(const loop_plan *plan) {
     const bool is_asked =
         plan->options->lanes == LANES_OF_ALL ||
         (plan->options->lanes == LANES_OF_HEAVY && plan->execution.work >= WORK_HEAVY);
-    return !is_asked ? LANES_NOT_ASKED
+    return !is_asked                  ? LANES_NOT_ASKED
+           : !facts->inspector.exists ? NO_LANES_INSPECTOR
            : leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits
                ? NO_LANES_OTHER_VALUES
            : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER

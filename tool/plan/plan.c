@@ -57,6 +57,10 @@ static void plan_form(loop_plan *plan) {
         plan_bins(plan);
     plan_inner_skips(plan);
     plan_tiles(plan);
+    if (!facts->inspector.exists && !plan->bins) {
+        plan_obstacle(plan, facts->loop->range, "%s", plan->no_bins);
+        plan->obstacle.id = REASON_INDEX_EXPENSIVE;
+    }
 }
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,

@@ -59,7 +59,8 @@ typedef struct loop_plan {
     const loop_facts *facts;
     const plan_options *options;
     reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. Otherwise
-                      * the fields after `precheck` are not set */
+                      * the fields after `precheck` are not set. id: REASON_INDEX_EXPENSIVE, if it
+                      * can only be written for bins, or NONE */
 
     unsigned source_count;
     const logged_source *sources;

@@ -271,6 +271,8 @@ static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
     const char *why = look_at_header(&p, tiles);
     if (why)
         return why;
+    if (!facts->inspector.exists)
+        return "its subscripts cannot be computed before";
     if (plan->precheck != PRECHECK_NONE)
         return "its subscripts must be checked in order before";
     if (may_leave(facts->counted.body, false) || may_leave(ir_loop_body(tiles->inner), false))

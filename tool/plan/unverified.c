@@ -3,6 +3,7 @@
 
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
+#include "plan/bins.h"
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
@@ -42,7 +43,8 @@ static bool is_of_row(const ir_node *path, const ir_node *row) {
     return true;
 }
 
-/** Everything that the slice reads is a source, or a key that nothing can overlap. */
+/** A source that nothing can overlap, or a key: everything that the slice reads is one or the
+ *  other. */
 static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
     const loop_facts *facts = s->plan->facts;
     bool is_known = false;
@@ -65,7 +67,7 @@ static bool is_own(const unverified_reads *s, const ir_node *path) {
 
 static bool may_read_unverified(const unverified_reads *s, const ir_node *path) {
     return is_own(s, path) ||
-           (hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path)));
+           (hangs_on_guarded(s, path, true) && !is_known_fresh(s, path));
 }
 
 /** A pointer computed by the iteration: its target is not analysed. */
@@ -96,8 +98,8 @@ static const ir_function *callee_of(const ir_node *call) {
     return call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
 }
 
-/** In a called function: may it be read where a source is? The slice's reads there are in the
- *  caller's terms, with a known type. */
+/** In a called function: may it be read where a source is? Reads there that may overlap an update
+ *  are sources in the caller's terms, with a known type. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
@@ -105,7 +107,7 @@ static bool callee_may_read_unverified(const unverified_reads *s, const ir_type 
             (row->kind == IR_RECORD || (row->kind == type->kind && row->size == type->size)))
             return true;
     }
-    return !s->in_slice;
+    return !s->is_typed;
 }
 
 /** Does a function's result depend on memory that may be unverified? */
@@ -141,7 +143,7 @@ static bool call_is_unverified(const unverified_reads *s, const ir_node *call) {
     const ir_function *callee = callee_of(call);
     if (!callee || (callee->body && has_unverified_read(s, callee->body)))
         return true;
-    const bool sees_memory = !callee->body || !s->in_slice || passes_private_memory(s, call);
+    const bool sees_memory = !callee->body || passes_private_memory(s, call);
     for (unsigned i = 1; i < call->child_count; i++)
         if ((sees_memory && is_address_like(call->children[i]->type)) ||
             unverified_value(s, call->children[i]))
@@ -324,7 +326,8 @@ static void check_callee(unverified_reads *s, const ir_node *call) {
         .is_suspect = s->is_suspect,
         .is_unverified = ARENA_ARRAY(s->plan->arena, bool, s->plan->unit->variable_count + 1),
         .in_callee = true,
-        .in_slice = s->in_slice && !passes_private_memory(s, call),
+        .in_slice = s->in_slice,
+        .is_typed = s->is_typed && !passes_private_memory(s, call),
         .depth = s->depth + 1};
     for (unsigned i = 0; i < count; i++)
         inner.is_unverified[callee->parameters[i]->id] =
@@ -386,11 +389,39 @@ static bool is_next_iteration(const unverified_reads *s, const ir_node *node) {
     return node == s->plan->facts->loop;
 }
 
+/** Is the node a part of the lvalue that ends at the pointer or variable it is reached by? */
+static bool is_part_of(const ir_node *node, const ir_node *lvalue) {
+    while (is_access(lvalue)) {
+        const ir_node *first = lvalue->children[0];
+        if (expression_same(node, lvalue))
+            return true;
+        if (!first->type || first->type->kind == IR_POINTER)
+            return false;
+        lvalue = first;
+    }
+    return false;
+}
+
+/** The body in bins only computes the address of an updated element: it is in a record, or on a
+ *  private copy if that has the row. A row's pointer is loaded if its place is readable
+ *  (REDCC_ELEMENT_BEHIND). */
+static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
+    const loop_facts *facts = s->plan->facts;
+    for (unsigned i = 0; i < facts->update_count && !s->in_slice && !s->in_callee; i++)
+        if (ir_contains(facts->updates[i].statement, node) &&
+            (is_part_of(node, facts->updates[i].target) ||
+             node == row_load_of(facts, &facts->updates[i])))
+            return true;
+    return false;
+}
+
 void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     how.is_unverified |= s->may_have_left;
     if (ir_is_loop(node))
         s->is_harmful |= unverified_condition(s, node);
-    if (is_access(node))
+    if (is_access(node) && is_updated_in_bins(s, node))
+        ; /* its subscripts are checked below */
+    else if (is_access(node))
         check_access(s, node, how);
     else if (is_division(node))
         check_division(s, node, how);
@@ -435,7 +466,8 @@ unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect,
                           .is_suspect = is_suspect,
                           .is_unverified =
                               ARENA_ARRAY(plan->arena, bool, plan->unit->variable_count + 1),
-                          .in_slice = in_slice};
+                          .in_slice = in_slice,
+                          .is_typed = true};
     unverified_spread(&s, plan->facts->counted.body);
     return s;
 }

@@ -24,7 +24,8 @@ typedef struct unverified_reads {
     bool *is_unverified;             /* by variable: it may hold an unverified value */
     bool changed;                    /* in this pass */
     bool is_harmful;                 /* the result */
-    bool in_callee;                  /* then all memory is unverified */
+    bool in_callee;                  /* then all memory of the sources' types is unverified, */
+    bool is_typed;                   /* or, if false, any */
     bool in_slice;                   /* all its reads are sources */
     bool may_have_left;              /* before the following code: under an unverified condition */
     unsigned depth;                  /* of calls */

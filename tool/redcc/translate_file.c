@@ -149,6 +149,13 @@ static analysis_result after_writing(arena *a, const ir_unit *unit, const analys
         if (!obstacle->message)
             continue;
         verdicts[i].kind = VERDICT_REFUSE;
+        if (obstacle->id != REASON_NONE) {
+            verdicts[i].why = reason_make(a, obstacle->id, verdicts[i].facts->arrays[0].name,
+                                          verdicts[i].loop->range);
+            verdicts[i].why.message = arena_format(a, "%s, and they cannot be computed once: %s",
+                                                   verdicts[i].why.message, obstacle->message);
+            continue;
+        }
         verdicts[i].why = *obstacle;
         verdicts[i].why.id = REASON_TEXT;
         verdicts[i].why.message =

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Three classes: parallel, with a plan that is kept; parallel, with a plan for each execution;
- * translated, but executed sequentially. */
+/* Four classes: parallel, with a plan that is kept; parallel, with a plan for each execution;
+ * parallel without a plan; translated, but executed sequentially. */
 #include "report/plan.h"
 
 #include "analysis/base/expression.h"
@@ -48,6 +48,8 @@ plan_answer verdict_plan(arena *a, const loop_verdict *verdict) {
             .word = "never",
             .cause = arena_format(a, "it has %lld short iterations: too few for threads to gain",
                                   (long long)trip)};
+    if (!facts->inspector.exists)
+        return (plan_answer){.word = "none"};
     if (!facts->slice.is_verifiable)
         return remade(a, &facts->slice.unkept);
     return (plan_answer){.word = "kept"};

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The use of plans by a translated loop: one of three classes. */
+/** The use of plans by a translated loop: one of four classes. */
 #ifndef REPORT_PLAN_H
 #define REPORT_PLAN_H
 
 #include "analysis/base/facts.h"
 
 typedef struct plan_answer {
-    const char *word;   /* "kept": one plan is reused while its inputs are unchanged; "remade": each
-                         * execution builds one; "never": it has no parallel execution unless a
+    const char
+        *word;          /* "kept": one plan is reused while its inputs are unchanged; "remade": each
+                         * execution builds one; "none": it needs none, and its iterations are executed
+                         * once; "never": it has no parallel execution unless a
                          * method is named. NULL: the loop is not translated */
     const char *cause;  /* NULL if it is kept */
     const char *advice; /* a change of the source that would help; NULL: no simple one */

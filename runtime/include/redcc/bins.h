@@ -72,6 +72,22 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
+/** In no bin. */
+#define REDCC_NO_ROW ((redcc_int)((redcc_word)1 << 63))
+
+/** Is the pointer at this address readable? */
+REDCC_INLINE int redcc_can_load(const redcc_bins *bins, redcc_size address) {
+    const redcc_size page = address / REDCC_PAGE;
+    if (__builtin_expect(address % sizeof(void *) != 0, 0))
+        return 0;
+    return __builtin_expect(page == *bins->there, 1) ||
+           bins->calls->before->behind->is_there(bins->there, (const void *)address);
+}
+
+REDCC_INLINE redcc_int redcc_element_at(redcc_size address, redcc_size bytes) {
+    return address % bytes == 0 ? (redcc_int)(address / bytes) : REDCC_NO_ROW;
+}
+
 /** Identifies an array: number `part` of the arrays of a stream. */
 typedef struct redcc_part {
     redcc_u32 stream;
@@ -112,6 +128,50 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     (redcc__guarded == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
          : !redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+
+/** The number of an element behind a pointer, counted from address 0. In bins the pointer, at
+ *  redcc_pointer unless that is 0, may be loaded from a place that is not verified: a row that is
+ *  in no bin stands for one that cannot be read, and for a misaligned element. */
+#define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
+    ((redcc_size)(redcc_pointer) == 0 ||                                                           \
+             redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))                    \
+         ? redcc_element_at((redcc_size)(redcc_at), sizeof *(redcc_at))                            \
+         : REDCC_NO_ROW)
+#define REDCC_UPDATE_BEHIND_BY(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at, redcc_record, \
+                               redcc_values)                                                       \
+    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+        const redcc_record redcc__e = redcc_values;                                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, &redcc__e);  \
+    } else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
+#define REDCC_UPDATE_BEHIND_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at)            \
+    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, 0);          \
+    else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
+#define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
+    if (redcc__guarded != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
+
+/** In place of an inner loop over consecutive elements behind a pointer: keeps one record, of the
+ *  first element's address, their number, and what redcc_set sets. */
+#define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number, redcc_record,     \
+                        redcc_set)                                                                 \
+    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+        const redcc_int redcc__number = redcc_number;                                              \
+        if (redcc__number > 0 &&                                                                   \
+            ((redcc_size)(redcc_pointer) == 0 ||                                                   \
+             redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer)))) {                \
+            redcc_record redcc__e;                                                                 \
+            redcc__e.first = (redcc_size)(redcc_at);                                               \
+            redcc__e.count = redcc__number;                                                        \
+            (void)redcc_set;                                                                       \
+            redcc__bins_##redcc_i->calls->before->behind->push_span(                               \
+                redcc__bins_##redcc_i, &redcc__streams[redcc_s], redcc__e.first, redcc__number,    \
+                &redcc__e);                                                                        \
+        } else if (redcc__number > 0)                                                              \
+            redcc__bins_##redcc_i->calls->push_outside(redcc__bins_##redcc_i->buffer,              \
+                                                       REDCC_NO_ROW);                              \
+    }
 
 /** The number of the row, of type `redcc_row`, that has the element as its part `redcc_part`. */
 #define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
@@ -257,6 +317,40 @@ REDCC_RECORDS(float);
                1)                                                                                  \
             : 0;
 
+/** Defines a function that applies records of spans, each to those of its elements that are in the
+ *  bin: declarations of what the text names; REDCC_EACH_SPAN, declarations of what the record
+ *  holds; REDCC_EACH_ELEMENT, the counter and the update of redcc__to[redcc__c]; REDCC_SPANS_END.
+ */
+#define REDCC_APPLY_SPANS(redcc_name, redcc_context)                                               \
+    REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \
+        REDCC_UNFUSED_BLOCK                                                                        \
+        const struct redcc_context *const redcc__context __attribute__((__unused__)) =             \
+            (const struct redcc_context *)redcc__applied->operands;                                \
+        const redcc_size redcc__low = (redcc_size)redcc__applied->rows[0];                         \
+        redcc_size redcc__n;
+#define REDCC_EACH_SPAN(redcc_element, redcc_record)                                               \
+    const redcc_size redcc__high = redcc__low + redcc__applied->row_count * sizeof(redcc_element); \
+    for (redcc__n = 0; redcc__n < redcc__applied->count; redcc__n++) {                             \
+        const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];   \
+        redcc_element *const redcc__to = (redcc_element *)redcc__e.first;                          \
+        redcc_int redcc__c =                                                                       \
+            redcc__e.first < redcc__low                                                            \
+                ? (redcc_int)((redcc__low - redcc__e.first) / sizeof(redcc_element))               \
+                : 0;                                                                               \
+        const redcc_int redcc__to_high =                                                           \
+            (redcc_int)((redcc__high - redcc__e.first) / sizeof(redcc_element));                   \
+        const redcc_int redcc__end =                                                               \
+            redcc__e.count < redcc__to_high ? redcc__e.count : redcc__to_high;
+#define REDCC_EACH_ELEMENT for (; redcc__c < redcc__end; redcc__c++) {
+#define REDCC_SPANS_END                                                                            \
+    }                                                                                              \
+    }                                                                                              \
+    }
+
+/** A stream of one array whose records are of spans of its elements, counted from address 0. */
+#define REDCC_STREAM_OF_SPANS(redcc_apply, redcc_array, redcc_element, redcc_bytes)                \
+    { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, 0, REDCC_STREAM_SPANS }
+
 /** A stream of one array, its rows its elements. */
 #define REDCC_STREAM(redcc_apply, redcc_array, redcc_element, redcc_bytes, redcc_bits,             \
                      redcc_exact)                                                                  \
@@ -329,32 +423,42 @@ REDCC_RECORDS(float);
  *    redcc_all_exact    may the updates be made on private copies? */
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
-    REDCC_BINNED_AND(0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,              \
-                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
+    REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
+                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,                    \
+                     redcc_call_of_body)
+/** The same with a slice for the reads that are recorded while iterations are pushed. */
+#define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,     \
+                                    redcc_all_exact, redcc_call_of_reads, redcc_call_of_slice,     \
+                                    redcc_call_of_body)                                            \
+    REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
+                     redcc_told_bits, redcc_all_exact, redcc_call_of_reads, redcc_call_of_slice,   \
+                     redcc_call_of_body)
 /** The same if iterations may be handed out once more (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \
-    REDCC_BINNED_AND(redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
-                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)
-#define REDCC_BINNED_AND(redcc_again, redcc_selects, redcc_streams, redcc_chunk, redcc_bins_n,     \
-                         redcc_told_bits, redcc_all_exact, redcc_call_of_slice,                    \
-                         redcc_call_of_body)                                                       \
+    REDCC_BINNED_AND(0, redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits, \
+                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,                    \
+                     redcc_call_of_body)
+#define REDCC_BINNED_AND(redcc_operands, redcc_again, redcc_selects, redcc_streams, redcc_chunk,   \
+                         redcc_bins_n, redcc_told_bits, redcc_all_exact, redcc_call_of_reads,      \
+                         redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
         int redcc__handed;                                                                         \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         do {                                                                                       \
-            while (__builtin_expect((redcc__handed = redcc__worker->call->calls->bins_next(        \
-                                         redcc__worker, redcc__all, 0)) == REDCC_HANDED,           \
-                                    0)) {                                                          \
+            while (                                                                                \
+                __builtin_expect((redcc__handed = redcc__worker->call->calls->bins_next(           \
+                                      redcc__worker, redcc__all, redcc_operands)) == REDCC_HANDED, \
+                                 0)) {                                                             \
                 const redcc_u32 redcc__told = redcc_told_bits;                                     \
                 if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                           \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_slice,           \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_reads,           \
                                      redcc_call_of_body)                                           \
                 else                                                                               \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,             \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_reads,             \
                                      redcc_call_of_body)                                           \
             }                                                                                      \
             {                                                                                      \

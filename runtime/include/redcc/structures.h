@@ -177,7 +177,9 @@ enum {
      *  loop whose counter is above the iteration's own, */
     REDCC_TILES = 2097152,
     /** or below it. */
-    REDCC_TILES_BELOW = 4194304
+    REDCC_TILES_BELOW = 4194304,
+    /** REDCC_BINNED: the slice records no updates, so that no plan can be made. */
+    REDCC_NO_INSPECTOR = 8388608
 };
 
 enum {
@@ -348,7 +350,10 @@ typedef struct redcc_applied {
     redcc_size count;
     redcc_size ahead;     /**< how far ahead of the current place rows may be prefetched; or 0 */
     const void *operands; /**< the operands given to redcc_bins_next */
+    redcc_size row_count; /**< of the bin */
 } redcc_applied;
+
+enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 
 /** Updates that must be applied in order: all those of an array, or of several arrays at one
  *  subscript. */
@@ -361,8 +366,9 @@ typedef struct redcc_stream {
     redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< bytes of a row of each: that array's `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< all updates of an array use its operator, on integers: they may be made in any
-                * order, and on private copies */
+    int exact; /**< REDCC_STREAM_EXACT: all updates of an array use its operator, on integers: they
+                * may be made in any order, and on private copies; REDCC_STREAM_SPANS: a record is
+                * of consecutive rows, and in each bin that has some of them; or 0 */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */
@@ -373,6 +379,9 @@ typedef struct redcc_binned {
 } redcc_binned;
 
 struct redcc_bin_buffer;
+
+enum { REDCC_PAGE = 4096 }; /* bytes; the system's are as large, or larger */
+#define REDCC_NOWHERE (~(redcc_size)0)
 
 /** One thread's bins of one stream. Constant while a chunk is executed, so that generated code
  *  keeps a copy. */
@@ -387,6 +396,7 @@ typedef struct redcc_bins {
     char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
+    redcc_size *there; /* the number of a page that can be read; REDCC_NOWHERE: none is known */
     const struct redcc_calls *calls;
 } redcc_bins;
 
@@ -408,6 +418,15 @@ typedef struct redcc_series_calls {
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
+/** For elements behind pointers, in bins. */
+typedef struct redcc_behind_calls {
+    /** Is a pointer at this address readable? Then *there is the number of its page. */
+    int (*is_there)(redcc_size *there, const void *address);
+    /** Pushes a record of `count` rows from the one at address `first` on. */
+    void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+                      redcc_int count, const void *record);
+} redcc_behind_calls;
+
 /** Calls of the library before a loop begins. */
 typedef struct redcc_before_calls {
     /** Can no other thread of the process run before the loop ends? */
@@ -417,6 +436,7 @@ typedef struct redcc_before_calls {
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
+    const redcc_behind_calls *behind;
 } redcc_before_calls;
 
 /** Rows that iterations read: iteration k at first + k * step, in bytes. */

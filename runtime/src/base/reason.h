@@ -31,6 +31,8 @@
     X(REASON_LEVELS, "levels", "too many iterations or touches for levels, or none")               \
     X(REASON_INSPECTOR, "inspector", "the inspector did not record all iterations")                \
     X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
+    X(REASON_NO_INSPECTOR, "no-inspector",                                                         \
+      "the subscripts cannot be computed twice: no plan can be made")                              \
     X(REASON_NO_SELECTION, "no-selection",                                                         \
       "the translated loop cannot select iterations during execution")                             \
     X(REASON_NO_TILES, "no-tiles", "the translated loop has no form for tiles")                    \

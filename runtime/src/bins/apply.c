@@ -78,7 +78,8 @@ static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
                                            .records = records.record,
                                            .count = records.count,
                                            .ahead = REDCC_RECORDS_AHEAD,
-                                           .operands = operands};
+                                           .operands = operands,
+                                           .row_count = (redcc_size)1 << window.shift};
             apply_records(binning->loop, stream, &applied);
         }
     }
@@ -109,7 +110,7 @@ static const struct element_rule *rule_of(const struct binning *binning, uint32_
 }
 
 bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream) {
-    if (!stream->exact)
+    if (stream->exact != REDCC_STREAM_EXACT)
         return false;
     for (uint32_t a = 0; a < stream->array_count; a++) {
         const struct element_rule *rule = rule_of(binning, stream->arrays[a]);

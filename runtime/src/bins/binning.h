@@ -95,7 +95,8 @@ struct effects {
 };
 
 struct bins_trial {
-    double may_lose;   /* seconds; 0: no trial */
+    double may_lose;   /* seconds; from -1 to below 0: a share of the sequential loop's time,
+                        * which is not known yet; 0: no trial */
     double began;      /* its time */
     redcc_int stretch; /* iterations executed sequentially meanwhile, */
     double sequential; /* and their seconds */
@@ -188,7 +189,7 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** A thread joins an execution of `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution of binning->call. may_lose: in a trial, the seconds by which it may exceed
+/** Begins an execution of binning->call. may_lose: as in bins_trial, by which it may exceed
  *  the sequential loop's time before the rest runs sequentially; 0: no trial. One thread. */
 void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness);
 

@@ -2,6 +2,7 @@
 #include "bins/buffer.h"
 
 #include "base/memory.h"
+#include "base/safe_load.h"
 
 #include <assert.h>
 #include <string.h>
@@ -62,8 +63,11 @@ static void place_rows(struct redcc_bin_buffer *buffer, const redcc_stream *stre
                        struct window window) {
     buffer->stream = stream;
     buffer->bins = window.bins;
-    buffer->push = (redcc_bins){
-        .first = window.first, .span = window.rows, .shift = window.shift, .buffer = buffer};
+    buffer->push = (redcc_bins){.first = window.first,
+                                .span = window.rows,
+                                .shift = window.shift,
+                                .buffer = buffer,
+                                .there = &buffer->there};
 }
 
 bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
@@ -110,6 +114,8 @@ static void forget_outside(struct redcc_bin_buffer *buffer) {
     buffer->exhausted = false;
     buffer->outside = redcc_no_rows;
     buffer->outside_count = 0;
+    buffer->reached = redcc_no_rows;
+    buffer->there = REDCC_NOWHERE; /* the program may have unmapped it */
 }
 
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {
@@ -129,6 +135,33 @@ void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *s
 void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
     buffer->outside = redcc_rows_union(buffer->outside, (struct row_range){row, row});
     buffer->outside_count++;
+}
+
+void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+                     redcc_int count, const void *record) {
+    const redcc_int low = redcc_element_at(first, stream->rows[0]), high = low + count - 1;
+    struct redcc_bin_buffer *buffer = bins->buffer;
+    assert(count > 0);
+    if (low == REDCC_NO_ROW || (redcc_size)low - (redcc_size)bins->first >= bins->span ||
+        (redcc_size)high - (redcc_size)bins->first >= bins->span) {
+        redcc_push_outside(buffer, low);
+        redcc_push_outside(buffer, low == REDCC_NO_ROW ? low : high);
+        return;
+    }
+    buffer->reached = redcc_rows_union(buffer->reached, (struct row_range){low, high});
+    for (redcc_int row = low; row <= high;) {
+        const redcc_int bin = (row - bins->first) >> bins->shift;
+        redcc_push(bins, stream, row, 0, record);
+        row = bins->first + ((bin + 1) << bins->shift);
+    }
+}
+
+int redcc_is_readable(redcc_size *there, const void *address) {
+    void *pointer;
+    if (!redcc_load(&pointer, address, sizeof pointer))
+        return 0;
+    *there = (redcc_size)address / REDCC_PAGE;
+    return 1;
 }
 
 /* Without a free block, overwrites the last one: the round is lost. */

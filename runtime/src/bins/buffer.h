@@ -17,6 +17,7 @@
 struct redcc_bin_buffer {
     redcc_bins push; /* copied by generated code */
     const redcc_stream *stream;
+    redcc_size there; /* in this round, as redcc_bins.there */
     uint32_t bins;
     uint32_t blocks; /* allocated */
     uint32_t used;   /* blocks, so far */
@@ -26,6 +27,7 @@ struct redcc_bin_buffer {
     bool exhausted;                /* no blocks were left: records are missing */
     struct row_range outside; /* recorded rows outside of the bins: their records are missing */
     redcc_int outside_count;  /* their number */
+    struct row_range reached; /* by spans */
     char *memory;
 };
 
@@ -79,6 +81,14 @@ bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records
 
 /** All is pushed: writes the lines still being combined. */
 void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
+
+/** Pushes a record of `count` rows, from the one at address `first` on, counted from address 0, to
+ *  each of their bins. */
+void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+                     redcc_int count, const void *record);
+
+/** Is a pointer at this address readable? Then *there is the number of its page. */
+int redcc_is_readable(redcc_size *there, const void *address);
 
 /** Are records missing? */
 static inline bool redcc_buffer_failed(const struct redcc_bin_buffer *buffer) {

@@ -45,11 +45,20 @@ static struct row_range places_in(const struct binning *binning, uint32_t s, uin
     return found;
 }
 
+static struct row_range reached_rows(const struct binning *binning, uint32_t s) {
+    struct row_range rows = redcc_no_rows;
+    for (int t = 0; t < binning->call->threads; t++)
+        rows = redcc_rows_union(rows, binning->binner[t]->buffer[s].reached);
+    return rows;
+}
+
 /* The rows that the round will write: exact, or of whole bins. */
 static struct row_range written_rows(const struct binning *binning, uint32_t s, bool exact) {
     const struct window window = binning->stream[s].window;
     if (binning->copies)
         return exact ? redcc_private_rows(binning, s) : redcc_window_rows(window);
+    if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
+        return reached_rows(binning, s);
     const struct used_bins used = redcc_used_bins(binning, s);
     if (used.end == 0)
         return redcc_no_rows;

@@ -28,6 +28,15 @@ static uint32_t stream_count(const struct binning *binning) {
     return binning->loop->stream_count;
 }
 
+/* Operands of spans are read again when records are applied: from the caches, in short rounds. */
+static redcc_int most_of_round(const struct binning *binning) {
+    redcc_int most = redcc_bins_tuning.round;
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
+            most = redcc_least(most, redcc_bins_tuning.round_of_spans);
+    return most;
+}
+
 static bool is_trial(const struct binning *binning) {
     return binning->trial.may_lose != 0;
 }
@@ -264,7 +273,7 @@ static void trim(struct binning *binning) {
 /* The iterations with too many records may be over. */
 static enum bins_phase lengthen(struct binning *binning) {
     struct round *round = &binning->round;
-    const redcc_int most = redcc_bins_tuning.round;
+    const redcc_int most = most_of_round(binning);
     round->most = round->most < most / 2 ? 2 * round->most : most;
     round->shortened = round->most < binning->call->request.trip - round->begin;
     return lay_out(binning);
@@ -280,7 +289,11 @@ static bool is_too_slow(const struct binning *binning) {
     const struct bins_trial *it = &binning->trial;
     const redcc_int binned = binning->round.begin - it->stretch;
     const double seconds = redcc_seconds() - it->began - it->sequential;
-    return is_trial(binning) && seconds - redcc_bins_usual(binning) * (double)binned > it->may_lose;
+    const double usual = redcc_bins_usual(binning);
+    const double whole = usual * (double)binning->call->request.trip;
+    const bool is_share = it->may_lose < 0 && it->may_lose >= -1;
+    const double most = is_share ? -it->may_lose * whole : it->may_lose;
+    return is_trial(binning) && seconds - usual * (double)binned > most;
 }
 
 /* The next iterations, the number of the first round: their time shows the round's gain,
@@ -384,7 +397,7 @@ void redcc_bins_begin(struct binning *binning, double may_lose, struct written_w
     binning->phase = BINS_START;
     binning->trial = (struct bins_trial){.may_lose = may_lose};
     binning->witness = witness;
-    binning->round = (struct round){.most = redcc_bins_tuning.round};
+    binning->round = (struct round){.most = binning->loop ? most_of_round(binning) : 1};
     binning->reason = REASON_NONE;
     binning->rounds = 0;
     binning->bytes = 0;

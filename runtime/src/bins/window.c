@@ -17,6 +17,7 @@ struct bins_tuning redcc_bins_tuning = {
     .direct_bins = 288,
     .direct_rate = 4,
     .round = INT64_MAX,
+    .round_of_spans = 16384,
     .least_budget = (size_t)64 << 20,
     .copies_bytes = (size_t)4 << 20,
     .one_thread_bytes = (size_t)48 << 20,

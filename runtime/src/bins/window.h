@@ -38,15 +38,16 @@ struct window {
 
 /** Parameters that tests may change. */
 struct bins_tuning {
-    size_t bin_bytes;        /* of the rows of a bin, at most */
-    uint32_t bin_bits;       /* a bin has 2 ^ that many rows, at most */
-    uint32_t direct_bins;    /* more of them are pushed by write combining, */
-    double direct_rate;      /* and also if an iteration has more records than this */
-    redcc_int round;         /* iterations of a round, at most */
-    size_t least_budget;     /* bytes of records, for arrays of any size */
-    size_t copies_bytes;     /* of the arrays, at most, for private copies */
-    size_t one_thread_bytes; /* of the arrays, at least, for binning by one thread */
-    double trial;            /* if binning is named: the seconds it may lose (redcc_bins_begin) */
+    size_t bin_bytes;         /* of the rows of a bin, at most */
+    uint32_t bin_bits;        /* a bin has 2 ^ that many rows, at most */
+    uint32_t direct_bins;     /* more of them are pushed by write combining, */
+    double direct_rate;       /* and also if an iteration has more records than this */
+    redcc_int round;          /* iterations of a round, at most */
+    redcc_int round_of_spans; /* likewise, if a stream has spans */
+    size_t least_budget;      /* bytes of records, for arrays of any size */
+    size_t copies_bytes;      /* of the arrays, at most, for private copies */
+    size_t one_thread_bytes;  /* of the arrays, at least, for binning by one thread */
+    double trial;             /* if binning is named: the seconds it may lose (redcc_bins_begin) */
 };
 
 extern struct bins_tuning redcc_bins_tuning;

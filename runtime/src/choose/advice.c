@@ -126,12 +126,19 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .steady = chooser->steady,
                             .verified = chooser->verified,
                             .dry_run = loop->flags & REDCC_DRY_RUN,
-                            .tiled = loop->flags & REDCC_TILES};
+                            .tiled = loop->flags & REDCC_TILES,
+                            .bins_only = loop->flags & REDCC_NO_INSPECTOR};
     if (loop->flags & REDCC_BINNED)
         now.kept[WAY_BINS] = KEPT_FITS;
     if (loop->flags & REDCC_SELECTS)
         now.kept[WAY_DIRECT] = KEPT_FITS;
     return now;
+}
+
+bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip) {
+    const struct situation now = {
+        .trip = trip, .threads = 2, .bins_only = loop->flags & REDCC_NO_INSPECTOR};
+    return redcc_goes_at_once(&now);
 }
 
 bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,

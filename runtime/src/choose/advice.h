@@ -45,7 +45,7 @@ struct advice {
                          * call */
     double deadline;    /* INSPECT: time limit of a dry run, in seconds */
     double awaited;     /* INSPECT: seconds spent waiting for threads that had to be started */
-    double may_lose;    /* REUSE, in a trial: seconds it may lose; 0: no trial */
+    double may_lose;    /* REUSE, in a trial: as in struct decision; 0: no trial */
     long skipped_calls; /* REUSE: sequential calls since a plan was used */
     double earned;      /* REUSE: seconds saved since the last plan construction, less its cost */
     enum reason reason; /* for SEQUENTIAL */
@@ -60,6 +60,9 @@ static inline bool redcc_goes_directly(const struct advice *advice) {
 /** Is the loop left sequential in this call, because it is short or no method helped recently? Then
  *  sets *advice, at the cost of a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
+
+/** Is a loop of so many iterations tried in its first execution, without having been timed? */
+bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip);
 
 /** For a call that redcc_advise_rest did not decide: samples its subscripts. Is no action feasible,
  *  whatever threads cost? Then sets *advice, before any work that only a parallel execution

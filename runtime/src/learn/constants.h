@@ -77,5 +77,8 @@
 /** Bytes of the caches of a current core. Random updates of arrays three times as large wait for
  *  memory: bins and prefetches help only there (script/bench binning). */
 #define LEARN_CACHE 4e6
+/** Iterations from which a loop that cannot be inspected, whose subscripts take some 10 ns and
+ * more, is tried in bins in its first execution: it takes milliseconds, the trial a 16th of it. */
+#define LEARN_AT_ONCE 65536
 
 #endif

@@ -194,7 +194,7 @@ static struct decision reuse(const struct choice *c, enum way way, enum rule rul
                                 .rule = rule};
     c->size->rule = rule;
     if (is_trial(c, way))
-        decision.may_lose = LEARN_SHARE * usual_of(c);
+        decision.may_lose = usual_of(c) > 0 ? LEARN_SHARE * usual_of(c) : -LEARN_SHARE;
     return decision;
 }
 
@@ -264,14 +264,26 @@ static struct decision decide_set_up(const struct choice *c) {
     return set_up(c, redcc_usual(c->size));
 }
 
-/* Are iterations so heavy that an inspection may take longer than a trial of bins may lose? They
- * have inner loops, and the inspection records all rows that those touch, but for tiles only where
- * they begin and end. */
+/* Is there no inspection, does it begin with a dry run, which may take as long as the loop, or are
+ * iterations so heavy that an inspection may take longer than a trial of bins may lose? They have
+ * inner loops, and the inspection records all rows that those touch, but for tiles only where they
+ * begin and end. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     return c->now->threads > 1 && !c->now->tiled && !bins->measured && !bins->ruled_out &&
            c->now->kept[WAY_BINS] == KEPT_FITS &&
-           redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK;
+           (c->now->bins_only || c->now->dry_run ||
+            redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK);
+}
+
+bool redcc_goes_at_once(const struct situation *now) {
+    return now->bins_only && now->threads > 1 && now->trip >= LEARN_AT_ONCE;
+}
+
+/* The first execution: a trial that times the sequential loop as well. */
+static bool is_tried_at_once(const struct choice *c) {
+    const struct arm *bins = &c->size->arm[WAY_BINS];
+    return redcc_goes_at_once(c->now) && c->now->kept[WAY_BINS] == KEPT_FITS && !bins->ruled_out;
 }
 
 static struct decision try_first(const struct choice *c) {
@@ -288,7 +300,9 @@ static struct decision decide_saving(const struct choice *c) {
     if (ready != WAY_SEQUENTIAL && may_execute(c, ready))
         return take_up(c, ready);
     if (!c->size->looked)
-        return tries_first(c) ? try_first(c) : look(c);
+        return tries_first(c)      ? try_first(c)
+               : c->now->bins_only ? sequentially(c, RULE_SAVING)
+                                   : look(c);
     const struct decision decision = decide_set_up(c);
     const enum way guessed = ready_way(c, usual, true);
     return decision.action == ACTION_SEQUENTIAL && guessed != WAY_SEQUENTIAL &&
@@ -381,7 +395,7 @@ static bool is_short(const struct choice *c) {
 
 static struct decision decide(const struct choice *c) {
     if (c->size->sequential.count == 0)
-        return sequentially(c, RULE_FIRST);
+        return is_tried_at_once(c) ? take_up(c, WAY_BINS) : sequentially(c, RULE_FIRST);
     if (c->size->stand == STAND_SHORT && c->size->calls == c->size->rest.until) {
         c->size->stand = STAND_SAVING;
         return sequentially(c, RULE_SHORT);

@@ -52,12 +52,13 @@ struct situation {
     double dried;   /**< seconds of its dry run in `spent`, */
     double awaited; /**< and of waiting for threads that had to be started */
     enum kept_match kept[WAY_COUNT];
-    int steady;    /**< consecutive calls whose sampled subscripts were those of one of the last
-                    * calls; -1: unknown */
-    bool verified; /**< all subscripts were compared with those of the preceding call: they are
-                    * equal */
-    bool dry_run;  /**< an inspection begins with a dry run, perhaps as long as the loop */
-    bool tiled;    /**< it is a loop over pairs, whose inspection is short */
+    int steady;     /**< consecutive calls whose sampled subscripts were those of one of the last
+                     * calls; -1: unknown */
+    bool verified;  /**< all subscripts were compared with those of the preceding call: they are
+                     * equal */
+    bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
+    bool bins_only; /**< the loop cannot be inspected */
+    bool tiled;     /**< it is a loop over pairs, whose inspection is short */
 };
 
 enum action {
@@ -74,7 +75,8 @@ struct decision {
     double deadline; /**< INSPECT: time limit of a dry run, in seconds; of redcc_pick_way: of the
                       * plan construction */
     double may_lose; /**< REUSE, of a strategy that can stop when it is slower: the seconds it may
-                      * lose; 0: no limit */
+                      * lose; from -1 to below 0: a share of the sequential loop's time; 0:
+                      * no limit */
     double earned;   /**< REUSE: seconds saved since the last plan construction, less its cost */
     enum rule rule;
 };
@@ -188,6 +190,9 @@ enum reach {
     REACH_LOOK,    /**< that, or a sample by one thread */
     REACH_TEAM     /**< threads may be woken */
 };
+
+/** May the first execution be a trial of bins, which times the sequential loop as well? */
+bool redcc_goes_at_once(const struct situation *now);
 
 /** For a loop that is saving and has no plan; otherwise it is REACH_TEAM. `start` of *now is a
  *  lower bound; `kept` is ignored except for strategies without plans. */

@@ -6,7 +6,7 @@
 
 void index_through_pointer(int n, const int *s, double *h) {
     int k;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse index-too-dear
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+)
         int *p = &k;
         *p = s[i];
         h[k] += 1.0;
@@ -14,7 +14,7 @@ void index_through_pointer(int n, const int *s, double *h) {
 }
 
 void index_in_array_through_pointer(int n, const int *s, double *h) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse index-too-dear
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+)
         int idx[2] = {0, 0};
         int *p = idx;
         p[1] = s[i];
@@ -219,7 +219,7 @@ void conditional_load(int n, int m, const int *s, const int *map, double *h) {
 }
 
 void dear_condition_protects_load(int n, const double *x, const int *map, double *restrict h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse index-too-dear
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+)
         if (exp(x[i]) < 3.0)
             h[map[i]] += 1.0;
     for (int i = 0; i < n; i++) // EXPECT: transform h(+) verifiable
@@ -234,7 +234,7 @@ void dear_continue_protects_load(int n, const double *x, const int *map, double 
         int k = map[i];
         h[k] += 1.0;
     }
-    for (int i = 0; i < n; i++) { // EXPECT: refuse index-too-dear
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+)
         if (exp(x[i]) > 3.0)
             continue;
         int k = map[i];

@@ -199,6 +199,6 @@ void in_union(int n, const int *s, union both *h) {
 }
 
 void too_dear(int n, const double *x, double *restrict h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse index-too-dear
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+)
         h[(int)sin(x[i] * 3.7)] += 1.0;
 }

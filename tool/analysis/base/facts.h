@@ -357,10 +357,13 @@ typedef struct loop_slice {
     const loop_exits *exits; /* whose conditions it evaluates; NULL: no iteration leaves. Without
                               * items: a callee may end the program by an assertion */
     bool may_abort;          /* by an assertion in a function that it calls */
-    bool *holds; /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
-                  * control statements and the IR_BLOCKs in between. A condition of an update that
-                  * is too expensive or unsafe to evaluate twice is left out: the inspector may then
-                  * record more than is written. */
+    bool has_rows;           /* false: it is for the touched sources alone */
+    bool *holds;       /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
+                        * control statements and the IR_BLOCKs in between. A condition of an update that
+                        * is too expensive or unsafe to evaluate twice is left out: the inspector may then
+                        * record more than is written. */
+    const bool *reads; /* likewise, of the smaller slice for the touched sources that need a guard
+                        * (no rows); NULL: there is none */
     bool has_floating_work; /* it may run only if two copies of one floating-point expression give
                              * the same bits */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
@@ -370,7 +373,8 @@ typedef struct loop_slice {
 
 /** The code that executes the slice, to record the rows that each iteration touches. */
 typedef struct loop_inspector {
-    bool exists; /* false: the subscripts are as expensive as the body, or cannot be sliced */
+    bool exists; /* false: the subscripts cannot be computed a second time. Only an executor that
+                  * computes each iteration once applies: in-order binning */
     unsigned span_count;
     const loop_span *spans;
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */

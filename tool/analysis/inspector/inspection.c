@@ -285,7 +285,7 @@ static void add_loads_of(loop_analysis *j, const loop_source *told, const loop_a
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript) {
     source_plan contents = {0};
     bool is_keyed = false;
-    if (is_subscript && !is_of_iteration(j, &read->where)) {
+    if (is_subscript && j->slice.has_rows && !is_of_iteration(j, &read->where)) {
         is_keyed =
             read->access.lvalue && (is_array_base(j, read->access.lvalue) || add_key(j, read));
         if (!is_keyed)
@@ -334,7 +334,7 @@ static void add_sources(loop_analysis *j, const bool *keep) {
         else if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
     }
-    for (unsigned i = 0; i < j->updates.count; i++)
+    for (unsigned i = 0; i < j->updates.count && j->slice.has_rows; i++)
         if (is_put_together(&j->updates.items[i]))
             add_loads_of(j, &(loop_source){.row = j->updates.items[i].row}, NULL);
 }
@@ -384,9 +384,10 @@ static bool are_scalars_apart(loop_analysis *j) {
     return true;
 }
 
-static bool find_slice(loop_analysis *j) {
+static bool find_slice(loop_analysis *j, bool has_rows) {
     touch_list touches = {0};
-    for (unsigned i = 0; i < j->updates.count; i++) {
+    j->slice.has_rows = has_rows;
+    for (unsigned i = 0; i < j->updates.count && has_rows; i++) {
         const slice_touch item = {j->updates.items[i].row, 0, NULL, j->updates.items[i].statement};
         VECTOR_PUSH(j->an->memory, &touches, item);
     }
@@ -421,7 +422,8 @@ static bool find_slice(loop_analysis *j) {
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }
-    j->slice.is_verifiable = j->slice.is_verifiable && is_settled;
+    j->slice.is_verifiable = j->slice.is_verifiable && is_settled && has_rows;
+    j->slice.has_floating_work |= !has_rows; /* the rows' */
     if (!are_scalars_apart(j))
         return false;
     if (!is_small(j))
@@ -429,13 +431,38 @@ static bool find_slice(loop_analysis *j) {
     return true;
 }
 
+/* An executor without an inspection records these reads alone. */
+static void find_slice_of_reads(loop_analysis *j) {
+    touch_list touches = {0};
+    for (unsigned i = 0; i < j->sources.count; i++)
+        if (j->sources.items[i].extent == EXTENT_TOUCHED && j->sources.items[i].needs_guard)
+            add_touch(j, &touches, &j->sources.items[i]);
+    const slice result = slice_compute(j, touches.count, touches.items);
+    j->slice.reads = result.obstacle ? NULL : result.keep;
+}
+
+static slice_result result_of(const loop_analysis *own) {
+    return (slice_result){.why = own->why,
+                          .privates = own->privates,
+                          .own = own->own,
+                          .sources = own->sources,
+                          .key = own->key,
+                          .slice = own->slice};
+}
+
+/* May both forms of the loop round differently? Then their subscripts would differ as well. */
+static bool is_compiled_unlike(const loop_analysis *j) {
+    return j->function->has_other_attributes || unit_text_has_own_options(j->an->text);
+}
+
 slice_result check_slice(const loop_analysis *j) {
-    loop_analysis own = analysis_copy(j);
-    find_slice(&own);
-    return (slice_result){.why = own.why,
-                          .privates = own.privates,
-                          .own = own.own,
-                          .sources = own.sources,
-                          .key = own.key,
-                          .slice = own.slice};
+    loop_analysis all = analysis_copy(j);
+    const bool is_found = find_slice(&all, true);
+    if (is_found)
+        find_slice_of_reads(&all);
+    if (is_found || all.why.id != REASON_INDEX_EXPENSIVE || j->left_out.exits ||
+        is_compiled_unlike(j))
+        return result_of(&all);
+    loop_analysis reads = analysis_copy(j);
+    return result_of(find_slice(&reads, false) ? &reads : &all);
 }

@@ -14,7 +14,8 @@ typedef struct slice_result {
     loop_slice slice;
 } slice_result;
 
-/** The code that computes rows and touched sources, and whether a plan may be kept. */
+/** The code that computes rows and touched sources, and whether a plan may be kept. If the rows
+ *  cannot be computed a second time, the code is for the sources alone. */
 slice_result check_slice(const loop_analysis *j);
 
 #endif

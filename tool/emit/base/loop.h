@@ -33,13 +33,14 @@ typedef struct lanes_text {
 
 /** Slice and body as separate functions (outline.c). */
 typedef struct outline_text {
-    bool possible;                                /* cleared when an obstacle is found */
-    bool *is_handed;                              /* by variable: passed to slice or body */
-    const char **by_address;                      /* by variable: the text that replaces its name */
-    const char *text;                             /* of both, and of each thread's last
-                                                   * statements */
-    const char *slice_call, *body_call;           /* for iteration redcc__k */
-    const char *tile_call;                        /* for those of its turns in a tile; or NULL */
+    bool possible;                      /* cleared when an obstacle is found */
+    bool *is_handed;                    /* by variable: passed to slice or body */
+    const char **by_address;            /* by variable: the text that replaces its name */
+    const char *text;                   /* of both, and of each thread's last
+                                         * statements */
+    const char *slice_call, *body_call; /* for iteration redcc__k */
+    const char *reads_call; /* in place of the slice while iterations are pushed; or NULL */
+    const char *tile_call;  /* for those of its turns in a tile; or NULL */
     const char *body_parameters, *body_arguments; /* ", ..." without the counter */
 } outline_text;
 

@@ -47,6 +47,8 @@ static bool is_plain_record(const bins_stream *stream) {
 static const char *record_name(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const unsigned count = stream_value_count(its);
+    if (span_of_stream(loop->bins, stream))
+        return arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
     if (count < 2)
         return kind_text(its->kinds[0]);
     return is_plain_record(its)
@@ -81,7 +83,7 @@ static const char *name_in_record(const ir_node *node, void *context) {
     const spelling *its = context;
     if (!ir_is_expression(node))
         return NULL;
-    if (syntax_same(node, its->update->target))
+    if (is_updated_element(node, its->update->target))
         return element_in_row(its);
     const int number = operand_number(its->record, node);
     if (number < 0)
@@ -206,22 +208,41 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
+/** A scattered array's elements are counted from address 0; their rows' pointers may be loaded from
+ *  unverified places. */
+static const char *place_behind(loop_text *loop, const reduction_update *update,
+                                const char *address, ir_c_rename name) {
+    const ir_node *load = row_load_of(loop->facts, update);
+    const char *text = load ? text_operand(loop->arena, load, name, loop) : NULL;
+    const char *pointer =
+        text ? macro_argument(loop->arena, arena_format(loop->arena, "&%s", text)) : "0";
+    if (load && !text)
+        loop_obstacle(loop, load->range, "a pointer to a row cannot be spelled");
+    return arena_format(loop->arena, "%s, %s", pointer, address);
+}
+
 /** The element of the update; the macros' names say whether rows are wide. */
-static const char *place_text(loop_text *loop, const reduction_update *update,
-                              const char *address) {
+static const char *place_text(loop_text *loop, const reduction_update *update, const char *address,
+                              ir_c_rename name) {
     const char *base = loop->arrays[update->array].local;
+    if (loop->facts->arrays[update->array].is_scattered)
+        return place_behind(loop, update, address, name);
     if (!is_wide_row(loop->facts, loop->bins, update->array))
         return arena_format(loop->arena, "%s, %s", base, address);
     return arena_format(loop->arena, "%s, %s, %s, %s", base, address, row_type(loop, update->array),
                         part_of_row_text(loop, update));
 }
 
-const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
+const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
+                        ir_c_rename name) {
     const bins_record *record = record_of(loop->bins, update);
     const bins_stream *stream = &loop->bins->streams[record->stream];
-    const char *macro =
-        is_wide_row(loop->facts, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
-    const char *place = place_text(loop, update, address);
+    const char *macro = loop->facts->arrays[update->array].is_scattered       ? "UPDATE_BEHIND"
+                        : is_wide_row(loop->facts, loop->bins, update->array) ? "UPDATE_ROW"
+                                                                              : "UPDATE";
+    if (record->span)
+        return arena_format(loop->arena, "REDCC_UPDATE(%u, %s)", update->array, address);
+    const char *place = place_text(loop, update, address, name);
     if (record->updates[0] != update || record->nest)
         return arena_format(loop->arena, "REDCC_%s_WITH(%u, %s)", macro, update->array, place);
     if (stream_value_count(stream) == 0)
@@ -251,10 +272,143 @@ static const char *append_text(loop_text *loop, const bins_record *record, ir_c_
                       : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
 }
 
+/* ---- spans ---------------------------------------------------------------------------------- */
+
+typedef struct span_names {
+    loop_text *loop;
+    const bins_span *span;
+    ir_c_rename others;
+} span_names;
+
+/** The first value of the counter. */
+static const char *name_at_first(const ir_node *node, void *context) {
+    const span_names *its = context;
+    if (node->kind == IR_VARIABLE && node->variable == its->span->counted->counted.counter)
+        return arena_format(its->loop->arena, "%lld", (long long)its->span->first);
+    return its->others(node, its->loop);
+}
+
+static const char *span_text(loop_text *loop, const bins_record *record, const ir_node *node,
+                             ir_c_rename name) {
+    span_names names = {loop, record->span, name};
+    const char *text = text_operand(loop->arena, node, name_at_first, &names);
+    if (!text)
+        loop_obstacle(loop, node->range, "an updated element cannot be spelled");
+    return macro_argument(loop->arena, text ? text : "0");
+}
+
+/** Replaces the loop in bins. */
+static const char *push_span_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
+    const bins_span *span = record->span;
+    const reduction_update *update = record->updates[0];
+    const counted_loop *counted = &span->counted->counted;
+    const ir_node *load = row_load_of(loop->facts, update);
+    const char *pointer =
+        load ? arena_format(loop->arena, "&%s", span_text(loop, record, load, name)) : "0";
+    buffer out = {0};
+    buffer_format(&out, "REDCC_PUSH_SPAN(%u, %u, %s, &%s, (redcc_int)%s - %lld, %s", update->array,
+                  record->stream, pointer, span_text(loop, record, update->target, name),
+                  span_text(loop, record, counted->bound, name),
+                  (long long)span->first - (counted->comparison == IR_OP_LESS_EQUAL),
+                  record_name(loop, record->stream));
+    buffer_text(&out, ", (");
+    for (unsigned i = 0; i < span->variable_count; i++)
+        buffer_format(&out, "redcc__e.v%u = (%s)%s, ", i,
+                      kind_text(value_kind_of(span->variables[i]->type)),
+                      origin_variable(loop->arena, span->variables[i]));
+    buffer_text(&out, "0)) else ");
+    return buffer_take(loop->arena, &out);
+}
+
+static const char *name_in_span(const ir_node *node, void *context) {
+    const bins_record *record = context;
+    return ir_is_expression(node) && is_updated_element(node, record->updates[0]->target)
+               ? "redcc__to[redcc__c]"
+               : NULL;
+}
+
+/** Of a variable in the context, by value (bins_span.c). */
+static const char *taken_declaration(loop_text *loop, const ir_variable *variable) {
+    const char *name = origin_declarator(loop->arena, variable);
+    return variable->type->kind == IR_ARRAY
+               ? declaration_text(loop, variable->type->target,
+                                  arena_format(loop->arena, "*%s", name))
+               : declaration_text(loop, variable->type, name);
+}
+
+/** Declares the captured variables that the text names. */
+static void declare_captured(loop_text *loop, const reduction_update *update, const ir_node *node,
+                             bool *is_declared, writer *out) {
+    if (is_updated_element(node, update->target))
+        return;
+    if (node->kind == IR_VARIABLE && !is_declared[node->variable->id] &&
+        loop->outline.is_handed[node->variable->id]) {
+        is_declared[node->variable->id] = true;
+        writer_line(out, "%s = redcc__context->%s;", taken_declaration(loop, node->variable),
+                    node->variable->name);
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        declare_captured(loop, update, node->children[i], is_declared, out);
+}
+
+/** The function that applies the records of a span, to the rows of one bin. */
+static void write_apply_span(loop_text *loop, const bins_record *record, writer *out) {
+    const bins_span *span = record->span;
+    const reduction_update *update = record->updates[0];
+    const ir_variable *counter = span->counted->counted.counter;
+    const char *element = origin_type(loop->arena, loop->facts->arrays[update->array].element);
+    bool *is_declared = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    is_declared[counter->id] = true;
+    for (unsigned i = 0; i < span->variable_count; i++)
+        is_declared[span->variables[i]->id] = true;
+    writer_line(out, "REDCC_APPLY_SPANS(%s_%u, %s)", outlined_name(loop, "apply"), record->stream,
+                outlined_name(loop, "context"));
+    out->depth++;
+    declare_captured(loop, update, update->statement, is_declared, out);
+    writer_line(out, "REDCC_EACH_SPAN(%s, %s)", element, record_name(loop, record->stream));
+    for (unsigned i = 0; i < span->variable_count; i++)
+        writer_line(out, "const %s %s = (%s)redcc__e.v%u;",
+                    origin_type(loop->arena, span->variables[i]->type),
+                    origin_declarator(loop->arena, span->variables[i]),
+                    origin_type(loop->arena, span->variables[i]->type), i);
+    writer_line(out, "REDCC_EACH_ELEMENT");
+    writer_line(out, "const %s %s __attribute__((__unused__)) = (%s)(redcc__c + %lld);",
+                origin_type(loop->arena, counter->type), origin_declarator(loop->arena, counter),
+                origin_type(loop->arena, counter->type), (long long)span->first);
+    printer p = {.arena = loop->arena,
+                 .out = out,
+                 .rename = name_in_span,
+                 .context = (void *)(uintptr_t)record};
+    print_statement(&p, update->statement);
+    if (p.problem)
+        loop_obstacle(loop, update->statement->range, "%s", p.problem);
+    out->depth--;
+    writer_line(out, "REDCC_SPANS_END");
+}
+
+static void write_span_record(loop_text *loop, const bins_record *record, writer *out) {
+    buffer members = {0};
+    for (unsigned i = 0; i < record->span->variable_count; i++)
+        buffer_format(&members, "%s v%u; ",
+                      kind_text(value_kind_of(record->span->variables[i]->type)), i);
+    writer_line(out, "typedef struct { redcc_size first; redcc_int count; %s} %s;",
+                members.data ? members.data : "", record_name(loop, record->stream));
+    buffer_free(&members);
+}
+
+bool bins_have_spans(const loop_text *loop) {
+    for (unsigned i = 0; loop->bins && i < loop->bins->record_count; i++)
+        if (loop->bins->records[i].span)
+            return true;
+    return false;
+}
+
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name) {
     const char *text = NULL;
     for (unsigned i = 0; loop->bins && i < loop->bins->record_count; i++) {
         const bins_record *record = &loop->bins->records[i];
+        if (record->span && record->span->loop == statement)
+            return push_span_text(loop, record, name);
         if (record->nest && record->nest->outermost == statement)
             text = arena_format(loop->arena, "%s%s ", text ? text : "",
                                 append_text(loop, record, name));
@@ -320,7 +474,14 @@ static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) 
 
 void write_bins(loop_text *loop, writer *out) {
     const bins_plan *bins = loop->bins;
+    for (unsigned i = 0; i < bins->record_count; i++)
+        if (bins->records[i].span) {
+            write_span_record(loop, &bins->records[i], out);
+            write_apply_span(loop, &bins->records[i], out);
+        }
     for (unsigned i = 0; i < bins->stream_count; i++) {
+        if (span_of_stream(bins, i))
+            continue;
         const bins_stream *its = &bins->streams[i];
         const char *row = row_type(loop, its->arrays[0]);
         write_record(loop, out, i);
@@ -357,6 +518,9 @@ static const char *stream_text(loop_text *loop, unsigned stream) {
     const char *rest = arena_format(loop->arena, "%s, %u, %d",
                                     record ? arena_format(loop->arena, "sizeof(%s)", record) : "0",
                                     tag_bits(its), is_exact(loop, its));
+    if (span_of_stream(loop->bins, stream))
+        return arena_format(loop->arena, "REDCC_STREAM_OF_SPANS(%s, %u, %s, sizeof(%s))", apply,
+                            its->arrays[0], row_type(loop, its->arrays[0]), record);
     if (its->array_count == 1)
         return arena_format(loop->arena, "REDCC_STREAM(%s, %u, %s, %s)", apply, its->arrays[0],
                             row_type(loop, its->arrays[0]), rest);

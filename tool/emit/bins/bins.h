@@ -5,10 +5,13 @@
 
 #include "emit/base/loop.h"
 
-/** The text before an update whose element has this address; */
-const char *bins_update(loop_text *loop, const reduction_update *update, const char *address);
+/** The text before an update whose element has this address; `name` spells variables; */
+const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
+                        ir_c_rename name);
 /** the text before a loop over constants, to append its operands; NULL: none. */
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
+/** Do apply functions use the context, which then precedes them? */
+bool bins_have_spans(const loop_text *loop);
 /** Writes the apply functions; the streams, and their number; the arguments of
  *  REDCC_PARALLEL_BINNED for them. */
 void write_bins(loop_text *loop, writer *out);

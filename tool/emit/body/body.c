@@ -84,7 +84,8 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *address = macro_argument(loop->arena, arena_format(loop->arena, "&%s", target));
     const char *brace = needs_braces(update) ? "{ " : "";
     if (loop->bins)
-        return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
+        return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address, local_name),
+                            brace);
     return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 

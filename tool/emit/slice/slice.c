@@ -69,7 +69,8 @@ static bool before_statement(printer *p, const ir_node *statement) {
     bool is_update = false;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (facts->updates[i].statement == statement) {
-            log_update(self, &facts->updates[i]);
+            if (facts->slice.has_rows)
+                log_update(self, &facts->updates[i]);
             self->update_logged[i] = true;
             is_update = true;
         }
@@ -132,7 +133,7 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
                  (logged_row){read->row, number, 0, source_is_unconditional(facts, read)});
         self->source_logged[i] = true;
     }
-    for (unsigned i = 0; i < facts->update_count; i++) {
+    for (unsigned i = 0; i < facts->update_count && facts->slice.has_rows; i++) {
         const reduction_update *update = &facts->updates[i];
         if (!is_logged_here(facts, span, update->statement, update->row))
             continue;
@@ -212,7 +213,7 @@ static void log_at_once(printer *p, const ir_node *loop) {
 /** Every access of the loop must be logged. */
 static void check_all_logged(inspector *self) {
     const loop_facts *facts = self->loop->facts;
-    for (unsigned i = 0; i < facts->update_count; i++)
+    for (unsigned i = 0; i < facts->update_count && facts->slice.has_rows; i++)
         if (!self->update_logged[i])
             loop_obstacle(self->loop, facts->updates[i].target->range,
                           "the inspector cannot reach an update of '%s'",
@@ -231,7 +232,7 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
     const loop_facts *facts = self->loop->facts;
     if (self->is_mentioned[variable->id])
         return true;
-    for (unsigned i = 0; i < facts->update_count; i++)
+    for (unsigned i = 0; i < facts->update_count && facts->slice.has_rows; i++)
         if (expression_mentions(facts->updates[i].row, variable))
             return true;
     for (unsigned i = 0; i < facts->source_count; i++)

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Rows behind pointers in bins: an inner loop over a row is one record, whose operands are read when it is applied.
+// k-means, rows that overlap each other, bounds of the iteration, operands of the iteration, conditions; floats may
+// overlap floats.
+// MAY-RUN-SERIALLY: reads and rows that overlap
+#include <math.h>
+
+#include "case.h"
+
+enum { N = 4000, D = 10, CENTRES = 14, ROWS = 60 };
+static float points[N][D + 1], centres[CENTRES][D], sums[CENTRES][D];
+static float *point[N], *centre[CENTRES], *sum[CENTRES];
+static double far[ROWS * 3 + D], *row[ROWS], w[N], wide[ROWS][D + 2], *apart[ROWS];
+static int member[N], count[CENTRES], key[N], length[N];
+
+static float distance(const float *a, const float *b, int n) {
+    float all = 0;
+    for (int j = 0; j < n; j++)
+        all += (a[j] - b[j]) * (a[j] - b[j]);
+    return all;
+}
+static int nearest(const float *p, int dimensions, float **from, int n) {
+    int best = 0;
+    float least = 1e30f;
+    for (int k = 0; k < n; k++) {
+        const float d = distance(p, from[k], dimensions);
+        if (d < least) {
+            least = d;
+            best = k;
+        }
+    }
+    return best;
+}
+
+static double kmeans(int n, int d, float **p, float **from, float **to, int *its, int *members) {
+    double changed = 0;
+    int k, j;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        k = nearest(p[t], d, from, CENTRES);
+        if (its[t] != k)
+            changed += 1.0;
+        its[t] = k;
+        members[k]++;
+        for (j = 0; j < d; j++)
+            to[k][j] += p[t][j];
+    }
+    return changed;
+}
+
+/* Each element belongs to several rows. */
+static void overlapping(int n, int d) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int j = 0; j < d; j++)
+            row[key[t]][j] = w[t] - row[key[t]][j] * 0.5;
+} // BINNED: 52
+
+static void bounds(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const double scale = w[t] * 0.25;
+        const short shift = (short)(t & 3);
+        for (unsigned j = 2; j <= (unsigned)length[t]; j++)
+            apart[key[t]][j] -= scale * (double)(j + shift) + (double)points[t][0];
+    }
+} // BINNED: 58
+
+static void conditions(int n, int d) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (key[t] % 3 == 0)
+            continue;
+        if (w[t] > 0)
+            for (int j = 0; j < d; j++) {
+                apart[key[t]][j] *= 1.0 + w[t] * 1e-3;
+            }
+    }
+}
+
+int main(void) {
+    for (int t = 0; t < N; t++) {
+        point[t] = points[t];
+        for (int j = 0; j <= D; j++)
+            points[t][j] = (float)case_value();
+        w[t] = case_value();
+        key[t] = case_below(ROWS);
+        length[t] = case_below(D + 2);
+        member[t] = -1;
+    }
+    points[77][3] = NAN;
+    for (int k = 0; k < CENTRES; k++) {
+        centre[k] = centres[k];
+        sum[k] = sums[k];
+        for (int j = 0; j < D; j++)
+            centres[k][j] = points[k * 7][j];
+    }
+    for (int k = 0; k < ROWS; k++) {
+        row[k] = far + 3 * k;
+        apart[k] = wide[(k * 7) % ROWS];
+    }
+    apart[5] = apart[9]; /* one row, twice */
+    for (int round = 0; round < 4; round++) {
+        printf("%a\n", kmeans(N - round, D, point, centre, sum, member, count));
+        overlapping(N, D);
+        bounds(N);
+        conditions(N, D);
+        CASE_PRINT(sums);
+        CASE_PRINT(count);
+        CASE_PRINT(member);
+        CASE_PRINT(far);
+        CASE_PRINT(wide);
+        for (int k = 0; k < CENTRES; k++)
+            for (int j = 0; j < D; j++)
+                centres[k][j] = sums[k][j] / (float)(count[k] + 1);
+        w[round * 5] *= 2;
+    }
+    /* Sums that are centres as well. */
+    printf("%a\n", kmeans(N, D, point, sum, sum, member, count));
+    /* Points that are sums: a stale point leads elsewhere. */
+    for (int t = 0; t < 40; t++)
+        point[t * 3 + 5] = sums[t % CENTRES];
+    printf("%a\n", kmeans(N, D, point, centre, sum, member, count));
+    CASE_PRINT(sums);
+    CASE_PRINT(count);
+    CASE_PRINT(member);
+    return 0;
+}

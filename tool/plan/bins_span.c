@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Inner loops over rows: `for (j = 0; j < n; j++) sum[k][j] += x[i][j];`. One record for the loop
+ * names the first element and their number, and holds the variables of the iteration; the operands
+ * are read when it is applied.
+ *
+ * Why they may be read later: the guard finds all reads of the round apart from its updates before
+ * anything is applied; other stores of the loop are to own elements, which are compared with all
+ * reads, are made after the loop, and may not be read here; everything else that the text names is
+ * invariant in the loop, or in the record. Its elements differ, and a bin applies those within its
+ * rows: each element has its updates in the order of the loop, whatever rows overlap.
+ */
+#include "analysis/base/expression.h"
+#include "analysis/base/row_steps.h"
+#include "ir/ir_syntax.h"
+#include "plan/bins_parts.h"
+#include "plan/inner_iterations.h"
+#include "plan/lookup.h"
+#include "plan/outline.h"
+
+/* ---- what the text reads ------------------------------------------------------------------- */
+
+static bool is_private(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].variable == variable)
+            return true;
+    return variable == facts->counted.counter ||
+           ir_declarator_in(facts->counted.body, variable);
+}
+
+static bool keep_variable(const loop_plan *plan, bins_span *span, const ir_variable *variable) {
+    const loop_facts *facts = plan->facts;
+    const bool is_of_file = variable->storage != IR_LOCAL && variable->storage != IR_PARAMETER;
+    if (variable == span->counted->counted.counter)
+        return true;
+    if (!is_private(facts, variable)) /* invariant */
+        return (is_of_file || is_captured(facts, variable)) &&
+               handing_of(plan, variable, false) != HANDED_BY_ADDRESS &&
+               handing_of(plan, variable, false) != CANNOT_BE_HANDED;
+    if (is_of_file)
+        return false;
+    for (unsigned i = 0; i < span->variable_count; i++)
+        if (span->variables[i] == variable)
+            return true;
+    if (span->variable_count == MOST_RECORD_OPERANDS ||
+        value_kind_of(variable->type) == VALUE_NONE || !variable->type->spelling)
+        return false;
+    span->variables[span->variable_count++] = variable;
+    return true;
+}
+
+/** May this part of the update be evaluated when the record is applied? */
+static bool may_be_later(const loop_plan *plan, bins_span *span, const reduction_update *update,
+                         const ir_node *node) {
+    if (is_updated_element(node, update->target))
+        return true;
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE ||
+        own_element_at(plan->facts, node) >= 0 ||
+        (node->type && (node->type->is_volatile || node->type->is_atomic)) ||
+        (expression_written(node) && !is_updated_element(expression_written(node), update->target)))
+        return false;
+    if (node->kind == IR_VARIABLE)
+        return keep_variable(plan, span, node->variable);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!may_be_later(plan, span, update, node->children[i]))
+            return false;
+    return true;
+}
+
+/* ---- the loop ------------------------------------------------------------------------------ */
+
+static bool is_named_outside(const ir_node *node, const ir_node *loop,
+                             const ir_variable *variable) {
+    if (node == loop)
+        return false;
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_named_outside(node->children[i], loop, variable))
+            return true;
+    return false;
+}
+
+static bool is_only_update(const loop_facts *facts, const reduction_update *update) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (&facts->updates[i] != update && facts->updates[i].array == update->array)
+            return false;
+    return true;
+}
+
+/** The loop whose body is this statement alone; NULL: there is none. */
+static const ir_node *loop_of_alone(const ir_node *statement) {
+    const ir_node *parent = statement->parent;
+    if (parent && parent->kind == IR_BLOCK && parent->child_count == 1)
+        parent = (statement = parent)->parent;
+    return parent && parent->kind == IR_FOR && parent->children[3] == statement ? parent : NULL;
+}
+
+static bool find_span(const loop_plan *plan, const reduction_update *update, bins_span *span) {
+    const loop_facts *facts = plan->facts;
+    const ir_node *loop = loop_of_alone(update->statement);
+    const loop_span *counted = loop && loop != facts->loop ? span_of(facts, loop) : NULL;
+    *span = (bins_span){.loop = loop, .counted = counted};
+    if (!counted || plan_has_leaders(plan) || counted->stepped_count != 1 || update->last ||
+        update->statement->kind != IR_EXPRESSION || !facts->arrays[update->array].is_scattered ||
+        !is_only_update(facts, update))
+        return false;
+    const ir_variable *counter = counted->counted.counter;
+    return counted->counted.lower && expression_constant(counted->counted.lower, &span->first) &&
+           span->first >= 0 && counter->type->spelling &&
+           expression_mentions(update->target, counter) &&
+           row_steps_with(update->target, counter) &&
+           !is_named_outside(facts->counted.body, loop, counter) &&
+           syntax_editable_statement(loop, facts->counted.body) == loop &&
+           may_be_later(plan, span, update, update->statement->children[0]);
+}
+
+void find_bins_spans(const loop_plan *plan, bins_plan *bins) {
+    for (unsigned i = 0; i < plan->facts->update_count; i++)
+        if (!find_span(plan, &plan->facts->updates[i], &bins->spans[i]))
+            bins->spans[i] = (bins_span){0};
+}
+
+const bins_span *span_of_stream(const bins_plan *bins, unsigned stream) {
+    for (unsigned i = 0; i < bins->record_count; i++)
+        if (bins->records[i].stream == stream)
+            return bins->records[i].span;
+    return NULL;
+}
