@@ -1,6 +1,6 @@
 // Loops over pairs, cut into tiles: rows and columns above and below each other, in several spellings, and near twins
 // that are not cut (NOT-TILED), since two of their turns meet in other ways than by a row or a column.
-// THREADS: 2 7 33
+// THREADS: 3 33
 // INTEGERS: no
 // MAY-RUN-SERIALLY: arrays overlap, and counts are small
 #include <math.h>

@@ -86,11 +86,11 @@ static bool may_leave(const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Only variables of the iteration: it is repeated in each tile. */
+/** Only variables of the iteration: it is repeated in each tile. (Updates: look_at_updates.) */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
-    if (loop_update_at(p->facts, node) || scalar_update_at(p->facts, node) >= 0 ||
-        node->kind == IR_CONTINUE || (written && !expression_object(written)))
+    if (scalar_update_at(p->facts, node) >= 0 || node->kind == IR_CONTINUE ||
+        (written && !expression_object(written)))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (!only_computes(p, node->children[i]))
@@ -148,8 +148,7 @@ static bool has_other_results(const loop_facts *facts) {
 static bool sums_are_in_turns(const pairs *p) {
     for (unsigned i = 0; i < p->facts->scalar_count; i++) {
         const scalar_update *scalar = &p->facts->scalars[i];
-        if (!ir_contains(p->span->loop, scalar->statement) || scalar->is_extremum ||
-            !(scalar->is_series || scalar->is_repeated))
+        if (scalar->is_extremum || !(scalar->is_series || scalar->is_repeated))
             return false;
     }
     return true;
