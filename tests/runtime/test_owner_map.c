@@ -202,7 +202,7 @@ static struct problem strip_problem(void) {
 
 static double replication_of(const redcc_loop *loop) {
     struct loop_state *state = redcc_made_state_of((redcc_loop *)(uintptr_t)loop);
-    return (double)state->reported.statistics.extra.executed / CELLS;
+    return (double)state->reported.statistics.extra.executed / (double)CELLS;
 }
 
 static void same_bits_for_any_owners(void **unused) {

@@ -177,7 +177,7 @@ static int take_steps(cloth_run *run, const run_request *r) {
     progress told;
     int ends = interrupted || run->record.step >= last;
     int status = run->record.step == 0 || ends ? keep_step(run, ends) : 0;
-    progress_begin(&told, r->progress, run->record.step, steps);
+    progress_begin(&told, (progress_style)r->progress, run->record.step, steps);
     while (status == 0 && !ends) {
         const int taken = take_step(run);
         status = taken < 0 ? -1 : 0;
@@ -259,7 +259,7 @@ static int run(const command *self, int argc, char **argv) {
         fprintf(stderr, "out of memory\n");
         return EXIT_FAILURE;
     }
-    r.progress = progress_resolve(r.progress);
+    r.progress = (int)progress_resolve((progress_style)r.progress);
     set_threads(r.threads);
     const struct sigaction noted = {.sa_handler = note_interrupt, .sa_flags = (int)SA_RESETHAND};
     sigaction(SIGINT, &noted, NULL);
