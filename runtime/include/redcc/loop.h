@@ -310,8 +310,8 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/* The common case, a touch within the owned range, is handled inline; this function has the
- * rest. */
+/* The common case, a touch within the owned range of an owner without a map, is handled inline;
+ * this function has the rest. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_tell_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array, const void *address,
                    redcc_size bytes) {
@@ -324,7 +324,7 @@ REDCC_INLINE void redcc_tell_touch(redcc_probe *probe, redcc_worker *worker, red
                                    const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     int *const inside = probe ? &probe->inside : &worker->inside;
-    if (redcc_leaves(window->first, window->size, address, bytes))
+    if (window->map || redcc_leaves(window->first, window->size, address, bytes))
         redcc_tell_outside(probe, worker, array, address, bytes);
     else
         *inside = 1;
