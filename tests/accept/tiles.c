@@ -163,13 +163,32 @@ static void begun_by_rows(int n, const double *x, double *f) {
     }
 } // NOT-TILED: 157
 
+static void records_begun_by_rows(int n, const double *x) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        points[i].force.x += 1;
+        for (int j = i + 1; j < n; j++) {
+            points[i].force.x += x[j];
+            points[j].force.x -= x[i];
+        }
+    }
+} // NOT-TILED: 167
+
+/* The arrays overlap: the row of one is another column of the other. */
+static void two_arrays(int n, const double *x, double *f, double *g) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = i; j < n; j++) {
+            f[i] += x[j];
+            g[j] += x[i] * 1.0625;
+        }
+}
+
 static void by_twos(int n, const double *x, double *f) {
     for (int i = 0; i < n; i += 2) // EXPECT: transformed
         for (int j = i + 1; j < n; j++) {
             f[i] += x[j];
             f[j] = f[j] * 0.5 - x[i];
         }
-} // NOT-TILED: 167
+} // NOT-TILED: 186
 
 static void fill(void) {
     case_values(memory, ROOM);
@@ -217,6 +236,8 @@ int main(void) {
         left_early(n, m, m + 2 * N);
         counted_by_rows(n, m, m + 2 * N);
         begun_by_rows(n, m, m + 2 * N);
+        records_begun_by_rows(n, m);
+        two_arrays(n, m, m + 2 * N, m + 2 * N + 7);
         by_twos(n - 1, m, m + 2 * N);
         print();
     }
