@@ -110,7 +110,7 @@ static void warn(const char *where, int t) {
 }
 
 /* They go on after the message. */
-__attribute__((noipa)) static int by_message(int n) {
+__attribute__((noinline)) static int by_message(int n) {
     int here = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int i = k[t];

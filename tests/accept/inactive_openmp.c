@@ -9,8 +9,9 @@ enum { N = 9000, M = 700, MOST = 6 };
 static int begin[N + 1], column[N * MOST];
 static double value[N * MOST], x[N], y[M], sums[M];
 
+static int team = 1;
 static int threads(void) {
-    return 1;
+    return team;
 }
 
 /* As a library of solvers multiplies by the transposed matrix. */
