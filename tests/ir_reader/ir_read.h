@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The text form of the IR (tool/ir/text_form.md), read back: printing what was read gives the same text. */
+/** The text form of the IR (tool/ir/text_form.md), read back: printing what was read gives the same
+ * text. */
 #ifndef IR_READER_IR_READ_H
 #define IR_READER_IR_READ_H
 

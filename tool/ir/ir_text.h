@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The IR as text: S-expressions (text_form.md). tests/ir_reader reads them back, so that the analysis
- * is tested without libclang.
+ * The IR as text: S-expressions (text_form.md). tests/ir_reader reads them back, so that the
+ * analysis is tested without libclang.
  */
 #ifndef IR_IR_TEXT_H
 #define IR_IR_TEXT_H

@@ -24,8 +24,7 @@ static bool is_private(const loop_facts *facts, const ir_variable *variable) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].variable == variable)
             return true;
-    return variable == facts->counted.counter ||
-           ir_declarator_in(facts->counted.body, variable);
+    return variable == facts->counted.counter || ir_declarator_in(facts->counted.body, variable);
 }
 
 static bool keep_variable(const loop_plan *plan, bins_span *span, const ir_variable *variable) {

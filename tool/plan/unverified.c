@@ -66,8 +66,7 @@ static bool is_own(const unverified_reads *s, const ir_node *path) {
 }
 
 static bool may_read_unverified(const unverified_reads *s, const ir_node *path) {
-    return is_own(s, path) ||
-           (hangs_on_guarded(s, path, true) && !is_known_fresh(s, path));
+    return is_own(s, path) || (hangs_on_guarded(s, path, true) && !is_known_fresh(s, path));
 }
 
 /** A pointer computed by the iteration: its target is not analysed. */
