@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Input data of the loops of bench/binning.c. One thread; free_data frees them. */
+/** Input data of the loops of bench/binning.c. Not thread-safe. */
 #ifndef BENCH_BINNING_DATA_H
 #define BENCH_BINNING_DATA_H
 

@@ -5,7 +5,7 @@
 # parallel program, where chaos ends what accuracy buys, whole runs by preconditioner, and advice for 10, 1 and
 # 0.1 mm. CPU seconds of one
 # core, the least of REPEAT; whole runs interleaved. PICTURES=docs/pictures replaces that page's
-# pictures. The direct solution is meant to be measured with OpenBLAS: it is said where it is not there.
+# pictures. The direct solution is meant to be measured with OpenBLAS: a note says if it is missing.
 # With 2602 vertices it is hours; VERTICES=300 BOUNDARY=60 MOST=128 was the page's before.
 #   REPEAT=3 ROUNDS=3 PICTURES= VERTICES=2602 BOUNDARY=220 MOST=64
 #   KEPT=1 PICTURES=docs/pictures script/bench fabric-accuracy    draws the opening figure anew from the kept table

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** measure COMMAND...: runs it without its output; prints processor seconds (user and system) and
+/** measure COMMAND...: runs it, discards its output; prints processor seconds (user and system) and
  *  the largest memory in KB. Exit status 1 if the command fails. */
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop that gains by running in parallel, on a machine whose cores others use as well.
+ * A loop that gains by running in parallel, on cores that other programs use, too.
  *
  *   neighbours ITERATIONS EXECUTIONS
  *

@@ -15,7 +15,7 @@
 
 typedef void product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 
-/* Row lengths of the complete matrix, as row starts. */
+/* Row starts of the full matrix. */
 static void complete_row_starts(const block_matrix *half, int *row_start) {
     for (int i = 0; i < half->row_count; i++)
         for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
@@ -81,7 +81,7 @@ static void full_product(const block_matrix *restrict F, const double (*restrict
     }
 }
 
-/* The two products are the same, but for the order of their sums. */
+/* Are the two products equal up to rounding? */
 static int agree(const block_matrix *half, const block_matrix *full, const double (*x)[3],
                  double (*y)[3], double (*z)[3]) {
     half_product(half, x, y);

@@ -20,7 +20,7 @@ declare -A real_loops=([molecules]="forces" [bricks]="internal_forces|element_fo
 # The Debian source package that a program is built with.
 declare -A real_package=([transport]=suitesparse [plate]=suitesparse)
 
-# Fetches the sources that a program needs; ends the shell with status 77 where they cannot be had.
+# Fetches the sources that a program needs; exits with 77 if they are unavailable.
 fetch_real() { # NAME
   [ -n "${real_package[$1]:-}" ] || return 0
   source_package=${real_package[$1]}

@@ -81,7 +81,7 @@ void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
                  "executed %ld times for %.3g ms; a plan repays after some %ld: %s", calls,
                  1e3 * each * (double)calls, repaid_after(each), remedy);
     else if (reason == REASON_LITTLE_WORK && timed > 0)
-        snprintf(text, REDCC_WHY, "a call takes %.3g ms; threads pay from some %.2g on: %s",
+        snprintf(text, REDCC_WHY, "a call takes %.3g ms; threads pay from some %.2g ms on: %s",
                  1e3 * each, 1e3 * LEARN_WAKES * LEARN_LOOK / 40, remedy);
     else
         snprintf(text, REDCC_WHY, "%s: %s", redcc_reason_text(reason), remedy);

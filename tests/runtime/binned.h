@@ -6,7 +6,7 @@
  *         STATEMENT of  r, a row of R at subscript k[t],  and  e, the contribution value[t]
  *
  * BINNED_LOOP(NAME, ROW, RECORD, OPERATION, TYPE, EXACT, STATEMENT) defines NAME, a struct
- * binned_loop. STATEMENT may name `by`, an operand that stays during the loop.
+ * binned_loop. STATEMENT may name `by`, an operand constant in the loop.
  */
 #ifndef BINNED_H
 #define BINNED_H

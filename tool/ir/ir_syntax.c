@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* ---- sameness ------------------------------------------------------------------------------ */
+/* ---- equality ------------------------------------------------------------------------------ */
 
 static bool is_dereference(const ir_node *node) {
     return node && node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;

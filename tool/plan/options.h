@@ -8,7 +8,7 @@
 /** How a result may differ from the sequential loop's (REDCC_ORDER_... of the runtime). */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
-/** Which loops execute four iterations at once, if possible. */
+/** Which loops execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
     LANES_OF_HEAVY, /* of long iterations */

@@ -21,7 +21,7 @@ int64_t work_of_statement(const loop_plan *plan, const ir_node *statement);
  *  including called functions. */
 int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement);
 
-/** For `for (c = 0; c < 3; c++)` 3; 0: unknown. */
+/** For `for (c = 0; c < 3; c++)` 3; 0: unknown, or above 10000. */
 int64_t work_constant_trip(const ir_node *loop);
 
 #endif

@@ -17,7 +17,7 @@ void buffer_append(buffer *b, const char *text, size_t length);
 void buffer_text(buffer *b, const char *text);
 void buffer_format(buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void buffer_byte(buffer *b, char c);
-/** Appends a path as a URI reference: all but unreserved characters and / is escaped. */
+/** Appends a path as a URI reference: all but unreserved characters and / are escaped. */
 void buffer_uri(buffer *b, const char *path);
 /** Removes bytes from the end, at most all. */
 void buffer_shorten(buffer *b, size_t count);

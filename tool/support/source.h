@@ -27,15 +27,15 @@ typedef struct position {
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
-/** The offset after the string or character constant that begins at `from`; if it does not end
- *  before, the end of its line or `to`. */
+/** The offset after the string or character constant that begins at `from`; if
+ *  unterminated, the end of its line or `to`. */
 uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to);
 
 /** The first offset in [from, to) of something other than blanks, comments and spliced line ends;
  *  `to` if there is none. */
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
-/** May the byte be part of a name: letters, digits, `_`, and the extensions of compilers, `$` and
- *  the bytes of UTF-8? */
+/** May the byte be part of a name: letters, digits, `_`, and by compiler extension `$` and the
+ *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
 /** The first name in text[0 .. end) that is a key of `names`, its length in *length; NULL: none.
  *  Comments and strings are text like any other. */

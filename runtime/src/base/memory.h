@@ -29,7 +29,7 @@ void redcc_memory_give(void *block);
 /** Must be called in a forked process: other threads of the parent may have been allocating. */
 void redcc_memory_forked(void);
 
-/** The size of a block; 0 for NULL. */
+/** Bytes that a block occupies, its header included; 0 for NULL. */
 size_t redcc_memory_size(const void *block);
 
 /** Limits the total to `bytes` from now on; 0: no limit. */

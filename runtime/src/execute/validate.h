@@ -30,7 +30,7 @@ struct plan;
 struct validated {
     long executions;      /* compared with the sequential loop */
     long passed_over;     /* not compared: a scattered array cannot be copied */
-    long broken;          /* of these, with a broken promise */
+    long broken;          /* executions that broke a promise */
     atomic_long misnamed; /* updates of rows that a slice did not name (redcc/parallel.h) */
     double largest;       /* difference, in ulps */
     const char *array;

@@ -71,7 +71,7 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
 
 /** Searches for a plan of that strategy (SEQUENTIAL: of any) for the call and number of threads.
  *  Compares everything except the subscripts' contents, which are only sampled, and checks the
- *  guard. Queries which subscripts the system shows to be unmodified. Sets reuse->found and
+ *  guard. Asks the system which subscripts are unmodified. Sets reuse->found and
  *  reuse->sources. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
