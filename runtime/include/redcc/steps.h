@@ -13,16 +13,21 @@
 
 /* ---- owners ---- */
 
-/** The number of the unit that contains the byte at offset `into` of a map: into / unit. With the
- *  reciprocal m = floor((2^64 - 1) / unit) + 1, m * unit exceeds 2^64 by less than `unit`, so that
- *  the high half of into * m is the quotient while into * unit < 2^64. */
-REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size into) {
+/** into / unit, without a division if there is a wider multiplication. With the reciprocal m =
+ *  floor((2^64 - 1) / unit) + 1, m * unit exceeds 2^64 by less than `unit`, so that the high half
+ *  of into * m is the quotient while into * unit < 2^64. A reciprocal of 0: none. */
+REDCC_INLINE redcc_size redcc_quotient(redcc_size into, redcc_size unit, redcc_word reciprocal) {
 #ifdef __SIZEOF_INT128__
     __extension__ typedef unsigned __int128 redcc__wide;
-    if (owner->reciprocal)
-        return (redcc_size)((redcc__wide)into * owner->reciprocal >> 64);
+    if (reciprocal)
+        return (redcc_size)((redcc__wide)into * reciprocal >> 64);
 #endif
-    return into / owner->unit;
+    return into / unit;
+}
+
+/** The number of the unit that contains the byte at offset `into` of a map. */
+REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size into) {
+    return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
 /** Does the thread own the byte at `address`? Does not ask the hook. */

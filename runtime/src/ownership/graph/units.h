@@ -35,17 +35,9 @@ bool redcc_units_begin(struct units *units, const struct partition *partition,
 /** Frees its memory. */
 void redcc_units_end(struct units *units);
 
-/** Converts bytes from a group's first unit into units: offset / bytes, without a division if there
- *  is a wider multiplication. With m = floor((2^64 - 1) / bytes) + 1, m * bytes exceeds 2^64 by
- *  less than `bytes`, so that the high half of offset * m is the quotient while offset * bytes <
- *  2^64. */
+/** Converts bytes from a group's first unit into units. */
 static inline uint64_t redcc_units_in(const struct group_units *group, uint64_t offset) {
-#ifdef __SIZEOF_INT128__
-    __extension__ typedef unsigned __int128 wide;
-    if (group->reciprocal)
-        return (uint64_t)((wide)offset * group->reciprocal >> 64);
-#endif
-    return offset / group->bytes;
+    return redcc_quotient(offset, group->bytes, group->reciprocal);
 }
 
 #endif
