@@ -10,30 +10,25 @@
       "one thread and no form for vectors, inside a parallel region, or "                          \
       "another thread executes the loop",                                                          \
       "the original loop")                                                                         \
-    X(RULE_FIRST, "first",                                                                         \
-      "no execution at trip counts of this size (between two powers of two) "                      \
-      "is timed",                                                                                  \
+    X(RULE_FIRST, "first", "no execution at trip counts of this size is timed",                    \
       "the original loop, timed")                                                                  \
     X(RULE_SHORT, "short", "an execution takes less than 16 times the wake-up of the threads",     \
-      "the original loop; timed again after 16 calls, then at doubling "                           \
-      "distances up to 2048")                                                                      \
+      "the original loop; timed again after a back-off")                                           \
     X(RULE_SAVING, "saving",                                                                       \
-      "a trial may pay, but may cost more than a 32nd of the loop's time so far and "              \
-      "would not repay an overdraft at once, or a similar one failed lately",                      \
+      "a trial may pay, but the budget does not cover it, and no overdraft is "                    \
+      "allowed",                                                                                   \
       "the original loop, while the budget accumulates")                                           \
     X(RULE_LOOKING, "looking", "the budget allows a sample; the possible gain is unknown",         \
-      "a sample, and its consequences; by one thread if the subscripts may "                       \
-      "change, or starting the others may cost too much")                                          \
+      "a sample, and its consequences")                                                            \
     X(RULE_SET_UP, "set-up",                                                                       \
       "a method is expected to repay its plan construction, covered by budget or "                 \
       "overdraft",                                                                                 \
       "an inspection with a deadline, and a plan")                                                 \
     X(RULE_UNATTRACTIVE, "unattractive", "by a sample no method is expected to be faster",         \
-      "the original loop; another sample after 16 calls, then at doubling "                        \
-      "distances")                                                                                 \
+      "the original loop; another sample after a back-off")                                        \
     X(RULE_CHANGING, "changing",                                                                   \
       "two plans in a row were abandoned before they had paid, and a sample "                      \
-      "of the subscripts differs from the call before",                                            \
+      "of the subscripts differs",                                                                 \
       "the original loop")                                                                         \
     X(RULE_CHANGED, "changed", "the subscripts are not those of the plan", "the original loop")    \
     X(RULE_COMPARING, "comparing",                                                                 \
@@ -43,14 +38,11 @@
       "three pairs are timed")                                                                     \
     X(RULE_FASTER, "faster", "a plan was faster", "it is used while the subscripts are unchanged") \
     X(RULE_SLOWER, "slower", "a plan was slower",                                                  \
-      "the original loop; compared again after 16 calls, then at doubling "                        \
-      "distances")                                                                                 \
+      "the original loop; compared again after a back-off")                                        \
     X(RULE_STOPPED, "stopped", "an inspection reached its deadline",                               \
-      "the original loop; another plan construction when the budget allows "                       \
-      "its new estimate")                                                                          \
+      "the original loop; another when the budget allows its new estimate")                        \
     X(RULE_REFUSED, "refused", "a guard or memory forbade it",                                     \
-      "the original loop; tried again after 16 calls, then at doubling "                           \
-      "distances")
+      "the original loop; tried again after a back-off")
 
 enum rule {
     RULE_NONE, /* REDCC_METHOD names a method */
