@@ -205,14 +205,20 @@ static double replication_of(const redcc_loop *loop) {
     return (double)state->reported.statistics.extra.executed / (double)CELLS;
 }
 
+/* What the oracle leaves; the caller frees it. */
+static double *results_of(struct problem *problem, size_t bytes) {
+    double *results = malloc(bytes);
+    problem_reset(problem);
+    problem_oracle(problem);
+    memcpy(results, problem->first, bytes);
+    return results;
+}
+
 static void same_bits_for_any_owners(void **unused) {
     (void)unused;
     struct problem problem = strip_problem();
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
-    double *expected = malloc(bytes);
-    problem_reset(&problem);
-    problem_oracle(&problem);
-    memcpy(expected, problem.first, bytes);
+    double *expected = results_of(&problem, bytes);
     for (size_t i = 0; i < sizeof threads_tried / sizeof *threads_tried; i++) {
         struct described described;
         long last;
@@ -291,10 +297,7 @@ static void memory_fails_anywhere(void **unused) {
     (void)unused;
     struct problem problem = strip_problem();
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
-    double *expected = malloc(bytes);
-    problem_reset(&problem);
-    problem_oracle(&problem);
-    memcpy(expected, problem.first, bytes);
+    double *expected = results_of(&problem, bytes);
     bool failed = true;
     for (long failures = 0; failed; failures++) {
         struct described described;

@@ -26,6 +26,11 @@ bool ir_has_kind(const ir_node *node, ir_kind kind) {
     return false;
 }
 
+bool ir_may_be_entered(const ir_node *node) {
+    return ir_has_kind(node, IR_LABEL) || ir_has_kind(node, IR_CASE) ||
+           ir_has_kind(node, IR_DEFAULT);
+}
+
 bool ir_is_increment(const ir_node *node) {
     return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
            node->op <= IR_OP_POST_DECREMENT;

@@ -403,6 +403,8 @@ bool ir_is_loop(const ir_node *node);
 const ir_node *ir_loop_body(const ir_node *loop);
 /** Does the tree below `node`, including itself, contain that kind? */
 bool ir_has_kind(const ir_node *node, ir_kind kind);
+/** Does it contain a label, `case` or `default`, by which a jump may enter it? */
+bool ir_may_be_entered(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
 /** Does the body contain a `continue` of its own loop? */

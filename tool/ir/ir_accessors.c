@@ -228,6 +228,15 @@ static ir_node *taken_apart(accessors *a, ir_node *sum, ir_node **subscript) {
     return base;
 }
 
+static void become_element(accessors *a, ir_node *node, ir_node *base, ir_node *subscript) {
+    node->kind = IR_INDEX;
+    node->op = IR_OP_NONE;
+    node->child_count = 2;
+    node->children = ARENA_ARRAY(a->memory, ir_node *, 2);
+    node->children[0] = base;
+    node->children[1] = subscript;
+}
+
 /* *(p + k) becomes p[k], (p + k)->m becomes p[k].m, with one subscript for several summands: the
  * analysis knows one form. */
 static void simplify_sum(accessors *a, ir_node *node) {
@@ -240,12 +249,7 @@ static void simplify_sum(accessors *a, ir_node *node) {
         element->range = sum->range;
     }
     element->flags |= sum->flags & (IR_FROM_MACRO | IR_FROM_CALL);
-    element->kind = IR_INDEX;
-    element->op = IR_OP_NONE;
-    element->child_count = 2;
-    element->children = ARENA_ARRAY(a->memory, ir_node *, 2);
-    element->children[0] = base;
-    element->children[1] = subscript;
+    become_element(a, element, base, subscript);
 }
 
 /* *a of an array becomes a[0]. */
@@ -256,13 +260,7 @@ static void simplify_array(accessors *a, ir_node *node) {
     first->text = "0";
     first->range = node->range;
     first->flags = IR_FROM_MACRO | IR_HAS_VALUE;
-    ir_node *array = node->children[0];
-    node->kind = IR_INDEX;
-    node->op = IR_OP_NONE;
-    node->child_count = 2;
-    node->children = ARENA_ARRAY(a->memory, ir_node *, 2);
-    node->children[0] = array;
-    node->children[1] = first;
+    become_element(a, node, node->children[0], first);
 }
 
 static void simplify(accessors *a, ir_node *node, bool is_of_accessor) {

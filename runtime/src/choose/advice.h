@@ -61,7 +61,7 @@ static inline bool redcc_goes_directly(const struct advice *advice) {
  *  sets *advice, at the cost of a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
 
-/** Is a loop of so many iterations tried in its first execution, without having been timed? */
+/** Is a loop with this trip count tried in its first execution, before it was timed? */
 bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip);
 
 /** For a call that redcc_advise_rest did not decide: samples its subscripts. Is no action feasible,

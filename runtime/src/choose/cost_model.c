@@ -35,7 +35,7 @@ static void by_index(const struct findings *it, struct arm *arm) {
         beginning_runs(it);
 }
 
-/* Useless if owners by index are equally balanced, and for pairs: no cut keeps them apart. */
+/* Useless if owners by index are equally balanced, and for pairs, whose graph no cut divides. */
 static void by_graph(const struct findings *it, struct arm *arm) {
     const double side_by_side = it->touches * 7 * LEARN_TOUCH + it->further_rows * LEARN_ROW +
                                 it->leading_rows * 1.5 * LEARN_ROW;

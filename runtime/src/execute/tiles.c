@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/tiles.h"
 
-enum { WORDS_OF_A_LINE = 16 }; /* as the method's flags */
-
 void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid) {
     *walk = (struct tile_walk){.grid = grid};
 }
 
-/* Of as many bands as there are threads, at most, some tile is not done. One more is looked at. */
+/* At most as many bands as threads are in progress; the band above the first of them is read, too.
+ */
 static uint32_t flag_of(const struct plan *plan, uint32_t band) {
-    return WORDS_OF_A_LINE * (1 + band % ((uint32_t)plan->threads + 1));
+    return TILE_FLAG_WORDS * (1 + band % ((uint32_t)plan->threads + 1));
 }
 
 /* The value of the band's flag after `done` blocks. It grows with the bands that share the flag,

@@ -13,8 +13,8 @@
  * thread itself; and by induction those above. So of two pairs that have an element in common, the
  * one that comes first in the loop is executed first (docs/soundness.md).
  *
- * Bands are taken in order, and a thread waits only for a band before its own, so that some thread
- * can always go on.
+ * Bands are taken in order, and a thread waits only for a band before its own, so the thread
+ * with the first unfinished band never waits.
  */
 #ifndef REDCC_EXECUTE_TILES_H
 #define REDCC_EXECUTE_TILES_H

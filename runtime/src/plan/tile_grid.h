@@ -8,7 +8,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { TILES_MOST_BANDS = 8192 };
+enum {
+    TILES_MOST_BANDS = 8192,
+    TILE_FLAG_WORDS = 16 /* from one band's flag to the next: a cache line */
+};
 
 /** For tests: rows of a band; 0: as many as serve best. */
 extern redcc_int redcc_tile_side;

@@ -278,8 +278,7 @@ static bool concerns_others(const ir_node *node) {
 
 static void take_out(search *s, ir_node *statement, unsigned number) {
     ir_node *branch = statement->children[number];
-    if (branch->flags & IR_DEAD || ir_has_kind(branch, IR_LABEL) || ir_has_kind(branch, IR_CASE) ||
-        ir_has_kind(branch, IR_DEFAULT) || ir_has_kind(branch, IR_OPAQUE) ||
+    if (branch->flags & IR_DEAD || ir_may_be_entered(branch) || ir_has_kind(branch, IR_OPAQUE) ||
         (s->is_foreign && concerns_others(branch)))
         return;
     ir_node *rest = ir_new(s->unit->arena, IR_BLOCK, NULL, 1);

@@ -133,8 +133,7 @@ static bool has_message(const ir_node *node, unsigned depth) {
 static bool is_with_message(const ir_node *statement) {
     const ir_node *branch = statement->children[1];
     return expression_is_plain(statement->children[0]) && has_message(branch, 0) &&
-           !ir_has_kind(branch, IR_LABEL) && !ir_has_kind(branch, IR_CASE) &&
-           !ir_has_kind(branch, IR_DEFAULT);
+           !ir_may_be_entered(branch);
 }
 
 /* ---- exits of the loop ---------------------------------------------------------------------- */

@@ -9,12 +9,11 @@
  * Supercomputing 1989.
  */
 #include "plan/plan.h"
-
-enum { WORDS_OF_A_LINE = 16 };
+#include "plan/tile_grid.h"
 
 /* How far each thread's band is, and the one before the first: in cache lines of their own. */
 static uint32_t flags(uint32_t owners) {
-    return WORDS_OF_A_LINE * (owners + 2);
+    return TILE_FLAG_WORDS * (owners + 2);
 }
 
 /* The number of pairs is not known; threads share them evenly. */
