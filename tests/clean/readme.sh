@@ -34,37 +34,52 @@ echo "readme: a first program"
 cat >program.c <<'END'
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-enum { POINTS = 20000, SPRINGS = 400000, STEPS = 300 };
-static int end[SPRINGS][2];
-static double x[POINTS][3], force[POINTS][3];
-static void springs(int n) {
-    for (int t = 0; t < n; t++) {
+/* A cloth of ROWS x ROWS points; springs to the neighbours right, below, and across. */
+enum { ROWS = 200, POINTS = ROWS * ROWS, STEPS = 400 };
+static int end[4 * POINTS][2];
+static double rest[4 * POINTS], x[POINTS][3], v[POINTS][3], force[POINTS][3];
+static int connect(int springs, int row, int column, int down, int right) {
+    if (row + down >= ROWS || column + right < 0 || column + right >= ROWS)
+        return springs;
+    end[springs][0] = row * ROWS + column;
+    end[springs][1] = (row + down) * ROWS + column + right;
+    rest[springs] = 0.01 * sqrt(down + right * right);
+    return springs + 1;
+}
+static void pull(int springs) {
+    for (int t = 0; t < springs; t++) {
         int i = end[t][0], j = end[t][1];
         double dx = x[j][0] - x[i][0], dy = x[j][1] - x[i][1], dz = x[j][2] - x[i][2];
-        double length = sqrt(dx * dx + dy * dy + dz * dz) + 1e-9;
-        double pull = (length - 0.1) / length - 0.01 * exp(-length);
-        force[i][0] += pull * dx, force[i][1] += pull * dy, force[i][2] += pull * dz;
-        force[j][0] -= pull * dx, force[j][1] -= pull * dy, force[j][2] -= pull * dz;
+        double length = sqrt(dx * dx + dy * dy + dz * dz);
+        double k = 0.05 * (exp(4 * (length / rest[t] - 1)) - 1) / length; /* stiffens as skin does: Fung's law */
+        force[i][0] += k * dx, force[i][1] += k * dy, force[i][2] += k * dz;
+        force[j][0] -= k * dx, force[j][1] -= k * dy, force[j][2] -= k * dz;
     }
 }
 int main(void) {
+    int springs = 0;
+    for (int row = 0; row < ROWS; row++)
+        for (int column = 0; column < ROWS; column++) {
+            double *p = x[row * ROWS + column];
+            p[0] = 0.01 * column, p[1] = 0.01 * row, p[2] = 0.001 * sin(0.1 * column * row);
+            springs = connect(springs, row, column, 0, 1);
+            springs = connect(springs, row, column, 1, 0);
+            springs = connect(springs, row, column, 1, 1);
+            springs = connect(springs, row, column, 1, -1);
+        }
+    for (int step = 0; step < STEPS; step++) {
+        for (int p = 0; p < POINTS; p++)
+            force[p][0] = 0, force[p][1] = 1e-5, force[p][2] = 0;
+        pull(springs);
+        for (int p = ROWS; p < POINTS; p++)
+            for (int c = 0; c < 3; c++) {
+                v[p][c] = 0.999 * v[p][c] + 0.01 * force[p][c];
+                x[p][c] += v[p][c];
+            }
+    }
     double sum = 0;
     for (int p = 0; p < POINTS; p++)
-        for (int c = 0; c < 3; c++)
-            x[p][c] = (double)((p * 7919LL + c * 104729LL) % 1000) / 1000;
-    for (int t = 0; t < SPRINGS; t++) {
-        end[t][0] = (int)(t * 7919LL % POINTS);
-        end[t][1] = (end[t][0] + 1 + t % 50) % POINTS;
-    }
-    for (int step = 0; step < STEPS; step++) {
-        springs(SPRINGS);
-        for (int p = 0; p < POINTS; p++)
-            for (int c = 0; c < 3; c++)
-                x[p][c] += 1e-6 * force[p][c];
-    }
-    for (int p = 0; p < POINTS; p++)
-        sum = 0.5 * sum + x[p][0];
+        sum = 0.5 * sum + x[p][1];
     printf("%a\n", sum);
     return 0;
 }
