@@ -72,7 +72,7 @@ static int run_translator(session *s, const translation *t, const char *messages
     words_add(a, &words, "--");
     if (s->real.standard)
         words_add(a, &words, s->real.standard);
-    command_add_parse_options(a, &words, &s->command);
+    command_add_parse_options(a, &words, &s->command, session_liberty(s) != NULL);
     if (!s->real.is_clang && (s->command.meaning & OPTION_THREADS))
         words_add(a, &words, "-pthread");
     const cached_run run = {.program = CACHE_TRANSLATOR,
@@ -117,7 +117,8 @@ static bool list_files(session *s, translation *t) {
     word_list words = {0};
     words_add_all(a, &words, &s->real.bare);
     command_add_options(a, &words, &s->command,
-                        OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY);
+                        OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
+                            session_liberties(s));
     words_add(a, &words, "-M");
     words_add(a, &words, "-MF");
     words_add(a, &words, rule);
@@ -192,6 +193,11 @@ static const char *obstacle(session *s, translation *t) {
         return "its headers could not be listed";
     if (s->show)
         return NULL;
+    if (session_liberty(s) && s->command.links && s->command.meaning & OPTION_AUXILIARY)
+        return arena_format(s->memory,
+                            "it is linked in the same call, which needs %s, and would be compiled "
+                            "without it",
+                            session_liberty(s));
     if (strchr(t->text, '=')) /* a prefix map would be split at it */
         return "its name, or that of the temporary folder, holds a '='";
     const char *precompiled = precompiled_header(s, t);
@@ -210,7 +216,7 @@ static const char *list_predefined(session *s, const translation *t) {
     words_add_all(a, &words, &s->real.bare);
     command_add_options(a, &words, &s->command,
                         OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
-                            OPTION_MACROS);
+                            OPTION_MACROS | session_liberties(s));
     add_code_options(s, &words);
     static const char *const ask[] = {"-dM", "-E", "-x", "c", "/dev/null"};
     for (unsigned i = 0; i < sizeof ask / sizeof *ask; i++)
