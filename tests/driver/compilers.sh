@@ -104,6 +104,9 @@ expect_equal "$case_name: the link keeps it" 1 "$("$redcc_cc" --redcc-show gcc -
 # A file without parallel loops, or whose bits are given up, is compiled as it says.
 write_program "" | sed 's/+= 1.0/= 1.0/' >x.c
 "$redcc_cc" gcc -Ofast x.c -o p2 2>messages && expect_empty messages
+printf 'double half(double x) { return x / 2; }\n' >x.c # a function that other files might call
+"$redcc_cc" gcc -Ofast -c x.c -o p2 2>messages && expect_empty messages
+"$redcc_cc" gcc -Ofast -S x.c -o p1 && gcc -Ofast -S x.c -o p2 && expect_same p1 p2
 write_program $'#ifndef __FAST_MATH__\n#error\n#endif' >x.c
 REDCC_OPTS=--order=any "$redcc_cc" gcc -Ofast x.c -o p2 2>messages || fail "$case_name: $(cat messages)"
 expect_empty messages

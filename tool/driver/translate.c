@@ -187,6 +187,13 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
+/* Of a file without parallel loops the text may have records of its functions. They describe what
+ * is compiled without the command's liberties, which such a file keeps. */
+static bool keeps_liberty(session *s, const translation *t) {
+    const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
+    return text && !strstr(text, "REDCC_OVER(redcc__");
+}
+
 /* The reason why the text cannot replace the source; NULL: it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
@@ -320,6 +327,8 @@ translation translate(session *s, const item *source, unsigned number) {
         t.report = arena_format(s->memory, "%s.json", t.text);
     t.cached = cached_begin(s, source, t.file);
     outcome result = try_translator(s, &t);
+    if (result == OUTCOME_CHANGED && keeps_liberty(s, &t))
+        result = OUTCOME_UNCHANGED;
     const char *why = result == OUTCOME_CHANGED ? obstacle(s, &t) : NULL;
     if (result == OUTCOME_CHANGED && !why)
         why = translate_for_compiler(s, &t);
