@@ -28,10 +28,11 @@ verdicts() { # REDCC-ARGUMENTS: of the source's loops, a word each
     "$ATTACK_REDCC" --analyze $source --report=json "$@" |
         jq -r '[.loops[] | if .verdict == "transformed" then "transformed" else .reason.slug end] | join(" ")'
 }
-expect() { # WORDS OPTION
+expect() { # WORDS OPTION [WORDS of -p]
     local found
     found=$(verdicts -- -O2 "$2")
     [ "$found" = "$1" ] || { echo "-- $2: expected '$1', found '$found'" >&2; exit 1; }
+    set -- "${3:-$1}" "$2"
     jq -n --arg folder "$work" --arg option "$2" \
         --arg source $source \
         '[{directory: $folder, file: $source, arguments: ["gcc", "-O2", $option, "-c", $source, "-o", "x.o"]}]' \
@@ -44,9 +45,13 @@ for option in -fwrapv -fwrapv-pointer -ftrapv -fno-strict-overflow -frounding-ma
     -mlong-double-128 -Wp,-isystem,x -undef; do
     expect "option option" "$option"
 done
+# Liberties of the compiler: a build's translated files are compiled without them.
 for option in -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math -freciprocal-math \
-    -fno-signed-zeros -ffinite-math-only -mfpmath=387 -mfpmath=both -mfpmath=sse,387 -mrecip \
-    -fcx-limited-range; do
+    -fno-signed-zeros -ffinite-math-only -mrecip -fcx-limited-range; do
+    expect "inexact-option inexact-option" "$option" "transformed transformed"
+    source=integers.c expect "transformed" "$option"
+done
+for option in -mfpmath=387 -mfpmath=both -mfpmath=sse,387 -ffp-model=fast -fdenormal-fp-math=preserve-sign; do
     expect "inexact-option inexact-option" "$option"
     source=integers.c expect "transformed" "$option"
 done

@@ -76,11 +76,40 @@ for option in -fwrapv -fno-strict-overflow -frounding-math -funsigned-bitfields 
   expect_match messages 'an option that redcc cannot follow'
   expect_match report '"loops":\[\],"left_alone":"an option that redcc cannot follow: -'
 done
-for option in -ffast-math -Ofast -fassociative-math -mfpmath=387; do
+rm -f report
+REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" gcc -Ofast -mfpmath=387 -c x.c 2>messages || fail "$case_name"
+expect_match report '"slug":"inexact-option"'
+expect_empty messages
+end
+
+begin "a translated file is compiled without the liberties of -ffast-math and its kin; a file that is not keeps them"
+strict_bits() { # COMPILER OPTION: the program by redcc-cc prints what it prints when compiled without the option
   rm -f report
-  REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" gcc $option -c x.c || fail "$case_name: $option"
-  expect_match report '"slug":"inexact-option"'
+  $1 -O3 -ffp-contract=off x.c -o p1 && REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" "$1" -O3 $2 x.c -o p2 2>messages ||
+    fail "$case_name: $1 $2: $(cat messages)"
+  expect_match report '"verdict":"transformed"'
+  expect_match messages "note: x.c: has parallel loops and is compiled without $2's freedom"
+  ./p1 >expected
+  for threads in 1 2 7; do OMP_NUM_THREADS=$threads ./p2 | expect_same expected /dev/stdin; done
+}
+# The product over t, which a compiler may associate otherwise, and a macro that tells -ffast-math.
+write_program $'static double product = 1;\n#ifdef __FAST_MATH__\n#error\n#endif' |
+  sed 's|b\[s\[AT(t)\]\] += .*|b[s[AT(t)]] += 1.0 / (1 + t) / 3.0 * 0.1 + 0.3 - 0.2;|; s|printf("%.17g\\n", b\[t\])|product *= 1 + b[t] / 7, printf("%.17g %.17g\\n", b[t], product)|' >x.c
+for compiler in $compilers; do
+  for option in -ffast-math -Ofast "-funsafe-math-optimizations"; do strict_bits $compiler $option; done
 done
+strict_bits gcc -fassociative-math
+strict_bits gcc -mrecip
+expect_equal "$case_name: the link keeps it" 1 "$("$redcc_cc" --redcc-show gcc -Ofast x.c -o p2 | tail -n 1 | grep -c -e -Ofast)"
+# A file without parallel loops, or whose bits are given up, is compiled as it says.
+write_program "" | sed 's/+= 1.0/= 1.0/' >x.c
+"$redcc_cc" gcc -Ofast x.c -o p2 2>messages && expect_empty messages
+printf 'double half(double x) { return x / 2; }\n' >x.c # a function that other files might call
+"$redcc_cc" gcc -Ofast -c x.c -o p2 2>messages && expect_empty messages
+"$redcc_cc" gcc -Ofast -S x.c -o p1 && gcc -Ofast -S x.c -o p2 && expect_same p1 p2
+write_program $'#ifndef __FAST_MATH__\n#error\n#endif' >x.c
+REDCC_OPTS=--order=any "$redcc_cc" gcc -Ofast x.c -o p2 2>messages || fail "$case_name: $(cat messages)"
+expect_empty messages
 end
 
 begin "a source that asks for threads: OpenMP, with gcc, says yes where -pthread was not given"

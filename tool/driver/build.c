@@ -109,7 +109,11 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
         const item *one = &s->command.items[i];
         if (one == t->source && !t->is_input)
             words_add(s->memory, list, t->text);
-        else if (!(one->meaning & OPTION_DEPENDENCY))
+        else if (one->meaning & OPTION_DEPENDENCY)
+            continue;
+        else if (session_liberty(s))
+            item_add_strict(s->memory, list, one);
+        else
             item_add(s->memory, list, one);
     }
     translation_add_after(s, list, t);
@@ -123,7 +127,8 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
     arena *a = s->memory;
     words_add_all(a, list, &s->real.words);
     translation_add_before(s, list, t);
-    command_add_options(a, list, &s->command, OPTION_DEPENDENCY | OPTION_LINKER);
+    command_add_options(a, list, &s->command,
+                        OPTION_DEPENDENCY | OPTION_LINKER | session_liberties(s));
     translation_add_after(s, list, t);
     add_colour(s, list);
     if (object) {
@@ -180,15 +185,26 @@ static attempt compile_text(session *s, const translation *t, word_list *words) 
     return made;
 }
 
+/* The numbers of this file may be others than the user's own build gives. */
+static void note_liberty(const session *s, const translation *t) {
+    const char *liberty = session_liberty(s);
+    if (liberty && !s->show)
+        session_note(s,
+                     "%s: has parallel loops and is compiled without %s's freedom to reorder "
+                     "arithmetic; REDCC_OPTS=--order=any keeps it",
+                     t->source->text, liberty);
+}
+
 /* Compiles a translated text; on success its messages are shown, on failure nothing is. */
 static bool compile(session *s, const translation *t, word_list *words) {
     attempt made = compile_text(s, t, words);
     if (was_interrupted(&made))
         session_end(s, made.status);
     bool same = made.status == 0 && translation_read_same(s, t);
-    if (same)
+    if (same) {
         show_attempt(s, &made);
-    else if (made.status == 0)
+        note_liberty(s, t);
+    } else if (made.status == 0)
         session_leave_alone(s, t->source->text, "the compiler would find other headers");
     else if (made.error)
         words_add(s->memory, &s->fallbacks, t->source->text);

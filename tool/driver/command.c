@@ -199,11 +199,24 @@ void item_add(arena *a, word_list *list, const item *i) {
         words_add(a, list, i->value);
 }
 
+void item_add_strict(arena *a, word_list *list, const item *i) {
+    if (!(i->meaning & OPTION_LIBERTY)) {
+        item_add(a, list, i);
+        return;
+    }
+    for (const char *const *rest = option_without_liberty(i->text); *rest; rest++)
+        words_add(a, list, *rest);
+}
+
 void command_add_options(arena *a, word_list *list, const command *c, unsigned without) {
     for (unsigned i = 0; i < c->count; i++) {
         const item *one = &c->items[i];
-        if (one->kind == INPUT_NOT && !(one->meaning & without) && !is_named(one, "-o") &&
-            !is_named(one, "-x"))
+        if (one->kind != INPUT_NOT || one->meaning & without & ~(unsigned)OPTION_LIBERTY ||
+            is_named(one, "-o") || is_named(one, "-x"))
+            continue;
+        if (without & OPTION_LIBERTY)
+            item_add_strict(a, list, one);
+        else
             item_add(a, list, one);
     }
 }
@@ -218,13 +231,15 @@ static void add_preprocessor_list(arena *a, word_list *list, const char *word) {
     }
 }
 
-void command_add_parse_options(arena *a, word_list *list, const command *c) {
+void command_add_parse_options(arena *a, word_list *list, const command *c, bool is_strict) {
     for (unsigned i = 0; i < c->count; i++) {
         const item *one = &c->items[i];
         if (!(one->meaning & OPTION_PARSE))
             continue;
         if (strncmp(one->text, "-Wp,", 4) == 0)
             add_preprocessor_list(a, list, one->text);
+        else if (is_strict)
+            item_add_strict(a, list, one);
         else
             item_add(a, list, one);
     }

@@ -51,11 +51,15 @@ const char *item_argument(const item *i);
 /** Adds an item's words. */
 void item_add(arena *a, word_list *list, const item *i);
 
-/** Adds every option whose meaning shares no bit with `without`; neither inputs nor -o nor -x. */
+/** Adds an item's words; of an OPTION_LIBERTY only what changes no bit (-O3 for -Ofast). */
+void item_add_strict(arena *a, word_list *list, const item *i);
+
+/** Adds every option whose meaning shares no bit with `without`; neither inputs nor -o nor -x. Of
+ * an OPTION_LIBERTY in `without` the harmless parts are added. */
 void command_add_options(arena *a, word_list *list, const command *c, unsigned without);
 
-/** Adds the options that the translator's parser needs. */
-void command_add_parse_options(arena *a, word_list *list, const command *c);
+/** Adds the options that the translator's parser needs; is_strict: by item_add_strict. */
+void command_add_parse_options(arena *a, word_list *list, const command *c, bool is_strict);
 
 /** Whether the word looks like a source, object or library by its ending. */
 bool name_is_input(const char *word);

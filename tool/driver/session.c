@@ -27,6 +27,17 @@ void session_read_options(session *s) {
     }
 }
 
+const char *session_liberty(const session *s) {
+    for (unsigned i = 0; !s->contracts && i < s->command.count; i++)
+        if (s->command.items[i].meaning & OPTION_LIBERTY)
+            return s->command.items[i].text;
+    return NULL;
+}
+
+unsigned session_liberties(const session *s) {
+    return session_liberty(s) ? OPTION_LIBERTY : 0;
+}
+
 static void show(const session *s, const word_list *words, process_streams streams) {
     (void)s;
     buffer line = {0};
@@ -80,6 +91,14 @@ void session_warn(const session *s, const char *format, ...) {
     va_list values;
     va_start(values, format);
     say("warning", format, values);
+    va_end(values);
+}
+
+void session_note(const session *s, const char *format, ...) {
+    (void)s;
+    va_list values;
+    va_start(values, format);
+    say("note", format, values);
     va_end(values);
 }
 

@@ -37,12 +37,23 @@ void session_read_options(session *s);
 /** Reads the file name of the build's report, and whether the build is strict, into the session. */
 void session_read_environment(session *s);
 
+/** The name of an option by which the compiler may reorder or approximate arithmetic, which the
+ *  command has and its translated texts are compiled without; NULL: there is none. Under order any
+ *  they keep it. */
+const char *session_liberty(const session *s);
+
+/** OPTION_LIBERTY if there is one, else 0. */
+unsigned session_liberties(const session *s);
+
 /** Prints a command and returns 0 under --redcc-show; else runs it (process_run). A command line
  *  too long for the system goes through a response file. */
 int session_run(session *s, const word_list *words, process_streams streams);
 
 /** One line on standard error, "redcc-cc: LEVEL: ...". */
 void session_warn(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** The same, as a note. */
+void session_note(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /** The same, but only with -v. */
 void session_explain(const session *s, const char *format, ...)

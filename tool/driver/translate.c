@@ -72,7 +72,7 @@ static int run_translator(session *s, const translation *t, const char *messages
     words_add(a, &words, "--");
     if (s->real.standard)
         words_add(a, &words, s->real.standard);
-    command_add_parse_options(a, &words, &s->command);
+    command_add_parse_options(a, &words, &s->command, session_liberty(s) != NULL);
     if (!s->real.is_clang && (s->command.meaning & OPTION_THREADS))
         words_add(a, &words, "-pthread");
     const cached_run run = {.program = CACHE_TRANSLATOR,
@@ -117,7 +117,8 @@ static bool list_files(session *s, translation *t) {
     word_list words = {0};
     words_add_all(a, &words, &s->real.bare);
     command_add_options(a, &words, &s->command,
-                        OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY);
+                        OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
+                            session_liberties(s));
     words_add(a, &words, "-M");
     words_add(a, &words, "-MF");
     words_add(a, &words, rule);
@@ -186,12 +187,24 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
+/* Of a file without parallel loops the text may have records of its functions. They describe what
+ * is compiled without the command's liberties, which such a file keeps. */
+static bool keeps_liberty(session *s, const translation *t) {
+    const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
+    return text && !strstr(text, "REDCC_OVER(redcc__");
+}
+
 /* The reason why the text cannot replace the source; NULL: it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
         return "its headers could not be listed";
     if (s->show)
         return NULL;
+    if (session_liberty(s) && s->command.links && s->command.meaning & OPTION_AUXILIARY)
+        return arena_format(s->memory,
+                            "it is linked in the same call, which needs %s, and would be compiled "
+                            "without it",
+                            session_liberty(s));
     if (strchr(t->text, '=')) /* a prefix map would be split at it */
         return "its name, or that of the temporary folder, holds a '='";
     const char *precompiled = precompiled_header(s, t);
@@ -210,7 +223,7 @@ static const char *list_predefined(session *s, const translation *t) {
     words_add_all(a, &words, &s->real.bare);
     command_add_options(a, &words, &s->command,
                         OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
-                            OPTION_MACROS);
+                            OPTION_MACROS | session_liberties(s));
     add_code_options(s, &words);
     static const char *const ask[] = {"-dM", "-E", "-x", "c", "/dev/null"};
     for (unsigned i = 0; i < sizeof ask / sizeof *ask; i++)
@@ -314,6 +327,8 @@ translation translate(session *s, const item *source, unsigned number) {
         t.report = arena_format(s->memory, "%s.json", t.text);
     t.cached = cached_begin(s, source, t.file);
     outcome result = try_translator(s, &t);
+    if (result == OUTCOME_CHANGED && keeps_liberty(s, &t))
+        result = OUTCOME_UNCHANGED;
     const char *why = result == OUTCOME_CHANGED ? obstacle(s, &t) : NULL;
     if (result == OUTCOME_CHANGED && !why)
         why = translate_for_compiler(s, &t);

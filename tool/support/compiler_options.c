@@ -63,7 +63,7 @@ static const option options[] = {
     {"-MQ", OPTION_ARGUMENT | OPTION_JOINED | OPTION_DEPENDENCY},
     {"-MT", OPTION_ARGUMENT | OPTION_JOINED | OPTION_DEPENDENCY},
     {"-O", OPTION_JOINED | OPTION_PARSE | OPTION_CLANG},
-    {"-Ofast", OPTION_PARSE | OPTION_CLANG | OPTION_INEXACT},
+    {"-Ofast", OPTION_PARSE | OPTION_CLANG | OPTION_INEXACT | OPTION_LIBERTY},
     {"-P", OPTION_GIVE_UP},
     {"-Q", OPTION_GIVE_UP},
     {"-R", OPTION_ARGUMENT | OPTION_JOINED | OPTION_LINKER},
@@ -107,22 +107,22 @@ static const option options[] = {
     {"-emit-llvm", OPTION_GIVE_UP},
     {"-fPIC", OPTION_PARSE},
     {"-fPIE", OPTION_PARSE},
-    {"-fapprox-func", OPTION_PARSE | OPTION_INEXACT},
-    {"-fassociative-math", OPTION_PARSE | OPTION_INEXACT},
+    {"-fapprox-func", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
+    {"-fassociative-math", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-fbuild-session", OPTION_JOINED | OPTION_GIVE_UP},
     {"-fcallgraph-info", OPTION_JOINED | OPTION_AUXILIARY},
     {"-fcomplex-arithmetic=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
     {"-fcoverage-mapping", OPTION_GIVE_UP},
-    {"-fcx-fortran-rules", OPTION_PARSE | OPTION_INEXACT},
-    {"-fcx-limited-range", OPTION_PARSE | OPTION_INEXACT},
+    {"-fcx-fortran-rules", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
+    {"-fcx-limited-range", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-fdebug-prefix-map=", OPTION_JOINED | OPTION_PREFIX_MAP},
     {"-fdenormal-fp-math=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
     {"-fdirectives-only", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fdump-", OPTION_JOINED | OPTION_AUXILIARY},
     {"-fexec-charset=", OPTION_JOINED | OPTION_REFUSE | OPTION_GIVE_UP},
-    {"-ffast-math", OPTION_PARSE | OPTION_CLANG | OPTION_INEXACT},
+    {"-ffast-math", OPTION_PARSE | OPTION_CLANG | OPTION_INEXACT | OPTION_LIBERTY},
     {"-ffile-prefix-map=", OPTION_JOINED | OPTION_PREFIX_MAP},
-    {"-ffinite-math-only", OPTION_PARSE | OPTION_CLANG | OPTION_INEXACT},
+    {"-ffinite-math-only", OPTION_PARSE | OPTION_CLANG | OPTION_INEXACT | OPTION_LIBERTY},
     {"-ffp-eval-method=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
     {"-ffp-model=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
     {"-ffreestanding", OPTION_REFUSE | OPTION_GIVE_UP},
@@ -138,8 +138,8 @@ static const option options[] = {
     {"-fno-PIC", OPTION_PARSE},
     {"-fno-PIE", OPTION_PARSE},
     {"-fno-builtin", OPTION_JOINED | OPTION_PARSE | OPTION_CLANG},
-    {"-fno-honor-infinities", OPTION_PARSE | OPTION_INEXACT},
-    {"-fno-honor-nans", OPTION_PARSE | OPTION_INEXACT},
+    {"-fno-honor-infinities", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
+    {"-fno-honor-nans", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-fno-hosted", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fno-math-errno", OPTION_PARSE},
     {"-fno-openmp", OPTION_GIVE_UP},
@@ -149,7 +149,7 @@ static const option options[] = {
     {"-fno-short-enums", OPTION_PARSE | OPTION_CLANG},
     {"-fno-signed-bitfields", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fno-signed-char", OPTION_PARSE | OPTION_CLANG},
-    {"-fno-signed-zeros", OPTION_PARSE | OPTION_INEXACT},
+    {"-fno-signed-zeros", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-fno-strict-aliasing", OPTION_PARSE},
     {"-fno-strict-overflow", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fno-unsigned-char", OPTION_PARSE | OPTION_CLANG},
@@ -168,7 +168,7 @@ static const option options[] = {
     {"-fprofile-", OPTION_JOINED | OPTION_AUXILIARY},
     {"-fprofile-arcs", OPTION_AUXILIARY | OPTION_GIVE_UP},
     {"-framework", OPTION_ARGUMENT | OPTION_LINKER},
-    {"-freciprocal-math", OPTION_PARSE | OPTION_INEXACT},
+    {"-freciprocal-math", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-frounding-math", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fsanitize=", OPTION_JOINED | OPTION_PARSE},
     {"-fsave-optimization-record", OPTION_JOINED | OPTION_AUXILIARY},
@@ -185,11 +185,11 @@ static const option options[] = {
     {"-ftime-trace", OPTION_JOINED | OPTION_AUXILIARY},
     {"-ftrapv", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-ftree-parallelize-loops=", OPTION_JOINED | OPTION_THREADS},
-    {"-funsafe-math-optimizations", OPTION_PARSE | OPTION_INEXACT},
+    {"-funsafe-math-optimizations", OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-funsigned-bitfields", OPTION_REFUSE | OPTION_GIVE_UP},
     {"-funsigned-char", OPTION_PARSE | OPTION_CLANG},
     {"-fuse-ld=", OPTION_JOINED | OPTION_LINKER},
-    {"-fveclib=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
+    {"-fveclib=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-fvisibility=", OPTION_JOINED | OPTION_PARSE | OPTION_CLANG},
     {"-fwide-exec-charset=", OPTION_JOINED | OPTION_REFUSE | OPTION_GIVE_UP},
     {"-fwrapv", OPTION_JOINED | OPTION_REFUSE | OPTION_GIVE_UP},
@@ -231,9 +231,9 @@ static const option options[] = {
     {"-mlong-double-64", OPTION_REFUSE | OPTION_GIVE_UP | OPTION_CLANG},
     {"-mno-sse", OPTION_PARSE | OPTION_INEXACT | OPTION_CLANG},
     {"-mno-sse2", OPTION_PARSE | OPTION_INEXACT | OPTION_CLANG},
-    {"-mrecip", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT | OPTION_CLANG},
+    {"-mrecip", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY | OPTION_CLANG},
     {"-msoft-float", OPTION_PARSE | OPTION_INEXACT | OPTION_CLANG},
-    {"-mveclibabi=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT},
+    {"-mveclibabi=", OPTION_JOINED | OPTION_PARSE | OPTION_INEXACT | OPTION_LIBERTY},
     {"-mx32", OPTION_REFUSE | OPTION_GIVE_UP | OPTION_CLANG},
     {"-no-pie", OPTION_LINKER},
     {"-nodefaultlibs", OPTION_GIVE_UP | OPTION_NO_RUNTIME},
@@ -326,4 +326,16 @@ const option *option_find(const char *word) {
 
 const option *option_at(unsigned index) {
     return index < OPTION_COUNT ? &options[index] : NULL;
+}
+
+const char *const *option_without_liberty(const char *word) {
+    static const char *const fastest[] = {"-O3", "-fno-math-errno", "-fno-trapping-math", NULL};
+    static const char *const fast[] = {"-fno-math-errno", "-fno-trapping-math", NULL};
+    static const char *const unsafe[] = {"-fno-trapping-math", NULL};
+    static const char *const none[] = {NULL};
+    if (strcmp(word, "-Ofast") == 0)
+        return fastest;
+    if (strcmp(word, "-ffast-math") == 0)
+        return fast;
+    return strcmp(word, "-funsafe-math-optimizations") == 0 ? unsafe : none;
 }

@@ -25,8 +25,10 @@ enum option_meaning {
                                   * command */
     OPTION_REFUSE = 1 << 16,     /**< makes the program differ from the one that is analysed: no
                                   * loop is translated */
-    OPTION_INEXACT = 1 << 17 /**< floating-point bits depend on other code in the compilation: no
-                              * loop of a file with such arithmetic is translated */
+    OPTION_INEXACT = 1 << 17, /**< floating-point bits depend on other code in the compilation: no
+                               * loop of a file with such arithmetic is translated */
+    OPTION_LIBERTY = 1 << 18  /**< is inexact because the compiler may reorder or approximate
+                               * arithmetic: what remains correct without the option */
 };
 
 /** One option; or several if the name is the beginning of a family ("-W"). */
@@ -38,6 +40,9 @@ typedef struct option {
 /** The entry for a word of the command line: the exact name, else the longest beginning that may
  *  have text joined to it. NULL if the table has none (such an option has no meaning here). */
 const option *option_find(const char *word);
+
+/** What remains of an OPTION_LIBERTY, a list that ends with NULL: its parts that change no bit. */
+const char *const *option_without_liberty(const char *word);
 
 /** Entry number `index` in the table's order, NULL after the last: for the test of the order. */
 const option *option_at(unsigned index);
