@@ -130,8 +130,8 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                 const redcc_owner own_second = worker.owner[second_width ? 1 : 0];
                 for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     redcc_int t = worker.origin + run->begin;
-                    const redcc_int end = t + run->count_and_guard / 2;
-                    if (!(run->count_and_guard & 1))
+                    const redcc_int end = t + run->count_and_check / 2;
+                    if (!(run->count_and_check & 1))
                         for (; t < end; t++) {
                             BODY((long)t, ALWAYS, ALWAYS);
                         }

@@ -442,7 +442,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 
 /* ---- the body ------------------------------------------------------------------------------ */
 
-/** redcc__guarded is a constant in each use of the function. */
+/** redcc__checked is a constant in each use of the function. */
 #define REDCC_BODY REDCC_INLINE void
 
 /** Marked cold, because otherwise gcc keeps the body's constants in memory: no floating-point
@@ -459,12 +459,12 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
-    if (!redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+    if (!redcc__checked || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** Begins an iteration of an inner loop: in the owner-checked form it is skipped if the thread owns
  *  no row that it would update. */
 #define REDCC_TURN(redcc_owned)                                                                    \
-    if (redcc__guarded == 1 && !(redcc_owned))                                                     \
+    if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;
 /** Is the thread to go through all of the iteration, of a loop without series? */
 #define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
@@ -473,14 +473,14 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /* For each array of a chunk: where to write, and which elements the thread owns. */
 #define REDCC_BODY_PARAMETERS_1                                                                    \
-    redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__guarded,       \
+    redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__checked,       \
         const redcc_owner *const redcc__own_0
 #define REDCC_BODY_PARAMETERS_2 REDCC_BODY_PARAMETERS_1, const redcc_owner *const redcc__own_1
 #define REDCC_BODY_PARAMETERS_3 REDCC_BODY_PARAMETERS_2, const redcc_owner *const redcc__own_2
 #define REDCC_BODY_PARAMETERS_4 REDCC_BODY_PARAMETERS_3, const redcc_owner *const redcc__own_3
 #define REDCC_BODY_PARAMETERS_5 REDCC_BODY_PARAMETERS_4, const redcc_owner *const redcc__own_4
 #define REDCC_BODY_PARAMETERS_6 REDCC_BODY_PARAMETERS_5, const redcc_owner *const redcc__own_5
-#define REDCC_BODY_ARGUMENTS_1 redcc__worker, redcc__guarded, &redcc__owner_0
+#define REDCC_BODY_ARGUMENTS_1 redcc__worker, redcc__checked, &redcc__owner_0
 #define REDCC_BODY_ARGUMENTS_2 REDCC_BODY_ARGUMENTS_1, &redcc__owner_1
 #define REDCC_BODY_ARGUMENTS_3 REDCC_BODY_ARGUMENTS_2, &redcc__owner_2
 #define REDCC_BODY_ARGUMENTS_4 REDCC_BODY_ARGUMENTS_3, &redcc__owner_3
@@ -531,17 +531,17 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
-            redcc__worker->origin + redcc__run->begin + redcc__run->count_and_guard / 2;           \
+            redcc__worker->origin + redcc__run->begin + redcc__run->count_and_check / 2;           \
         redcc__k = redcc__worker->origin + redcc__run->begin;                                      \
         while (redcc__k < redcc__end) {                                                            \
             const redcc_int redcc__stop = redcc__wished ? redcc__k + 1 : redcc__end;               \
             REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                \
-            if (!(redcc__run->count_and_guard & 1)) {                                              \
-                const int redcc__guarded = 0;                                                      \
+            if (!(redcc__run->count_and_check & 1)) {                                              \
+                const int redcc__checked = 0;                                                      \
                 for (; redcc__k < redcc__stop; redcc__k++)                                         \
                     redcc_call_of_body;                                                            \
             } else {                                                                               \
-                const int redcc__guarded = 1;                                                      \
+                const int redcc__checked = 1;                                                      \
                 for (; redcc__k < redcc__stop; redcc__k++)                                         \
                     redcc_call_of_body;                                                            \
             }                                                                                      \
@@ -593,7 +593,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
     }
 
 /** Precedes a loop of few iterations, which the compiler is to unroll. redcc writes it for at most
- *  16 iterations. _PLAIN excludes the owner-checked form (redcc__guarded is 1), which takes long to
+ *  16 iterations. _PLAIN excludes the owner-checked form (redcc__checked is 1), which takes long to
  *  compile and is rarely executed. */
 #ifdef __clang__
 #define REDCC_UNROLLED                                                                             \
@@ -601,7 +601,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_UNROLLED_PLAIN REDCC_UNROLLED
 #else
 #define REDCC_UNROLLED _Pragma("GCC unroll 16")
-#define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__guarded ? 1 : 16)")
+#define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
 
 /* ---- all of it ----------------------------------------------------------------------------- */

@@ -73,7 +73,7 @@ static bool needs_braces(const reduction_update *update) {
 }
 
 /** The text before an update. */
-static const char *guard_text(loop_text *loop, const reduction_update *update) {
+static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
         return needs_braces(update) ? "{ { " : "{ ";
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
@@ -89,7 +89,7 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 
-static const char *guard_end(const reduction_update *update) {
+static const char *owner_check_end(const reduction_update *update) {
     return needs_braces(update) ? "} }" : "}";
 }
 
@@ -116,9 +116,9 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
         return false;
     const reduction_update *update = loop_update_at(loop->facts, statement);
     write_forward(loop, out, store, local_name, loop);
-    writer_line(out, "%s", guard_text(loop, update));
+    writer_line(out, "%s", owner_check(loop, update));
     write_forwarded_store(loop, out, store, local_name, loop);
-    writer_line(out, "%s", guard_end(update));
+    writer_line(out, "%s", owner_check_end(update));
     return true;
 }
 
@@ -151,7 +151,7 @@ static bool print_appends(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-static bool print_guard(printer *p, const ir_node *statement) {
+static bool print_checked(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
     if (print_appends(copy, statement) || print_operand(copy, statement) ||
         print_forward(copy, statement) || print_noted(copy, statement))
@@ -164,11 +164,11 @@ static bool print_guard(printer *p, const ir_node *statement) {
     if (update->last)
         loop_obstacle(copy->loop, statement->range,
                       "an update of several statements cannot be spelled a second time");
-    writer_line(p->out, "%s", guard_text(copy->loop, update));
+    writer_line(p->out, "%s", owner_check(copy->loop, update));
     copy->within = statement;
     print_statement(p, statement);
     copy->within = NULL;
-    writer_line(p->out, "%s", guard_end(update));
+    writer_line(p->out, "%s", owner_check_end(update));
     return true;
 }
 
@@ -286,7 +286,8 @@ static void replace_name(body_copy *copy, const ir_node *node, const char *name)
         replace_bytes(copy, node->range.begin, node->range.end, name);
 }
 
-/* ---- guards -------------------------------------------------------------------------------- */
+/* ---- owner checks
+ * -------------------------------------------------------------------------------- */
 
 static void choose_noted(body_copy *copy, const ir_node *node) {
     if (conditional_live_out_of(copy->loop->facts, node) >= 0)
@@ -441,7 +442,7 @@ static void unroll_loops(body_copy *copy, const ir_node *node) {
         unroll_loops(copy, node->children[i]);
 }
 
-static void guard_updates(body_copy *copy) {
+static void check_owners(body_copy *copy) {
     loop_text *loop = copy->loop;
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
         const reduction_update *update = &loop->facts->updates[i];
@@ -454,9 +455,9 @@ static void guard_updates(body_copy *copy) {
                           "an update of several statements cannot be spelled a second time");
         if (is_printed(copy, first))
             continue;
-        edit_insert(loop->arena, &copy->edits, first->range.begin, guard_text(loop, update));
+        edit_insert(loop->arena, &copy->edits, first->range.begin, owner_check(loop, update));
         edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last),
-                    arena_format(loop->arena, " %s", guard_end(update)));
+                    arena_format(loop->arena, " %s", owner_check_end(update)));
     }
 }
 
@@ -566,7 +567,7 @@ static const char *copied_text(body_copy *copy) {
         append_nests(copy, body);
     }
     clip_columns(copy);
-    guard_updates(copy);
+    check_owners(copy);
     if (!loop->lanes.is_wanted) /* compiled once, in addition to the code for lanes */
         unroll_loops(copy, body);
     if (is_printed(copy, body))
@@ -631,7 +632,7 @@ void write_iteration(loop_text *loop, writer *out) {
     body_copy copy = {.printer = {.arena = loop->arena,
                                   .rename = local_name,
                                   .context = loop,
-                                  .before = print_guard,
+                                  .before = print_checked,
                                   .in_front_of_for = loop->lanes.is_wanted ? NULL : pragma_in_body},
                       .loop = loop};
     declare_variables(loop, out);
