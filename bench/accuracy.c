@@ -114,8 +114,8 @@ static void add_up_by_redcc(double *b) {
                 const redcc_owner own = worker.owner[0];
                 for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     int t = (int)(worker.origin + run->begin);
-                    const int end = t + (int)(run->count_and_guard / 2);
-                    if (!(run->count_and_guard & 1))
+                    const int end = t + (int)(run->count_and_check / 2);
+                    if (!(run->count_and_check & 1))
                         add_up(to, t, end);
                     else
                         for (; t < end; t++)

@@ -91,8 +91,8 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for ea
             const redcc_owner own = worker.owner[0];                                               \
             for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {         \
                 redcc_int t = worker.origin + run->begin;                                          \
-                const redcc_int end = t + run->count_and_guard / 2;                                \
-                if (!(run->count_and_guard & 1))                                                   \
+                const redcc_int end = t + run->count_and_check / 2;                                \
+                if (!(run->count_and_check & 1))                                                   \
                     for (; t < end; t++)                                                           \
                         BODY(PLAIN)                                                                \
                 else                                                                               \

@@ -250,8 +250,8 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
                 (void)own_a;                                                                       \
                 for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {     \
                     int n = (int)(worker.origin + run->begin);                                     \
-                    const int end = n + (int)(run->count_and_guard / 2);                           \
-                    if (!(run->count_and_guard & 1))                                               \
+                    const int end = n + (int)(run->count_and_check / 2);                           \
+                    if (!(run->count_and_check & 1))                                               \
                         for (; n < end; n++) {                                                     \
                             BODY(n, PLAINLY);                                                      \
                         }                                                                          \

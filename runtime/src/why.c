@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Possible remedies. */
-static const char *const advice[REASON_COUNT] = {
+static const char *const remedies[REASON_COUNT] = {
     [REASON_NAMED] = "unset it, or name another method",
     [REASON_FORKED] =
         "execute another program in the child, or fork before the first parallel loop",
@@ -74,7 +74,7 @@ void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
     text[0] = '\0';
     if (sequential == 0 || 2 * sequential < calls)
         return;
-    const char *remedy = advice[reason];
+    const char *remedy = remedies[reason];
     const double each = timed > 0 ? it->sequential.seconds / (double)timed : 0;
     if (reason == REASON_SAVING && timed > 0)
         snprintf(text, REDCC_WHY,

@@ -102,7 +102,7 @@ struct binned_loop {
             ROW *const rows = worker->base[0];                                                     \
             for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {       \
                 const redcc_int begin = worker->origin + run->begin;                               \
-                const redcc_int end = begin + run->count_and_guard / 2;                            \
+                const redcc_int end = begin + run->count_and_check / 2;                            \
                 for (redcc_int t = begin; t < end; t++) {                                          \
                     ROW *const r = &rows[p->k[t]];                                                 \
                     const RECORD e = value[t];                                                     \

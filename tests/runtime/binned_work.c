@@ -119,7 +119,7 @@ bool work_run(const struct work *w, int threads) {
                 while (redcc_next(&worker))
                     for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
                         execute(w, worker.origin + r->begin,
-                                worker.origin + r->begin + r->count_and_guard / 2);
+                                worker.origin + r->begin + r->count_and_check / 2);
             } while (more == REDCC_BETWEEN);
         }
     }

@@ -46,8 +46,8 @@ static void record_visits(const struct plan *plan, struct visit *visit) {
         for (size_t c = 0; c < schedule->chunk_count; c++) {
             struct run_reader runs = redcc_runs_of(schedule, &schedule->chunk[c]);
             for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) > 0;) {
-                assert_int_equal(run.count_and_guard & 1, 0);
-                for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++) {
+                assert_int_equal(run.count_and_check & 1, 0);
+                for (redcc_u32 i = 0; i < run.count_and_check / 2; i++) {
                     struct visit *it = &visit[schedule->chunk[c].origin + run.begin + i];
                     *it = (struct visit){(int)schedule->chunk[c].stage, thread, it->times + 1};
                 }
@@ -108,7 +108,7 @@ static int mark_owners(const struct problem *problem, const struct plan *plan, l
 }
 
 static void mark_visits(const struct problem *problem, const struct plan *plan, char *visits,
-                        char *guarded) {
+                        char *checked) {
     for (uint32_t own = 0; own < plan->schedules; own++) {
         const struct schedule *schedule = &plan->schedule[own];
         redcc_int before = -1;
@@ -119,14 +119,14 @@ static void mark_visits(const struct problem *problem, const struct plan *plan, 
             struct run_reader runs = redcc_runs_of(schedule, chunk);
             for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) > 0;) {
                 redcc_int t = chunk->origin + run.begin;
-                assert_true(run.count_and_guard / 2 > 0);
-                for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++, t++) {
+                assert_true(run.count_and_check / 2 > 0);
+                for (redcc_u32 i = 0; i < run.count_and_check / 2; i++, t++) {
                     assert_in_range(t, 0, problem->trip - 1);
                     if (plan->method->keeps == REDCC_ORDER_SERIAL)
                         assert_true(t > before);
                     before = t;
                     visits[t * plan->schedules + own]++;
-                    guarded[t * plan->schedules + own] = run.count_and_guard & 1;
+                    checked[t * plan->schedules + own] = run.count_and_check & 1;
                 }
             }
         }
@@ -142,12 +142,13 @@ void check_plan(const struct problem *problem, const struct plan *plan) {
     if (redcc_goes_without_schedules(plan->method))
         return;
     const size_t cells = (size_t)problem->trip * plan->schedules;
-    char *visits = calloc(cells, 1), *guarded = calloc(cells, 1);
+    char *visits = calloc(cells, 1), *checked = calloc(cells, 1);
     char *mark = calloc(plan->owners, 1);
-    mark_visits(problem, plan, visits, guarded);
+    mark_visits(problem, plan, visits, checked);
     for (long t = 0; t < problem->trip; t++) {
         const int owners = mark_owners(problem, plan, t, mark);
-        const char *visit = visits + t * plan->schedules, *guard = guarded + t * plan->schedules;
+        const char *visit = visits + t * plan->schedules,
+                   *is_checked = checked + t * plan->schedules;
         int times = 0;
         for (uint32_t own = 0; own < plan->schedules; own++)
             times += visit[own];
@@ -161,10 +162,10 @@ void check_plan(const struct problem *problem, const struct plan *plan) {
         }
         for (uint32_t own = 0; own < plan->schedules; own++) {
             assert_int_equal(visit[own], mark[own]);
-            assert_true(guard[own] || !mark[own] || owners == 1);
+            assert_true(is_checked[own] || !mark[own] || owners == 1);
         }
     }
     free(visits);
-    free(guarded);
+    free(checked);
     free(mark);
 }

@@ -28,10 +28,10 @@ void problem_describe(const struct problem *problem, struct described *described
                                    .key_count = 3};
 }
 
-#define TELL_READ(...) redcc_read(&worker, __VA_ARGS__)
-#define TELL_TOUCH(...) redcc_touch(&worker, __VA_ARGS__)
-#define PROBE_READ(...) redcc_probe_read(&probe, &worker, __VA_ARGS__)
-#define PROBE_TOUCH(...) redcc_probe_touch(&probe, &worker, __VA_ARGS__)
+#define TELL_READ(...) redcc_read(worker, __VA_ARGS__)
+#define TELL_TOUCH(...) redcc_touch(worker, __VA_ARGS__)
+#define PROBE_READ(...) redcc_probe_read(&probe, worker, __VA_ARGS__)
+#define PROBE_TOUCH(...) redcc_probe_touch(&probe, worker, __VA_ARGS__)
 
 #define INSPECT(t, READ, TOUCH)                                                                    \
     for (k = start[t]; k < start[t + 1]; k++) {                                                    \
@@ -75,74 +75,94 @@ static void set_known(const struct problem *problem, redcc_extent known[4]) {
     known[3].first = (const char *)problem->value;
 }
 
-int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
-                      long *last) {
+/* What a thread of the region does at first: it records what the blocks touch that it is handed. */
+static void inspect_blocks(redcc_worker *worker, const struct problem *problem) {
+    const int *start = problem->start, *row = problem->row, *other = problem->other;
+    const double *value = problem->value, *first = problem->first, *second = problem->second;
+    const int width = problem->width, second_width = problem->second_width;
+    int k;
+    while (redcc_inspect(worker))
+        for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
+            if (redcc_is_settled(worker)) {
+                const redcc_int from = t;
+                for (; t < worker->last; t++) {
+                    redcc_probe probe = {0, 0, 0, 0, 0, 0};
+                    INSPECT(t, PROBE_READ, PROBE_TOUCH);
+                    if (!redcc_is_alike(&probe))
+                        break;
+                }
+                worker->alike += t - from;
+                if (t == worker->last)
+                    break;
+            }
+            INSPECT(t, TELL_READ, TELL_TOUCH);
+            redcc_iteration_done(worker);
+        }
+}
+
+/* The iterations of a block that write a row that the thread owns. */
+static void classify(redcc_worker *worker, const struct problem *problem) {
+    const int *start = problem->start, *row = problem->row, *other = problem->other;
+    const double *value = problem->value, *first = problem->first, *second = problem->second;
+    const int width = problem->width, second_width = problem->second_width;
+    unsigned char class[REDCC_SELECTED];
+    int k;
+    for (redcc_int t = worker->first; t < worker->last; t++) {
+        redcc_probe probe = {0, 0, 1, 0, 0, 0};
+        INSPECT(t, PROBE_READ, PROBE_TOUCH);
+        class[t - worker->first] = redcc_class_of(&probe);
+    }
+    redcc_classes_give(worker, class);
+}
+
+/* A chunk, run by run. Of the loop's last iteration, `3 t + 1` becomes *last. */
+static void execute_chunk(redcc_worker *worker, const struct problem *problem, long *last) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value;
-    double *first = problem->first, *second = problem->second;
     const int width = problem->width, second_width = problem->second_width;
+    double *const b = worker->base[0];
+    double *const d = second_width ? worker->base[1] : 0;
+    const redcc_owner own_first = worker->owner[0];
+    const redcc_owner own_second = worker->owner[second_width ? 1 : 0];
+    long mine = 0;
+    int k, c;
+    for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {
+        redcc_int t = worker->origin + run->begin;
+        const redcc_int end = t + run->count_and_check / 2;
+        if (!(run->count_and_check & 1))
+            for (; t < end; t++) {
+                BODY((long)t, ALWAYS, ALWAYS);
+            }
+        else
+            for (; t < end; t++) {
+                BODY((long)t, OWN_FIRST, OWN_SECOND);
+            }
+        if (end == problem->trip && redcc_claims_last(worker))
+            *last = mine;
+    }
+}
+
+int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
+                      long *last) {
     const redcc_int trip = problem->trip;
-    void *const bases[] = {first, second};
+    void *const bases[] = {problem->first, problem->second};
     redcc_extent known[4];
-    const redcc_word key[] = {(redcc_size)start, (redcc_size)row, (redcc_size)other};
+    const redcc_word key[] = {(redcc_size)problem->start, (redcc_size)problem->row,
+                              (redcc_size)problem->other};
     set_known(problem, known);
     redcc_call call;
     redcc_loop_make(&described->loop); /* even if it is short: tests inspect it */
     if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {
-#pragma omp parallel num_threads(given < call.threads ? given : call.threads)                      \
-    firstprivate(start, row, other, value, first, second, width, second_width)
+#pragma omp parallel num_threads(given < call.threads ? given : call.threads)
         {
             redcc_worker worker;
-            int k, c;
-            long mine = 0;
             redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
-            while (redcc_inspect(&worker))
-                for (redcc_int t = worker.first; t < worker.last; t += worker.stride) {
-                    if (redcc_is_settled(&worker)) {
-                        const redcc_int from = t;
-                        for (; t < worker.last; t++) {
-                            redcc_probe probe = {0, 0, 0, 0, 0, 0};
-                            INSPECT(t, PROBE_READ, PROBE_TOUCH);
-                            if (!redcc_is_alike(&probe))
-                                break;
-                        }
-                        worker.alike += t - from;
-                        if (t == worker.last)
-                            break;
-                    }
-                    INSPECT(t, TELL_READ, TELL_TOUCH);
-                    redcc_iteration_done(&worker);
-                }
-            for (int asked; (asked = redcc_next(&worker)) != 0;) {
-                if (asked == REDCC_SELECT) {
-                    unsigned char class[REDCC_SELECTED];
-                    for (redcc_int t = worker.first; t < worker.last; t++) {
-                        redcc_probe probe = {0, 0, 1, 0, 0, 0};
-                        INSPECT(t, PROBE_READ, PROBE_TOUCH);
-                        class[t - worker.first] = redcc_class_of(&probe);
-                    }
-                    redcc_classes_give(&worker, class);
-                    continue;
-                }
-                double *const b = worker.base[0];
-                double *const d = second_width ? worker.base[1] : 0;
-                const redcc_owner own_first = worker.owner[0];
-                const redcc_owner own_second = worker.owner[second_width ? 1 : 0];
-                for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
-                    redcc_int t = worker.origin + run->begin;
-                    const redcc_int end = t + run->count_and_guard / 2;
-                    if (!(run->count_and_guard & 1))
-                        for (; t < end; t++) {
-                            BODY((long)t, ALWAYS, ALWAYS);
-                        }
-                    else
-                        for (; t < end; t++) {
-                            BODY((long)t, OWN_FIRST, OWN_SECOND);
-                        }
-                    if (end == trip && redcc_claims_last(&worker))
-                        *last = mine;
-                }
-            }
+            inspect_blocks(&worker, problem);
+            for (int asked; (asked = redcc_next(&worker)) != 0;)
+                if (asked == REDCC_SELECT)
+                    classify(&worker, problem);
+                else
+                    execute_chunk(&worker, problem, last);
         }
     }
     const int done = redcc_leave(&call);

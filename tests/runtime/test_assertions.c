@@ -5,7 +5,7 @@
  *     for (t = 0; t < TRIP; t++) b[row[t]] += t;    row[t] = t
  *
  * And they do not stop where it is: with every iteration to be executed, two rows of different
- * owners for most iterations, and none for the others, what touches nothing may be guarded too.
+ * owners for most iterations, and none for the others, what touches nothing may be checked too.
  */
 #include "loop.h"
 #include "settings.h"
@@ -42,9 +42,9 @@ static redcc_loop loop = {.file = "test_assertions.c",
                           .source_count = 1,
                           .sources = &source};
 
-static void add(redcc_worker *worker, int to, redcc_int t, bool guarded) {
+static void add(redcc_worker *worker, int to, redcc_int t, bool checked) {
     double *const base = worker->base[0];
-    if (to != NO_ROW && (!guarded || redcc_owns(&worker->owner[0], &base[to])))
+    if (to != NO_ROW && (!checked || redcc_owns(&worker->owner[0], &base[to])))
         base[to] += (double)t;
 }
 
@@ -67,10 +67,10 @@ static void execute(void) {
             }
         while (redcc_next(&worker))
             for (const redcc_iterations *run = worker.run; run < worker.run_end; run++)
-                for (redcc_u32 i = 0; i < run->count_and_guard / 2; i++) {
+                for (redcc_u32 i = 0; i < run->count_and_check / 2; i++) {
                     const redcc_int t = worker.origin + run->begin + i;
-                    add(&worker, row[t], t, run->count_and_guard & 1);
-                    add(&worker, other[t], t, run->count_and_guard & 1);
+                    add(&worker, row[t], t, run->count_and_check & 1);
+                    add(&worker, other[t], t, run->count_and_check & 1);
                 }
     }
     assert_int_equal(redcc_leave(&call), 1);
@@ -109,7 +109,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
     for (size_t c = 0; c < good.chunk_count; c++) {
         struct run_reader runs = redcc_runs_of(&good, &good.chunk[c]);
         for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) == 1;)
-            for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++)
+            for (redcc_u32 i = 0; i < run.count_and_check / 2; i++)
                 copy_iteration(schedule, good.chunk[c].stage, good.chunk[c].origin + run.begin + i,
                                thread);
     }
@@ -167,7 +167,7 @@ static void a_changed_schedule_trips_an_assertion(void **unused) {
     }
 }
 
-static void a_plan_that_guards_what_touches_nothing_is_right(void **unused) {
+static void a_plan_that_checks_what_touches_nothing_is_right(void **unused) {
     (void)unused;
     loop.flags = REDCC_VERIFIABLE | REDCC_EVERY_ITERATION;
     for (int t = 0; t < TRIP; t++) {
@@ -184,6 +184,6 @@ int main(void) {
     }
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_changed_schedule_trips_an_assertion),
-        cmocka_unit_test(a_plan_that_guards_what_touches_nothing_is_right)};
+        cmocka_unit_test(a_plan_that_checks_what_touches_nothing_is_right)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

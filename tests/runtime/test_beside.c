@@ -49,10 +49,10 @@ static void execute(const int *q) {
             const redcc_owner own = worker.owner[0];
             for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                 redcc_int t = worker.origin + run->begin;
-                for (redcc_int n = 0; n < run->count_and_guard / 2; n++, t++) {
-                    if (!(run->count_and_guard & 1) || redcc_owns(&own, &b[p[t]]))
+                for (redcc_int n = 0; n < run->count_and_check / 2; n++, t++) {
+                    if (!(run->count_and_check & 1) || redcc_owns(&own, &b[p[t]]))
                         b[p[t]] += (double)t;
-                    if (!(run->count_and_guard & 1) || redcc_owns(&own, &b[q[t]]))
+                    if (!(run->count_and_check & 1) || redcc_owns(&own, &b[q[t]]))
                         b[q[t]] -= 2 * (double)t;
                 }
             }

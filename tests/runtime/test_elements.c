@@ -113,9 +113,9 @@ static int row[TRIP];
                     T(*const b)[1 + GAP] = worker.base[0];                                         \
                     for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) { \
                         int t = (int)(worker.origin + run->begin);                                 \
-                        const int end = t + (int)(run->count_and_guard / 2);                       \
+                        const int end = t + (int)(run->count_and_check / 2);                       \
                         for (; t < end; t++)                                                       \
-                            if (!(run->count_and_guard & 1) ||                                     \
+                            if (!(run->count_and_check & 1) ||                                     \
                                 redcc_owns(&worker.owner[0], &b[row[t]][0])) {                     \
                                 UPDATE(b[row[t]][0], VALUE);                                       \
                             }                                                                      \

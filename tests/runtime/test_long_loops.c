@@ -89,11 +89,11 @@ static int run_loop(redcc_loop *loop, struct tally *tally, redcc_int trip, redcc
                 const redcc_owner own = worker.owner[0];
                 for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     redcc_int t = worker.origin + run->begin;
-                    const redcc_int last = t + run->count_and_guard / 2;
+                    const redcc_int last = t + run->count_and_check / 2;
                     while (t < last) {
                         redcc_int end = last;
                         struct tally *const element = element_of(to, t, stretch, &end);
-                        if (!(run->count_and_guard & 1) || redcc_owns(&own, element))
+                        if (!(run->count_and_check & 1) || redcc_owns(&own, element))
                             execute(element, t, end);
                         t = end;
                     }

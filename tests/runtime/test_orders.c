@@ -303,9 +303,9 @@ static void classify(const redcc_worker *worker, const void *array, size_t bytes
                     T *const to = worker.base[0];                                                  \
                     for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) { \
                         int t = (int)(worker.origin + run->begin);                                 \
-                        const int end = t + (int)(run->count_and_guard / 2);                       \
+                        const int end = t + (int)(run->count_and_check / 2);                       \
                         for (; t < end; t++)                                                       \
-                            if (!(run->count_and_guard & 1) ||                                     \
+                            if (!(run->count_and_check & 1) ||                                     \
                                 redcc_owns(&worker.owner[0], &to[row[t]])) {                       \
                                 T *const b = &to[row[t]];                                          \
                                 UPDATE;                                                            \
@@ -470,9 +470,9 @@ static void rows_by_functions(triple *array, int threads) {
                 const redcc_owner own = worker.owner[0];
                 for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     int t = (int)(worker.origin + run->begin);
-                    const int end = t + (int)(run->count_and_guard / 2);
+                    const int end = t + (int)(run->count_and_check / 2);
                     for (; t < end; t++)
-                        if (run->count_and_guard & 1) {
+                        if (run->count_and_check & 1) {
                             THREE_UPDATES(to[row[t]], OWNED);
                         } else {
                             THREE_UPDATES(to[row[t]], ALWAYS);

@@ -261,13 +261,13 @@ static void more_iterations_than_32_bits_count(void **unused) {
                 struct run_reader runs = redcc_runs_of(schedule, &schedule->chunk[c]);
                 for (redcc_iterations run; redcc_runs_read(&runs, &run, 1) > 0;) {
                     const redcc_int begin = schedule->chunk[c].origin + run.begin;
-                    const redcc_int count = run.count_and_guard / 2;
+                    const redcc_int count = run.count_and_check / 2;
                     assert_true(begin >= before);
                     before = begin + count;
                     visited += count;
                     if (m == 0) {
                         assert_true(begin >= thread * third && before <= (thread + 2) * third);
-                        assert_int_equal(run.count_and_guard & 1,
+                        assert_int_equal(run.count_and_check & 1,
                                          begin >= third && before <= 2 * third);
                     }
                 }
@@ -293,7 +293,7 @@ static void more_iterations_than_32_bits_count(void **unused) {
 static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
     enum { RUNS = 5000 };
     static redcc_int begin[RUNS], length[RUNS];
-    static bool guarded[RUNS];
+    static bool checked[RUNS];
     struct schedule schedule = {0};
     unsigned long random = 88172645463325252u;
     redcc_int at = 0;
@@ -304,10 +304,10 @@ static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
             at -= 50; /* behind the run before, not before the chunk's origin */
         begin[r] = at;
         length[r] = 1 + (redcc_int)(next_random(&random) % (unsigned long)count) * (far ? 5000 : 1);
-        guarded[r] = next_random(&random) % 2;
+        checked[r] = next_random(&random) % 2;
         at += length[r];
         assert_true(
-            redcc_schedule_add(&schedule, (uint32_t)r / 1000, begin[r], length[r], guarded[r]));
+            redcc_schedule_add(&schedule, (uint32_t)r / 1000, begin[r], length[r], checked[r]));
     }
     const redcc_int iterations = schedule.iterations;
     redcc_memory_fail_after(memory ? -1 : 0);
@@ -323,8 +323,8 @@ static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
             for (size_t i = 0; i < got; i++, r++) {
                 assert_int_equal(schedule.chunk[c].stage, r / 1000);
                 assert_true(schedule.chunk[c].origin + run[i].begin == begin[r]);
-                assert_true(run[i].count_and_guard / 2 == length[r]);
-                assert_int_equal(run[i].count_and_guard & 1, guarded[r]);
+                assert_true(run[i].count_and_check / 2 == length[r]);
+                assert_int_equal(run[i].count_and_check & 1, checked[r]);
             }
     }
     assert_int_equal(r, RUNS);

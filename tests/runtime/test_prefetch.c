@@ -17,7 +17,7 @@ enum { MOST_RUNS = 9, MOST_COUNT = 5 };
 static int list_all(const redcc_iterations *run, int runs, redcc_int origin, redcc_int *list) {
     int count = 0;
     for (int r = 0; r < runs; r++)
-        for (redcc_u32 i = 0; i < run[r].count_and_guard / 2; i++)
+        for (redcc_u32 i = 0; i < run[r].count_and_check / 2; i++)
             list[count++] = origin + run[r].begin + i;
     return count;
 }

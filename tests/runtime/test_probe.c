@@ -117,7 +117,7 @@ static void expect_same_schedule(const struct schedule *one, const struct schedu
         while (redcc_runs_read(&mine, &run, 1)) {
             assert_int_equal(redcc_runs_read(&its, &same, 1), 1);
             assert_int_equal(run.begin, same.begin);
-            assert_int_equal(run.count_and_guard, same.count_and_guard);
+            assert_int_equal(run.count_and_check, same.count_and_check);
         }
         assert_int_equal(redcc_runs_read(&its, &same, 1), 0);
     }

@@ -53,10 +53,10 @@ static void execute(const struct rows *it, redcc_worker *worker) {
     const redcc_owner own = worker->owner[0];
     for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {
         redcc_int t = worker->origin + run->begin;
-        const redcc_int end = t + run->count_and_guard / 2;
+        const redcc_int end = t + run->count_and_check / 2;
         for (; t < end; t++) {
             double *to = &it->row[it->s[t]][t % WIDTH];
-            if (!(run->count_and_guard & 1) || redcc_owns(&own, to))
+            if (!(run->count_and_check & 1) || redcc_owns(&own, to))
                 *to += it->value[t];
         }
     }

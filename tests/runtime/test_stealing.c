@@ -80,12 +80,12 @@ static int execute(int threads, bool waits) {
                     sched_yield();
                 for (const redcc_iterations *run = worker.run; run != worker.run_end; run++) {
                     redcc_int t = worker.origin + run->begin;
-                    const redcc_int end = t + run->count_and_guard / 2;
-                    const bool guarded = run->count_and_guard & 1;
+                    const redcc_int end = t + run->count_and_check / 2;
+                    const bool checked = run->count_and_check & 1;
                     for (; t < end; t++) {
                         if (thread < 2)
                             executed_by[t][thread]++;
-                        if (guarded) {
+                        if (checked) {
                             BODY(t, OWN);
                         } else {
                             BODY(t, ALWAYS);

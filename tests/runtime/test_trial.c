@@ -46,13 +46,13 @@ static void tell_all(redcc_worker *worker) {
 
 static void execute_run(const redcc_worker *worker, redcc_iterations run) {
     const redcc_int begin = worker->origin + run.begin;
-    const int guarded = run.count_and_guard & 1;
+    const int checked = run.count_and_check & 1;
     const redcc_owner *owner = &worker->owner[0];
-    for (redcc_int t = begin; t < begin + run.count_and_guard / 2; t++) {
+    for (redcc_int t = begin; t < begin + run.count_and_check / 2; t++) {
         double *const first = &b[row[t]], *const second = &b[other[t]];
-        if (!guarded || redcc_owns(owner, first))
+        if (!checked || redcc_owns(owner, first))
             *first = *first * 0.5 + (double)t;
-        if (!guarded || redcc_owns(owner, second))
+        if (!checked || redcc_owns(owner, second))
             *second += (double)t;
     }
 }
@@ -64,7 +64,7 @@ static void execute_all(redcc_worker *worker) {
         long count = 0;
         for (const redcc_iterations *run = worker->run; run != worker->run_end; run++) {
             execute_run(worker, *run);
-            count += run->count_and_guard / 2;
+            count += run->count_and_check / 2;
         }
         __atomic_fetch_add(&iterations[variant], count, __ATOMIC_RELAXED);
         __atomic_fetch_add(&changes, before >= 0 && before != variant, __ATOMIC_RELAXED);

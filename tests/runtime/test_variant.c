@@ -186,9 +186,9 @@ static void iterations_are_cut_into_parts(void **unused) {
     assert_true(iterations[0] == 0); /* NOLINT */
 }
 
-/* The runs of a chunk, read in parts of each length, have the same iterations, guarded as before.
+/* The runs of a chunk, read in parts of each length, have the same iterations, checked as before.
  */
-static void expect_all_in_parts(const struct schedule *schedule, const char *guarded,
+static void expect_all_in_parts(const struct schedule *schedule, const char *checked,
                                 redcc_int trip, redcc_int length) {
     struct run_reader reader = redcc_runs_of(schedule, &schedule->chunk[0]);
     redcc_iterations run[3];
@@ -199,9 +199,9 @@ static void expect_all_in_parts(const struct schedule *schedule, const char *gua
         assert_in_range(count, 1, 3);
         redcc_int read = 0;
         for (size_t r = 0; r < count; r++)
-            for (redcc_u32 i = 0; i < run[r].count_and_guard / 2; i++, read++) {
+            for (redcc_u32 i = 0; i < run[r].count_and_check / 2; i++, read++) {
                 assert_int_equal(schedule->chunk[0].origin + run[r].begin + i, at);
-                assert_int_equal(run[r].count_and_guard & 1, guarded[at++]);
+                assert_int_equal(run[r].count_and_check & 1, checked[at++]);
             }
         assert_int_equal(before - left, read);
         assert_true(left >= 0);
@@ -214,7 +214,7 @@ static void expect_all_in_parts(const struct schedule *schedule, const char *gua
 static void runs_are_read_in_parts(void **unused) {
     (void)unused;
     enum { TRIP = 6000 };
-    static char guarded[TRIP];
+    static char checked[TRIP];
     for (int longest = 2; longest <= 200; longest *= 10) { /* packed runs, and long ones */
         struct schedule schedule = {0};
         redcc_int at = 0;
@@ -222,13 +222,13 @@ static void runs_are_read_in_parts(void **unused) {
             redcc_int count = 1 + r * 7 % longest;
             count = count < TRIP - at ? count : TRIP - at;
             assert_true(redcc_schedule_add(&schedule, 0, at, count, r % 2));
-            memset(guarded + at, r % 2, (size_t)count);
+            memset(checked + at, r % 2, (size_t)count);
             at += count;
         }
         redcc_schedule_finish(&schedule);
         assert_int_equal(schedule.packed != NULL, longest < 200);
         for (redcc_int length = 1; length <= TRIP; length += 1 + length / 3)
-            expect_all_in_parts(&schedule, guarded, TRIP, length);
+            expect_all_in_parts(&schedule, checked, TRIP, length);
         redcc_schedule_end(&schedule);
     }
 }

@@ -197,8 +197,8 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
 /** The first form to try. */
 static loop_form first_form(const loop_text *start, unsigned number, bool has_lanes) {
     const bool is_asked = start->plan->no_lanes != LANES_NOT_ASKED;
-    const bool is_left = start->options->leave && start->options->leave[number];
-    return is_asked && has_lanes && !is_left ? FORM_LANES : FORM_BINNED;
+    const bool is_without = start->options->no_lanes && start->options->no_lanes[number];
+    return is_asked && has_lanes && !is_without ? FORM_LANES : FORM_BINNED;
 }
 
 /** Adds the text of one loop; false, with *why set, if it cannot be written. */
@@ -358,7 +358,8 @@ static bool may_have_lanes(const file_text *f) {
         const loop_plan *plan = f->plans[i];
         f->lanes[i] = plan ? (lanes_outcome){plan->no_lanes, plan->facts->loop->range}
                            : (lanes_outcome){.why = LANES_NOT_ASKED};
-        may |= f->lanes[i].why == LANES_WRITTEN && !(f->options->leave && f->options->leave[i]);
+        may |=
+            f->lanes[i].why == LANES_WRITTEN && !(f->options->no_lanes && f->options->no_lanes[i]);
     }
     return may;
 }

@@ -23,8 +23,8 @@ typedef struct plan_options {
                              * that functions of other files are those that were analysed; NULL: no
                              * loop depends on other files */
     lanes_wish lanes;
-    const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once.
-                                 * NULL: 0 everywhere */
+    const unsigned char *no_lanes; /* by verdict: 1: write nothing for several iterations at once.
+                                    * NULL: 0 everywhere */
 } plan_options;
 
 #endif

@@ -229,7 +229,7 @@ static void dump(const ir_unit *unit) {
  *  written in a simpler form. */
 static analysis_result without_wrong(arena *a, const analysis_result *analysed,
                                      const emit_result *written, const reason *found,
-                                     unsigned char *leave) {
+                                     unsigned char *no_lanes) {
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed->verdict_count + 1);
     for (unsigned i = 0; i < analysed->verdict_count; i++)
         verdicts[i] = analysed->verdicts[i];
@@ -238,7 +238,7 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
         if (found[i].id == REASON_NONE)
             continue;
         if (written->loops[i].has_lanes) {
-            leave[written->loops[i].verdict]++;
+            no_lanes[written->loops[i].verdict]++;
             continue;
         }
         verdict->kind = VERDICT_REFUSE;
@@ -255,15 +255,15 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
-    unsigned char *leave = ARENA_ARRAY(a, unsigned char, analysed->verdict_count + 1);
+    unsigned char *no_lanes = ARENA_ARRAY(a, unsigned char, analysed->verdict_count + 1);
     plan_options own = *how;
-    own.leave = leave;
+    own.no_lanes = no_lanes;
     for (;;) {
         const emit_result written = emit_file(a, unit, analysed, &own);
         reason *found = ARENA_ARRAY(a, reason, written.loop_count + 1);
         if (written.loop_count == 0 || !is_kept || self_check(a, unit, flags, &written, found))
             return written;
-        *analysed = without_wrong(a, analysed, &written, found, leave);
+        *analysed = without_wrong(a, analysed, &written, found, no_lanes);
     }
 }
 

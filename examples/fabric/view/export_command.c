@@ -50,10 +50,7 @@ static int export_run(const char *folder, const char *given) {
         run_frames_open(&run, folder) == 0 && files_output(to, folder, "vtu", given) == 0
             ? write_run(&run, to)
             : -1;
-    if (status == 0)
-        printf("%d frames of %d vertices in %s\n", run.of.count, run.of.vertex_count, to);
-    run_frames_close(&run);
-    return status;
+    return run_frames_finish(&run, status, to);
 }
 
 static int run(const command *self, int argc, char **argv) {

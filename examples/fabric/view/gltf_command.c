@@ -39,10 +39,7 @@ static int write_run(const char *folder, const char *path) {
         scene_free(&of);
     } else
         status = -1;
-    if (status == 0)
-        printf("%d frames of %d vertices in %s\n", run.of.count, run.of.vertex_count, path);
-    run_frames_close(&run);
-    return status;
+    return run_frames_finish(&run, status, path);
 }
 
 static int run(const command *self, int argc, char **argv) {

@@ -42,3 +42,10 @@ void run_frames_close(run_frames *r) {
     free(r->time);
     frames_close(&r->files);
 }
+
+int run_frames_finish(run_frames *r, int status, const char *to) {
+    if (status == 0)
+        printf("%d frames of %d vertices in %s\n", r->of.count, r->of.vertex_count, to);
+    run_frames_close(r);
+    return status;
+}

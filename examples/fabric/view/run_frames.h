@@ -18,4 +18,7 @@ typedef struct run_frames {
 int run_frames_open(run_frames *r, const char *folder);
 void run_frames_close(run_frames *r);
 
+/** Closes it after an export to `to`, and says so if `status` is 0. Returns status. */
+int run_frames_finish(run_frames *r, int status, const char *to);
+
 #endif

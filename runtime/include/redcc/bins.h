@@ -56,7 +56,7 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 
 /* ---- in generated text ---------------------------------------------------------------------- */
 
-/** Values of redcc__guarded besides 0 and 1: updates are pushed, or made on private copies. */
+/** Values of redcc__checked besides 0 and 1: updates are pushed, or made on private copies. */
 enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 
 /** An element's number, counted from the array's first one. */
@@ -109,25 +109,25 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
  *  this update, and of the following ones that share the record of stream `redcc_s`. */
 #define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
                         redcc_values)                                                              \
-    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+    if (redcc__checked == REDCC_IN_BINS) {                                                         \
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
     } else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 /** The same for an update without operands: only its row is recorded. */
 #define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
-    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+    if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
     else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 /** The same for an update that shares an earlier record: nothing is kept. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
-    if (redcc__guarded != REDCC_IN_BINS &&                                                         \
+    if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 #define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
-    (redcc__guarded == REDCC_IN_COPIES                                                             \
+    (redcc__checked == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
-         : !redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+         : !redcc__checked || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of an element behind a pointer, counted from address 0. In bins the pointer, at
  *  redcc_pointer unless that is 0, may be loaded from a place that is not verified: if it
@@ -140,24 +140,24 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
          : REDCC_NO_ROW)
 #define REDCC_UPDATE_BEHIND_BY(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at, redcc_record, \
                                redcc_values)                                                       \
-    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+    if (redcc__checked == REDCC_IN_BINS) {                                                         \
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, &redcc__e);  \
     } else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
 #define REDCC_UPDATE_BEHIND_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_pointer, redcc_at)            \
-    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+    if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at), redcc_tag, 0);          \
     else if (REDCC_IS_MADE(redcc_i, 0, redcc_at))
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
-    if (redcc__guarded != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
+    if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
 /** In place of an inner loop over consecutive elements behind a pointer: keeps one record, of the
  *  first element's address, their number, and what redcc_set sets. */
 #define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number, redcc_record,     \
                         redcc_set)                                                                 \
-    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+    if (redcc__checked == REDCC_IN_BINS) {                                                         \
         const redcc_int redcc__number = redcc_number;                                              \
         if (redcc__number > 0 &&                                                                   \
             ((redcc_size)(redcc_pointer) == 0 ||                                                   \
@@ -183,7 +183,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 /** The same for a stream whose array has rows of several elements. */
 #define REDCC_UPDATE_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
-    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+    if (redcc__checked == REDCC_IN_BINS) {                                                         \
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, &redcc__e);  \
@@ -191,27 +191,27 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                              redcc_at))
 #define REDCC_UPDATE_ROW_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,       \
                                redcc_part)                                                         \
-    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+    if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);          \
     else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),        \
                            redcc_at))
 #define REDCC_UPDATE_ROW_WITH(redcc_i, redcc_base, redcc_at, redcc_row, redcc_part)                \
-    if (redcc__guarded != REDCC_IN_BINS &&                                                         \
+    if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
 /** Precedes a loop over constants whose iterations update parts of one row: keeps one record of all
  *  that they add, or only of the row. The updates inside are REDCC_UPDATE_ROW_WITH. */
 #define REDCC_APPEND_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
-    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+    if (redcc__checked == REDCC_IN_BINS) {                                                         \
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, &redcc__e);  \
     }
 #define REDCC_APPEND_ROW_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,       \
                                redcc_part)                                                         \
-    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+    if (redcc__checked == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);
 
@@ -392,7 +392,7 @@ REDCC_RECORDS(float);
     const redcc_bins *const redcc__bins_##redcc_i = &redcc__bin_##redcc_i;                         \
     const redcc_owner redcc__owner_##redcc_i = {0, 0, 0, 0, 0, 0};                                 \
     void *const redcc__base_##redcc_i __attribute__((__unused__)) =                                \
-        redcc__guarded == REDCC_IN_COPIES                                                          \
+        redcc__checked == REDCC_IN_COPIES                                                          \
             ? redcc_copy_base(redcc__bins_##redcc_i,                                               \
                               &redcc__streams[redcc__part_##redcc_i.stream],                       \
                               redcc__part_##redcc_i.part)                                          \
@@ -408,7 +408,7 @@ REDCC_RECORDS(float);
 /** Executes iterations whose updates are kept, or made on copies. */
 #define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_call_of_slice, redcc_call_of_body)        \
     {                                                                                              \
-        const int redcc__guarded = redcc_mode;                                                     \
+        const int redcc__checked = redcc_mode;                                                     \
         redcc_probe *const redcc__probe __attribute__((__unused__)) = 0;                           \
         redcc_bins_n##_OF(REDCC_BINS_OF) for (redcc__k = redcc__worker->first;                     \
                                               redcc__k < redcc__worker->last; redcc__k++) {        \

@@ -243,9 +243,9 @@ static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attem
 #endif
         }
         for (; run != run_end; run++) {
-            const int asks = (int)(run->count_and_guard & 1);
+            const int asks = (int)(run->count_and_check & 1);
             redcc_int k = worker->origin + run->begin;
-            const redcc_int end = k + run->count_and_guard / 2;
+            const redcc_int end = k + run->count_and_check / 2;
 #ifdef REDCC_ONE_BODY
             owned.mode = asks ? REDCC_OWNED : REDCC_PLAIN;
 #else

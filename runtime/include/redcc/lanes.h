@@ -179,7 +179,7 @@ static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_ro
  *  block is padded by repeating its last iteration, which is computed but updates nothing. */
 typedef struct redcc_block {
     redcc_int k[REDCC_WIDTH];
-    int guarded[REDCC_WIDTH];
+    int checked[REDCC_WIDTH];
     int count;
 } redcc_block;
 
@@ -188,7 +188,7 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
     int count = 0, l;
     for (; count < REDCC_WIDTH && redcc_ahead_step(from); count++) {
         block->k[count] = from->k;
-        block->guarded[count] = (int)(from->run[-1].count_and_guard & 1);
+        block->checked[count] = (int)(from->run[-1].count_and_check & 1);
     }
     for (l = count; count && l < REDCC_WIDTH; l++)
         block->k[l] = block->k[count - 1];
@@ -222,12 +222,12 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
                 for (redcc__l = 0; redcc__wished && redcc__l < REDCC_WIDTH; redcc__l++)            \
                     REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
                 if (redcc__at_once) {                                                              \
-                    const int redcc__guarded = 0;                                                  \
+                    const int redcc__checked = 0;                                                  \
                     redcc_name redcc_arguments;                                                    \
-                    (void)redcc__guarded;                                                          \
+                    (void)redcc__checked;                                                          \
                 } else                                                                             \
                     for (redcc__l = 0; redcc__l < redcc__block.count; redcc__l++) {                \
-                        const int redcc__guarded = redcc__block.guarded[redcc__l];                 \
+                        const int redcc__checked = redcc__block.checked[redcc__l];                 \
                         redcc__k = redcc__block.k[redcc__l];                                       \
                         redcc_call_of_body;                                                        \
                     }                                                                              \

@@ -247,202 +247,11 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
             redcc__calls->sequential_end(&(redcc_site).binned.loop);                               \
     } while (0);
 
-/* ---- the slice ----------------------------------------------------------------------------- */
-
-/** redcc__probe is 0 if addresses are recorded, redcc__teller 0 if they are prefetched. redcc__told
- *  is 0 if all of them are recorded; otherwise its bits select the sources. All are constants, and
- *  each use of the function is compiled separately. */
-#define REDCC_SLICE REDCC_INLINE void
-#define REDCC_SLICE_PARAMETERS                                                                     \
-    redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
-        redcc_worker *const redcc__worker __attribute__((__unused__)),                             \
-        const redcc_u32 redcc__told __attribute__((__unused__))
-#define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
-#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told, redcc__by_calls
-
-/** For long iterations (lanes.h): compiled once for all uses, recording addresses by calls. Other
- *  slices record them inline. */
-#define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
-#define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
-enum { redcc__by_calls = 0 };
-
-/** The iteration may update, or read, `redcc_n` bytes at an address. */
-#define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
-    redcc_slice_touch(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
-#define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
-    redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
-
-/** The same for redcc_base[redcc_row]. No iteration changes redcc_base, so the number identifies
- *  the row. */
-#define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
-    redcc_slice_touch_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],      \
-                          (const void *)(redcc_base), (redcc_int)(redcc_row),                      \
-                          sizeof((redcc_base)[redcc_row]))
-#define REDCC_READ_ROW(redcc_i, redcc_base, redcc_row)                                             \
-    redcc_slice_read_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],       \
-                         (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
-                         sizeof((redcc_base)[redcc_row]))
-
-/** In a loop that needs a dry run: ends it after an update, or after a read that may overlap
- *  one. */
-#define REDCC_RETURN_IF_OVER                                                                       \
-    if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
-        return;
-#define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
-    if (redcc__worker && !redcc__probe && !redcc__told &&                                          \
-        redcc_is_over(redcc__worker, redcc_source))                                                \
-        return;
-
-/** An iteration leaves the loop. */
-#define REDCC_LEAVE                                                                                \
-    {                                                                                              \
-        if (redcc__worker && !redcc__probe && !redcc__told)                                        \
-            redcc_iteration_leaves(redcc__worker);                                                 \
-        return;                                                                                    \
-    }
-
-/** The owner of the row that is touched next executes the whole iteration (redcc/series.h). */
-#define REDCC_LEADER                                                                               \
-    if (redcc__probe)                                                                              \
-        redcc__probe->preferred = 1;
-
-/** All from an address to before another. */
-#define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
-    redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
-
-/* The common case, a touch within the owned range of an owner without a map, is handled inline;
- * this function has the rest. */
-static __attribute__((__noinline__, __unused__)) void
-redcc_tell_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array, const void *address,
-                   redcc_size bytes) {
-    if (probe)
-        redcc_probe_touch(probe, worker, array, address, bytes);
-    else
-        redcc_touch(worker, array, address, bytes);
-}
-REDCC_INLINE void redcc_tell_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
-                                   const void *address, redcc_size bytes) {
-    const redcc_owner *window = &worker->window[array];
-    int *const inside = probe ? &probe->inside : &worker->inside;
-    if (window->map || redcc_leaves(window->first, window->size, address, bytes))
-        redcc_tell_outside(probe, worker, array, address, bytes);
-    else
-        *inside = 1;
-}
-static __attribute__((__noinline__, __unused__)) void
-redcc_tell_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source, const void *address,
-                redcc_size bytes) {
-    if (probe)
-        redcc_probe_read(probe, worker, source, address, bytes);
-    else
-        redcc_read(worker, source, address, bytes);
-}
-
-REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                    int by_calls, redcc_u32 array, const void *address,
-                                    redcc_size bytes) {
-    if (told)
-        return;
-    if (!worker)
-        redcc_prefetch((const char *)address, bytes);
-    else if (by_calls)
-        redcc_tell_touch(probe, worker, array, address, bytes);
-    else if (probe)
-        redcc_probe_touch(probe, worker, array, address, bytes);
-    else
-        redcc_touch(worker, array, address, bytes);
-}
-
-REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                   int by_calls, redcc_u32 source, const void *address,
-                                   redcc_size bytes) {
-    if (told && !(told >> source & 1))
-        return;
-    if (!worker)
-        redcc_prefetch((const char *)address, bytes);
-    else if (by_calls)
-        redcc_tell_read(probe, worker, source, address, bytes);
-    else if (probe)
-        redcc_probe_read(probe, worker, source, address, bytes);
-    else
-        redcc_read(worker, source, address, bytes);
-}
-
-REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                        int by_calls, redcc_u32 array, const void *address,
-                                        const void *base, redcc_int row, redcc_size bytes) {
-    if (told)
-        return;
-    if (!worker)
-        redcc_prefetch((const char *)address, bytes);
-    else if (by_calls)
-        redcc_tell_touch(probe, worker, array, address, bytes);
-    else if (probe)
-        redcc_probe_touch_row(probe, worker, array, base, row, bytes);
-    else
-        redcc_touch(worker, array, address, bytes);
-}
-
-REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                       int by_calls, redcc_u32 source, const void *address,
-                                       const void *base, redcc_int row, redcc_size bytes) {
-    if (told && !(told >> source & 1))
-        return;
-    if (!worker)
-        redcc_prefetch((const char *)address, bytes);
-    else if (by_calls)
-        redcc_tell_read(probe, worker, source, address, bytes);
-    else if (probe)
-        redcc_probe_read_row(probe, worker, source, base, row, bytes);
-    else
-        redcc_read(worker, source, address, bytes);
-}
-
-REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                         int by_calls, redcc_u32 array, const char *first,
-                                         const char *end) {
-    (void)by_calls; /* a span is one place */
-    if (told)
-        return;
-    if (!worker)
-        redcc_prefetch((const char *)first, (redcc_size)(end - first));
-    else if (probe)
-        redcc_probe_touch(probe, worker, array, first, (redcc_size)(end - first));
-    else
-        redcc_touch_span(worker, array, first, end);
-}
-
-/** Hands out blocks of iterations to inspect. Iterations that need no record are compared in a loop
- *  that neither calls nor stores, so that a compiler keeps the invariants in registers. */
-#define REDCC_INSPECT(redcc_call_of_slice)                                                         \
-    while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
-        const redcc_u32 redcc__told = 0;                                                           \
-        for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last;                      \
-             redcc__k += redcc__worker->stride) {                                                  \
-            if (redcc_is_settled(redcc__worker)) {                                                 \
-                const redcc_int redcc__from = redcc__k;                                            \
-                for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
-                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                  \
-                    redcc_probe *const redcc__probe = &redcc__seen;                                \
-                    redcc_call_of_slice;                                                           \
-                    if (!redcc_is_alike(&redcc__seen))                                             \
-                        break;                                                                     \
-                }                                                                                  \
-                redcc__worker->alike += redcc__k - redcc__from;                                    \
-                if (redcc__k == redcc__worker->last)                                               \
-                    break;                                                                         \
-            }                                                                                      \
-            {                                                                                      \
-                redcc_probe *const redcc__probe = 0;                                               \
-                redcc_call_of_slice;                                                               \
-                redcc_iteration_done(redcc__worker);                                               \
-            }                                                                                      \
-        }                                                                                          \
-    }
+#include <redcc/slice.h>
 
 /* ---- the body ------------------------------------------------------------------------------ */
 
-/** redcc__guarded is a constant in each use of the function. */
+/** redcc__checked is a constant in each use of the function. */
 #define REDCC_BODY REDCC_INLINE void
 
 /** Marked cold, because otherwise gcc keeps the body's constants in memory: no floating-point
@@ -459,12 +268,12 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
-    if (!redcc__guarded || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+    if (!redcc__checked || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** Begins an iteration of an inner loop: in the owner-checked form it is skipped if the thread owns
  *  no row that it would update. */
 #define REDCC_TURN(redcc_owned)                                                                    \
-    if (redcc__guarded == 1 && !(redcc_owned))                                                     \
+    if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;
 /** Is the thread to go through all of the iteration, of a loop without series? */
 #define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
@@ -473,14 +282,14 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 
 /* For each array of a chunk: where to write, and which elements the thread owns. */
 #define REDCC_BODY_PARAMETERS_1                                                                    \
-    redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__guarded,       \
+    redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__checked,       \
         const redcc_owner *const redcc__own_0
 #define REDCC_BODY_PARAMETERS_2 REDCC_BODY_PARAMETERS_1, const redcc_owner *const redcc__own_1
 #define REDCC_BODY_PARAMETERS_3 REDCC_BODY_PARAMETERS_2, const redcc_owner *const redcc__own_2
 #define REDCC_BODY_PARAMETERS_4 REDCC_BODY_PARAMETERS_3, const redcc_owner *const redcc__own_3
 #define REDCC_BODY_PARAMETERS_5 REDCC_BODY_PARAMETERS_4, const redcc_owner *const redcc__own_4
 #define REDCC_BODY_PARAMETERS_6 REDCC_BODY_PARAMETERS_5, const redcc_owner *const redcc__own_5
-#define REDCC_BODY_ARGUMENTS_1 redcc__worker, redcc__guarded, &redcc__owner_0
+#define REDCC_BODY_ARGUMENTS_1 redcc__worker, redcc__checked, &redcc__owner_0
 #define REDCC_BODY_ARGUMENTS_2 REDCC_BODY_ARGUMENTS_1, &redcc__owner_1
 #define REDCC_BODY_ARGUMENTS_3 REDCC_BODY_ARGUMENTS_2, &redcc__owner_2
 #define REDCC_BODY_ARGUMENTS_4 REDCC_BODY_ARGUMENTS_3, &redcc__owner_3
@@ -496,52 +305,24 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_CHUNK_5 REDCC_CHUNK_4 REDCC_CHUNK_OF(4)
 #define REDCC_CHUNK_6 REDCC_CHUNK_5 REDCC_CHUNK_OF(5)
 
-/* ---- tiles ---------------------------------------------------------------------------------- */
-
-/** For each iteration of a tile, its turns from column redcc__from to before redcc__to. */
-#define REDCC_TILE_PARAMETERS                                                                      \
-    redcc_worker *const redcc__worker __attribute__((__unused__)),                                 \
-        const redcc_tile *const redcc__tile __attribute__((__unused__)),                           \
-        const redcc_int redcc__from, const redcc_int redcc__to
-#define REDCC_TILE_ARGUMENTS redcc__worker, &redcc__tile, redcc__from, redcc__to
-#define REDCC_TILE_FROM(redcc_type, redcc_lower)                                                   \
-    (redcc__from > (redcc_int)(redcc_lower) ? (redcc_type)redcc__from : (redcc_type)(redcc_lower))
-#define REDCC_TILE_TO(redcc_type, redcc_bound)                                                     \
-    (redcc__to < (redcc_int)(redcc_bound) ? (redcc_type)redcc__to : (redcc_type)(redcc_bound))
-/** The same for counter <= bound. */
-#define REDCC_TILE_UP_TO(redcc_type, redcc_bound)                                                  \
-    (redcc__to - 1 < (redcc_int)(redcc_bound) ? (redcc_type)(redcc__to - 1)                        \
-                                              : (redcc_type)(redcc_bound))
-
-/** In front of a chunk's declarations: what is handed out may be a tile. */
-#define REDCC_TILED(redcc_call_of_tile)                                                            \
-    if (__builtin_expect(redcc__asked == REDCC_TILE, 0)) {                                         \
-        const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
-        const redcc_int redcc__from =                                                              \
-            redcc__tile.is_first ? -__LONG_LONG_MAX__ : redcc__lower + redcc__tile.column;         \
-        const redcc_int redcc__to =                                                                \
-            redcc__tile.is_last ? __LONG_LONG_MAX__ : redcc__lower + redcc__tile.column_end;       \
-        for (redcc__k = redcc__tile.row; redcc__k < redcc__tile.row_end; redcc__k++)               \
-            redcc_call_of_tile;                                                                    \
-        continue;                                                                                  \
-    }
+#include <redcc/tiles.h>
 
 /** Executes the runs from redcc__run to redcc__run_end, owner-checked or plain: with prefetches in
  *  steps of one iteration, else each run at once. */
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
-            redcc__worker->origin + redcc__run->begin + redcc__run->count_and_guard / 2;           \
+            redcc__worker->origin + redcc__run->begin + redcc__run->count_and_check / 2;           \
         redcc__k = redcc__worker->origin + redcc__run->begin;                                      \
         while (redcc__k < redcc__end) {                                                            \
             const redcc_int redcc__stop = redcc__wished ? redcc__k + 1 : redcc__end;               \
             REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                \
-            if (!(redcc__run->count_and_guard & 1)) {                                              \
-                const int redcc__guarded = 0;                                                      \
+            if (!(redcc__run->count_and_check & 1)) {                                              \
+                const int redcc__checked = 0;                                                      \
                 for (; redcc__k < redcc__stop; redcc__k++)                                         \
                     redcc_call_of_body;                                                            \
             } else {                                                                               \
-                const int redcc__guarded = 1;                                                      \
+                const int redcc__checked = 1;                                                      \
                 for (; redcc__k < redcc__stop; redcc__k++)                                         \
                     redcc_call_of_body;                                                            \
             }                                                                                      \
@@ -593,7 +374,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
     }
 
 /** Precedes a loop of few iterations, which the compiler is to unroll. redcc writes it for at most
- *  16 iterations. _PLAIN excludes the owner-checked form (redcc__guarded is 1), which takes long to
+ *  16 iterations. _PLAIN excludes the owner-checked form (redcc__checked is 1), which takes long to
  *  compile and is rarely executed. */
 #ifdef __clang__
 #define REDCC_UNROLLED                                                                             \
@@ -601,7 +382,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_UNROLLED_PLAIN REDCC_UNROLLED
 #else
 #define REDCC_UNROLLED _Pragma("GCC unroll 16")
-#define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__guarded ? 1 : 16)")
+#define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
 
 /* ---- all of it ----------------------------------------------------------------------------- */

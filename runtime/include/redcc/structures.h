@@ -69,11 +69,13 @@ typedef struct redcc_array {
  *  parallel. */
 typedef struct redcc_source {
     const char *name;
-    int is_subscript; /**< bits: 1: its contents decide which elements are touched, so a plan is
-                       * reused only while they are unchanged; and of the following */
+    int flags; /**< bits of the following */
 } redcc_source;
 
 enum {
+    /** Its contents decide which elements are touched: a plan is reused only while they are
+     *  unchanged. */
+    REDCC_IS_SUBSCRIPT = 1,
     /** A scalar in memory that the loop adds to: it must not overlap an array of the loop, another
      *  such scalar, */
     REDCC_IS_SCALAR = 2,
@@ -83,8 +85,8 @@ enum {
      *  their records. It may overlap scalars only. */
     REDCC_MEETS_NO_ARRAY = 8
 };
-/** Elements of each iteration's own, which are scalars so: those behind one base are known to be
- *  apart. */
+/** Elements of each iteration's own are such scalars; those behind one base are known to be
+ *  disjoint. */
 #define REDCC_BEHIND(redcc_base) ((redcc_base)*256)
 
 /** Any function, by its address. */
@@ -128,9 +130,10 @@ typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void
     __attribute__((__unused__));
 
 enum {
-    /** The subscripts depend only on the key, the trip count and the sources marked is_subscript.
-     *  These are listed in the order in which the slice reads them, so that a plan may be reused
-     *  once they are found unchanged. Without the flag every execution inspects again. */
+    /** The subscripts depend only on the key, the trip count and the sources marked
+     * REDCC_IS_SUBSCRIPT. These are listed in the order in which the slice reads them, so that a
+     * plan may be reused once they are found unchanged. Without the flag every execution inspects
+     * again. */
     REDCC_VERIFIABLE = 1,
     /** The order was named explicitly at translation, not by default. */
     REDCC_ORDER_EXPLICIT = 2,
@@ -245,7 +248,7 @@ typedef struct redcc_call {
 /** Consecutive iterations of a chunk, relative to its origin. */
 typedef struct redcc_iterations {
     redcc_u32 begin;
-    redcc_u32 count_and_guard; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
+    redcc_u32 count_and_check; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
 } redcc_iterations;
 
 struct redcc_hook;

@@ -134,7 +134,7 @@ static bool look(const struct touches *touches) {
     for (uint32_t w = 0; known && w < touches->written_count; w++)
         known = find_parts(&maps, touches->written[w], &parts);
     for (uint32_t r = 0; known && touches->loop && r < touches->read_count; r++)
-        if (touches->loop->sources[r].is_subscript & REDCC_IS_SCALAR)
+        if (touches->loop->sources[r].flags & REDCC_IS_SCALAR)
             known = find_parts(&maps, touches->read[r], &parts);
     const bool aliased = !known || (parts.count > 0 && have_images(&maps, touches, &parts));
     redcc_maps_close(&maps);

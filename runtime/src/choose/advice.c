@@ -72,7 +72,7 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
 static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) {
     double bytes = 0;
     for (uint32_t s = 0; s < loop->source_count; s++)
-        if ((loop->sources[s].is_subscript & 1) && known[s].end)
+        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && known[s].end)
             bytes += (double)(known[s].end - known[s].first);
     return bytes;
 }

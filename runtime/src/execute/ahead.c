@@ -8,7 +8,7 @@
 static int turn(redcc_ahead *it) {
     for (; it->run != it->run_end; it->run++) {
         it->k = it->origin + it->run->begin;
-        it->end = it->k + it->run->count_and_guard / 2;
+        it->end = it->k + it->run->count_and_check / 2;
         if (it->k < it->end) {
             it->run++;
             return 1;

@@ -234,7 +234,7 @@ void redcc_run_own_nothing(redcc_worker *worker) {
 bool redcc_run_again(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const bool is_left = hand_out_in_order(worker);
-    runner->whole.count_and_guard |= 1;
+    runner->whole.count_and_check |= 1;
     return is_left;
 }
 
@@ -335,7 +335,7 @@ static bool hand_out_runs(redcc_worker *worker) {
     }
     const size_t count = read_runs(worker);
     for (size_t r = 0; hooked && r < count; r++)
-        runner->piece[r].count_and_guard |= 1;
+        runner->piece[r].count_and_check |= 1;
     worker->run = runner->piece;
     worker->run_end = runner->piece + count;
     return count > 0;
@@ -477,7 +477,7 @@ static void note_error(const redcc_worker *worker) {
     if (runner->step != STEP_EXECUTE && runner->step != STEP_REST)
         return;
     const redcc_iterations *last = worker->run_end - 1;
-    redcc_note_error(runner->run, worker->origin + last->begin + last->count_and_guard / 2);
+    redcc_note_error(runner->run, worker->origin + last->begin + last->count_and_check / 2);
 }
 
 int redcc_error_of(struct run *run) {

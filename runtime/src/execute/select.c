@@ -3,7 +3,7 @@
 
 #include <assert.h>
 
-enum { SKIPPED = -1, PLAIN = 0, GUARDED = 1 };
+enum { SKIPPED = -1, PLAIN = 0, CHECKED = 1 };
 
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
     selection->trip = trip;
@@ -38,9 +38,9 @@ static int part_of(const struct selection *selection, redcc_int iteration, bool 
     const unsigned class = selection->class[iteration] & ~(unsigned)REDCC_CLASS_LEADS;
     switch (class) {
     case REDCC_CLASS_OWN:
-        return hooked ? GUARDED : PLAIN;
+        return hooked ? CHECKED : PLAIN;
     case REDCC_CLASS_OWN | REDCC_CLASS_OTHERS:
-        return GUARDED;
+        return CHECKED;
     default:
         return SKIPPED;
     }
@@ -68,13 +68,13 @@ size_t redcc_selection_take(struct selection *selection, const redcc_worker *wor
         int part = part_of(selection, i, hooked);
         if (selection->class[i] == 0 && worker->first + i >= selection->idle_begin &&
             worker->first + i < selection->idle_end)
-            part = hooked ? GUARDED : PLAIN;
+            part = hooked ? CHECKED : PLAIN;
         if (part != SKIPPED && runs > 0 && selection->follows != follows(selection, i))
             break;
         if (part != SKIPPED)
             selection->follows = follows(selection, i);
         if (part != SKIPPED && part == last)
-            to[runs - 1].count_and_guard += 2;
+            to[runs - 1].count_and_check += 2;
         else if (part != SKIPPED)
             to[runs++] = (redcc_iterations){(redcc_u32)i, 2 + (redcc_u32)part};
         *iterations += part != SKIPPED;

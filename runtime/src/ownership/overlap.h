@@ -13,15 +13,15 @@ struct overlap {
 
 /** May the source overlap an array, as far as the translator knows? */
 static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t source) {
-    return !(loop->sources[source].is_subscript & REDCC_MEETS_NO_ARRAY);
+    return !(loop->sources[source].flags & REDCC_MEETS_NO_ARRAY);
 }
 
 /** May the source overlap number `kept`, a scalar in memory that the loop adds to, or an
  * iteration's own element, as far as the translator knows? */
 static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source, uint32_t kept) {
-    const int a = loop->sources[source].is_subscript, b = loop->sources[kept].is_subscript;
+    const int a = loop->sources[source].flags, b = loop->sources[kept].flags;
     const bool are_behind_one = a >= REDCC_BEHIND(1) && a / REDCC_BEHIND(1) == b / REDCC_BEHIND(1);
-    return source != kept && a > 1 && (b & REDCC_IS_SCALAR) && !are_behind_one;
+    return source != kept && a > REDCC_IS_SUBSCRIPT && (b & REDCC_IS_SCALAR) && !are_behind_one;
 }
 
 /** Are these ranges disjoint, of a source and of number `kept`, or need not be? */
@@ -37,7 +37,7 @@ static inline bool redcc_are_apart(const redcc_loop *loop, uint32_t source, stru
 static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
                                                      const struct range *read, uint32_t source,
                                                      struct overlap *overlap) {
-    const bool may_meet = loop->sources[source].is_subscript > 1;
+    const bool may_meet = loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
     for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
         if (!redcc_are_apart(loop, source, read[source], s, read[s], overlap))
             return false;
@@ -49,7 +49,7 @@ static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
                                                       const redcc_extent *known,
                                                       struct overlap *overlap) {
     for (uint32_t r = 0; r < loop->source_count; r++) {
-        const bool may_meet = loop->sources[r].is_subscript > 1;
+        const bool may_meet = loop->sources[r].flags > REDCC_IS_SUBSCRIPT;
         for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
             if (!redcc_are_apart(loop, r, redcc_range_of(known[r]), s, redcc_range_of(known[s]),
                                  overlap))

@@ -12,7 +12,7 @@ struct walk {
     redcc_int begin; /* of the rest of the current run */
     redcc_int count;
     uint32_t stage;
-    bool guarded;
+    bool checked;
 };
 
 /* Advances to the next run if the current one is used up. False: there is none. */
@@ -21,8 +21,8 @@ static bool advance(struct walk *walk) {
     while (walk->count == 0) {
         if (redcc_runs_read(&walk->runs, &run, 1) == 1) {
             walk->begin = walk->origin + run.begin;
-            walk->count = run.count_and_guard / 2;
-            walk->guarded = run.count_and_guard & 1;
+            walk->count = run.count_and_check / 2;
+            walk->checked = run.count_and_check & 1;
         } else if (walk->chunk < walk->schedule->chunk_count) {
             const struct chunk *chunk = &walk->schedule->chunk[walk->chunk++];
             walk->runs = redcc_runs_of(walk->schedule, chunk);
@@ -35,13 +35,15 @@ static bool advance(struct walk *walk) {
     return true;
 }
 
-enum guard { GUARD_NEVER, GUARD_MAYBE, GUARD_ALWAYS };
+enum expected { CHECKED_NEVER, CHECKED_MAYBE, CHECKED_ALWAYS };
 
 /* Are the next iterations of the walk [begin, begin + count)? */
-static bool comes_next(struct walk *walk, redcc_int begin, redcc_int count, enum guard guard) {
+static bool comes_next(struct walk *walk, redcc_int begin, redcc_int count,
+                       enum expected expected) {
     while (count > 0) {
-        if (!advance(walk) || walk->begin != begin || (guard == GUARD_NEVER && walk->guarded) ||
-            (guard == GUARD_ALWAYS && !walk->guarded))
+        if (!advance(walk) || walk->begin != begin ||
+            (expected == CHECKED_NEVER && walk->checked) ||
+            (expected == CHECKED_ALWAYS && !walk->checked))
             return false;
         const redcc_int piece = walk->count < count ? walk->count : count;
         walk->begin += piece;
@@ -70,9 +72,9 @@ static bool owner_follows(struct walk *walk, const struct summary *summary, uint
             const struct span span = summary->span[s];
             const bool shared = redcc_set_size(&summary->sets, span.set) > 1;
             const bool own = span.set ? contains(&summary->sets, span.set, owner) : takes_idle;
-            const enum guard guard = shared ? GUARD_ALWAYS : GUARD_MAYBE;
+            const enum expected expected = shared ? CHECKED_ALWAYS : CHECKED_MAYBE;
             if (own && !comes_next(walk, block->origin + span.begin,
-                                   redcc_span_count(summary, block, s), guard))
+                                   redcc_span_count(summary, block, s), expected))
                 return false;
         }
     }
@@ -90,7 +92,7 @@ static bool owner_is_right(const struct plan *plan, const struct evidence *evide
             return false;
     if (!evidence->every_iteration && thread == evidence->threads - 1 &&
         redcc_last_touches_nothing(evidence) &&
-        !comes_next(&walk, evidence->trip - 1, 1, GUARD_NEVER))
+        !comes_next(&walk, evidence->trip - 1, 1, CHECKED_NEVER))
         return false;
     return !advance(&walk);
 }
@@ -104,7 +106,7 @@ static bool levels_are_right(const struct plan *plan, const struct evidence *evi
         uint32_t first, end;
         redcc_levels_share(levels, stage, plan->threads, thread, &first, &end);
         for (uint32_t i = first; i < end; i++)
-            if (!comes_next(&walk, levels->iteration[i], 1, GUARD_NEVER) || walk.stage != stage)
+            if (!comes_next(&walk, levels->iteration[i], 1, CHECKED_NEVER) || walk.stage != stage)
                 return false;
     }
     return !advance(&walk);
@@ -165,7 +167,7 @@ static bool each_is_there_once(const struct plan *plan, const struct evidence *e
     for (uint32_t s = 0; s < plan->schedules; s++) {
         struct walk walk = {.schedule = &plan->schedule[s]};
         for (; advance(&walk); walk.count = 0) {
-            if (walk.guarded)
+            if (walk.checked)
                 return false;
             add_moments(&found, walk.begin, walk.count);
         }

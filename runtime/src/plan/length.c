@@ -13,7 +13,7 @@ static redcc_int iterations_of(const struct schedule *schedule, const struct chu
     struct run_reader reader = redcc_runs_of(schedule, chunk);
     redcc_int sum = 0;
     for (redcc_iterations run; redcc_runs_read(&reader, &run, 1) > 0;)
-        sum += run.count_and_guard / 2;
+        sum += run.count_and_check / 2;
     return sum;
 }
 

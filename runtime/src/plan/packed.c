@@ -8,15 +8,15 @@
 
 /* A packed run is a word of 16 bits,
  *
- *     gap << 6 | count_and_guard      gap < 2^10, 2 <= count_and_guard < 2^6
+ *     gap << 6 | count_and_check      gap < 2^10, 2 <= count_and_check < 2^6
  *
  * where gap is the number of iterations between the preceding run (or the chunk's origin) and this
- * one; a longer run is a word 0, then gap and count_and_guard in two words each, the lower one
+ * one; a longer run is a word 0, then gap and count_and_check in two words each, the lower one
  * first. Gaps are modulo 2^32: tasks of one chunk may go back. */
 enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
 
 static bool is_short(redcc_u32 gap, redcc_iterations run) {
-    return gap < GAPS && run.count_and_guard < COUNTS;
+    return gap < GAPS && run.count_and_check < COUNTS;
 }
 
 /* Packs the chunk's runs at `to`, or only counts if that is NULL; returns the number of words. */
@@ -27,13 +27,13 @@ static size_t pack_chunk(const struct schedule *schedule, const struct chunk *ch
         const redcc_iterations run = schedule->run[r];
         const redcc_u32 gap = run.begin - at;
         const bool brief = is_short(gap, run);
-        at = run.begin + run.count_and_guard / 2;
+        at = run.begin + run.count_and_check / 2;
         if (to && brief) {
-            to[words] = (uint16_t)(gap << GAP_SHIFT | run.count_and_guard);
+            to[words] = (uint16_t)(gap << GAP_SHIFT | run.count_and_check);
         } else if (to) {
             const uint16_t longer[LONG_RUN] = {0, (uint16_t)gap, (uint16_t)(gap >> 16),
-                                               (uint16_t)run.count_and_guard,
-                                               (uint16_t)(run.count_and_guard >> 16)};
+                                               (uint16_t)run.count_and_check,
+                                               (uint16_t)(run.count_and_check >> 16)};
             memcpy(to + words, longer, sizeof longer);
         }
         words += brief ? 1 : LONG_RUN;
@@ -168,7 +168,7 @@ size_t redcc_runs_read(struct run_reader *reader, redcc_iterations *to, size_t r
 }
 
 static redcc_u32 length_of(redcc_iterations run) {
-    return run.count_and_guard / 2;
+    return run.count_and_check / 2;
 }
 
 /* The next run, or the rest of one. False: there is none. */
@@ -185,9 +185,9 @@ static bool read_next(struct run_reader *reader, redcc_iterations *to) {
 
 /* Leaves all but the first `count` iterations to the reader. */
 static redcc_iterations split(struct run_reader *reader, redcc_iterations run, redcc_u32 count) {
-    const redcc_u32 guard = run.count_and_guard & 1;
-    reader->rest = (redcc_iterations){run.begin + count, run.count_and_guard - 2 * count};
-    return (redcc_iterations){run.begin, 2 * count + guard};
+    const redcc_u32 checked = run.count_and_check & 1;
+    reader->rest = (redcc_iterations){run.begin + count, run.count_and_check - 2 * count};
+    return (redcc_iterations){run.begin, 2 * count + checked};
 }
 
 size_t redcc_runs_read_part(struct run_reader *reader, redcc_iterations *to, size_t room,

@@ -32,20 +32,20 @@ static bool room_for_run(struct schedule *schedule) {
 /* Extends the last run by as many of [begin, begin + count) as it can hold; returns their
  * number. */
 static redcc_int lengthen(struct schedule *schedule, const struct chunk *chunk, redcc_int begin,
-                          redcc_int count, bool guarded) {
+                          redcc_int count, bool checked) {
     redcc_iterations *run = &schedule->run[schedule->run_count - 1];
-    const redcc_int length = run->count_and_guard / 2;
-    if (chunk->run_begin == chunk->run_end || (run->count_and_guard & 1) != guarded ||
+    const redcc_int length = run->count_and_check / 2;
+    if (chunk->run_begin == chunk->run_end || (run->count_and_check & 1) != checked ||
         chunk->origin + run->begin + length != begin)
         return 0;
     const redcc_int room = REDCC_RUN_MOST - length;
     const redcc_int more = count < room ? count : room;
-    run->count_and_guard += 2 * (redcc_u32)more;
+    run->count_and_check += 2 * (redcc_u32)more;
     return more;
 }
 
 static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin, redcc_int count,
-                      bool guarded) {
+                      bool checked) {
     const struct chunk *last =
         schedule->chunk_count ? &schedule->chunk[schedule->chunk_count - 1] : NULL;
     if (!last || last->stage != stage || schedule->apart || begin < last->origin ||
@@ -66,13 +66,13 @@ static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin
         return false;
     struct chunk *chunk = &schedule->chunk[schedule->chunk_count - 1];
     schedule->run[schedule->run_count++] =
-        (redcc_iterations){(redcc_u32)(begin - chunk->origin), 2 * (redcc_u32)count + guarded};
+        (redcc_iterations){(redcc_u32)(begin - chunk->origin), 2 * (redcc_u32)count + checked};
     chunk->run_end = schedule->run_count;
     return true;
 }
 
 bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int begin, redcc_int count,
-                        bool guarded) {
+                        bool checked) {
     assert(begin >= 0 && count >= 0);
     assert(!schedule->packed);
     assert(schedule->chunk_count == 0 || stage >= schedule->chunk[schedule->chunk_count - 1].stage);
@@ -80,14 +80,14 @@ bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int beg
     if (schedule->chunk_count) {
         const struct chunk *last = &schedule->chunk[schedule->chunk_count - 1];
         if (last->stage == stage && !schedule->apart) {
-            const redcc_int taken = lengthen(schedule, last, begin, count, guarded);
+            const redcc_int taken = lengthen(schedule, last, begin, count, checked);
             begin += taken;
             count -= taken;
         }
     }
     while (count > 0) {
         const redcc_int piece = count < REDCC_RUN_MOST ? count : REDCC_RUN_MOST;
-        if (!add_piece(schedule, stage, begin, piece, guarded))
+        if (!add_piece(schedule, stage, begin, piece, checked))
             return false;
         begin += piece;
         count -= piece;
@@ -102,7 +102,7 @@ bool redcc_schedule_append(struct schedule *schedule, const struct schedule *oth
         for (size_t r = chunk->run_begin; r < chunk->run_end; r++) {
             const redcc_iterations run = other->run[r];
             if (!redcc_schedule_add(schedule, stage, chunk->origin + run.begin,
-                                    run.count_and_guard / 2, run.count_and_guard & 1))
+                                    run.count_and_check / 2, run.count_and_check & 1))
                 return false;
         }
     }

@@ -49,7 +49,7 @@ enum { REDCC_RUN_MOST = 1 << 30 };
 /** Appends iterations [begin, begin + count), count >= 0, in `stage` (not below the last one's),
  *  extending the last run if they continue it. False: no memory. */
 bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int begin, redcc_int count,
-                        bool guarded);
+                        bool checked);
 
 /** Appends all that `other` has, in stage `stage`. False: no memory. */
 bool redcc_schedule_append(struct schedule *schedule, const struct schedule *other, uint32_t stage);

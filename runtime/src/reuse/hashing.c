@@ -47,7 +47,8 @@ struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading 
 /* Is this source's range known before the inspection? */
 static bool is_hashed_early(const struct request *request, const struct range *sources,
                             uint32_t source) {
-    return (request->loop->sources[source].is_subscript & 1) && request->known[source].end &&
+    return (request->loop->sources[source].flags & REDCC_IS_SUBSCRIPT) &&
+           request->known[source].end &&
            !redcc_is_small(redcc_reading_of(request->loop, request->known, sources, source));
 }
 
@@ -76,7 +77,7 @@ void redcc_hash_rest(struct hasher *hasher, const struct request *request,
                      const struct range *sources) {
     const redcc_loop *loop = request->loop;
     for (uint32_t s = 0; s < loop->source_count; s++) {
-        if (!(loop->sources[s].is_subscript & 1))
+        if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT))
             continue;
         const struct reading reading = redcc_reading_of(loop, request->known, sources, s);
         struct partial_hash *partial = &hasher->partial[s];

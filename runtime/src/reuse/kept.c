@@ -83,7 +83,7 @@ static void ask_tracking(struct reuse *reuse) {
         struct tracking *tracking = &reuse->found->source[s].tracking;
         tracking->stands = false;
         tracking->begun = 0;
-        if ((loop->sources[s].is_subscript & 1) && reuse->call->tracks)
+        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && reuse->call->tracks)
             redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->rest, &earned);
     }
 }
@@ -102,7 +102,7 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
     enum { WORDS = 32 }; /* some 3 microseconds if none is in the caches */
     uint64_t hash = 0;
-    if (!(source.is_subscript & 1) || !known.end ||
+    if (!(source.flags & REDCC_IS_SUBSCRIPT) || !known.end ||
         known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
         return 0;
     const size_t last = (size_t)(known.end - known.first) - sizeof(uint64_t);
@@ -139,7 +139,7 @@ static unsigned bit_of(const struct kept_plan *kept) {
 }
 
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, unsigned *changed) {
-    struct kept_plan *lost = NULL; /* the most recently used */
+    struct kept_plan *newest = NULL; /* the most recently used */
     *fits_now = *changed = 0;
     for (int p = 0; p < REDCC_PLANS; p++) {
         struct kept_plan *kept = reuse->cache->kept[p];
@@ -147,14 +147,14 @@ void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, un
             continue;
         const bool same = kept->sampled == reuse->sampled;
         *(same ? fits_now : changed) |= bit_of(kept);
-        if (!same && (!lost || lost->last_use < kept->last_use))
-            lost = kept;
+        if (!same && (!newest || newest->last_use < kept->last_use))
+            newest = kept;
     }
     *changed &= ~*fits_now;
-    if (*fits_now || !lost || lost->lost)
+    if (*fits_now || !newest || newest->stale)
         return;
-    lost->lost = true;
-    reuse->changed_source = changed_source(reuse, lost);
+    newest->stale = true;
+    reuse->changed_source = changed_source(reuse, newest);
 }
 
 /* If other subscripts have the same sample, it is the most recently used plan. */
@@ -179,7 +179,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     }
     assert(found->plan->array_count == reuse->call->request.loop->array_count);
     found->last_use = ++cache->clock;
-    found->lost = false;
+    found->stale = false;
     found->plan->round++;
     ask_tracking(reuse);
 }
@@ -211,7 +211,7 @@ static bool take_in(struct fingerprint *all, const char *data, size_t bytes, dou
 /* Does the call give the ranges of all subscripts? */
 static bool are_known(const redcc_loop *loop, const redcc_extent *known) {
     for (uint32_t s = 0; s < loop->source_count; s++)
-        if ((loop->sources[s].is_subscript & 1) && !known[s].end &&
+        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && !known[s].end &&
             !is_part_of_another(loop, known, s))
             return false;
     return true;
@@ -224,7 +224,7 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
     if (!(loop->flags & REDCC_VERIFIABLE) || !are_known(loop, known))
         return false;
     for (uint32_t s = 0; s < loop->source_count; s++)
-        if ((loop->sources[s].is_subscript & 1) && known[s].end &&
+        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && known[s].end &&
             !take_in(all, known[s].first, (size_t)(known[s].end - known[s].first), until))
             return false;
     return true;
@@ -265,7 +265,7 @@ static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32
 bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
     const redcc_loop *loop = reuse->call->request.loop;
     for (uint32_t s = 0; s < loop->source_count; s++) {
-        if (!(loop->sources[s].is_subscript & 1))
+        if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT))
             continue;
         const struct tracking *tracking = &reuse->found->source[s].tracking;
         const bool same = tracking->stands
@@ -320,7 +320,7 @@ static void record_sources(struct source_record *records, const struct reuse *re
         if (!redcc_range_empty(range))
             record->extent = (struct offsets){(ptrdiff_t)(range.first - anchor),
                                               (ptrdiff_t)(range.end - anchor)};
-        if (!(request->loop->sources[s].is_subscript & 1))
+        if (!(request->loop->sources[s].flags & REDCC_IS_SUBSCRIPT))
             continue;
         const struct reading reading = reading_of(reuse, s);
         record->sampled = sample_source(request->loop->sources[s], request->known[s]);

@@ -34,7 +34,7 @@ struct kept_plan {
     struct source_record *source;       /* [source_count] */
     uint64_t sampled;                   /* of its subscripts, as reuse->sampled */
     uint64_t last_use;
-    bool lost; /* found changed, and not used since */
+    bool stale; /* found changed, and not used since */
 };
 
 /** A loop's plans. */

@@ -13,7 +13,7 @@ struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *know
     for (uint32_t s = 0; s < source; s++) {
         const struct range shown = sources[s];
         struct range rest = it;
-        if (!(loop->sources[s].is_subscript & 1) || !redcc_ranges_overlap(it, shown))
+        if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT) || !redcc_ranges_overlap(it, shown))
             continue;
         if (shown.first <= it.first)
             rest.first = shown.end < it.end ? shown.end : it.end;

@@ -138,6 +138,24 @@ const library_function *library_find(const ir_unit *unit, const ir_function *fun
     return found && is_reserved(unit, function, found->standard) ? found : NULL;
 }
 
+bool library_plain_name(const char *name, char plain[LIBRARY_NAME_SIZE]) {
+    static const char builtin[] = "__builtin_", suffix[] = "_chk";
+    if (strncmp(name, builtin, sizeof builtin - 1) == 0)
+        name += sizeof builtin - 1;
+    size_t length = strlen(name);
+    const size_t around = 2 + sizeof suffix - 1;
+    if (length > around && strncmp(name, "__", 2) == 0 &&
+        strcmp(name + length - (sizeof suffix - 1), suffix) == 0) {
+        name += 2;
+        length -= around;
+    }
+    if (length >= LIBRARY_NAME_SIZE)
+        return false;
+    memcpy(plain, name, length);
+    plain[length] = '\0';
+    return true;
+}
+
 bool library_is_locale_table(const ir_node *call) {
     static const char *const names[] = {"__ctype_b_loc", "__ctype_tolower_loc",
                                         "__ctype_toupper_loc"};

@@ -23,6 +23,13 @@ typedef struct library_function {
     bool has_variants; /* for float and long double: the same name with f or l behind it */
 } library_function;
 
+enum { LIBRARY_NAME_SIZE = 32 };
+
+/** The name of the C library's function that a name of the compiler's or of fortified headers
+ *  stands for: __builtin_memcpy, __memcpy_chk and __builtin___memcpy_chk are memcpy. Other names
+ *  are copied. False: the name is longer than any that matters. */
+bool library_plain_name(const char *name, char plain[LIBRARY_NAME_SIZE]);
+
 /** Is this a call of a function that returns the tables of <ctype.h>? They are the calling
  *  thread's, and only setlocale and uselocale replace them (glibc). */
 bool library_is_locale_table(const ir_node *call);

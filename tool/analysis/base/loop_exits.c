@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/library.h"
 #include "analysis/base/stateful.h"
 
 /* ---- assertions ------------------------------------------------------------------------------ */
@@ -98,20 +99,10 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 
 enum { DEEPEST_MESSAGE = 4 }; /* calls of functions within functions */
 
-/* Does it print, allocate or keep state? As its own name, or as a checked variant of a header. */
+/* Does it print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {
-    char name[32];
-    const char *begin = function->name;
-    begin += strncmp(begin, "__builtin_", 10) == 0 ? 10 : 0;
-    begin += strncmp(begin, "__", 2) == 0 ? 2 : 0;
-    size_t length = strlen(begin);
-    if (length > 4 && strcmp(begin + length - 4, "_chk") == 0)
-        length -= 4;
-    if (length >= sizeof name)
-        return false;
-    memcpy(name, begin, length);
-    name[length] = 0;
-    const char *deed = stateful_deed(name);
+    char name[LIBRARY_NAME_SIZE];
+    const char *deed = library_plain_name(function->name, name) ? stateful_deed(name) : NULL;
     return deed && strncmp(deed, "writes memory", 13) != 0;
 }
 

@@ -17,6 +17,7 @@
 #include "emit/base/step.h"
 #include "emit/base/wrapping.h"
 #include "emit/bins/bins.h"
+#include "emit/body/copy.h"
 #include "emit/body/live_out.h"
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
@@ -32,40 +33,7 @@
 #include "plan/tiles.h"
 #include "plan/unroll.h"
 
-typedef struct body_copy {
-    printer printer; /* first: the printer's hook reaches the other fields through it */
-    loop_text *loop;
-    edit_list edits;
-    VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
-    const ir_node *within;           /* the statement being printed */
-} body_copy;
-
 /* ---- the printer's hooks ------------------------------------------------------------------- */
-
-static const char *local_name(const ir_node *node, void *context) {
-    const loop_text *loop = context;
-    const int array = loop_array_of_base(loop->facts, node);
-    if (array >= 0)
-        return loop->arrays[array].local;
-    const char *name = own_name(loop, node);
-    if (!name)
-        name = forward_read_name(loop, node);
-    return name ? name : pointed_name(loop, node);
-}
-
-/** For spelling an own element itself. */
-static const char *element_name(const ir_node *node, void *context) {
-    const loop_text *loop = context;
-    const int array = loop_array_of_base(loop->facts, node);
-    return array >= 0 ? loop->arrays[array].local : pointed_name(loop, node);
-}
-
-/** The same for code that the program may not execute: sums wrap around. */
-static const char *wrapping_name(const ir_node *node, void *context) {
-    const char *name = local_name(node, context);
-    arena *a = ((const loop_text *)context)->arena;
-    return name ? name : wrapping_operation(a, node, wrapping_name, context);
-}
 
 /** Avoids capturing a following `else`, and warnings that it looks so. */
 static bool needs_braces(const reduction_update *update) {
@@ -73,7 +41,7 @@ static bool needs_braces(const reduction_update *update) {
 }
 
 /** The text before an update. */
-static const char *guard_text(loop_text *loop, const reduction_update *update) {
+static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
         return needs_braces(update) ? "{ { " : "{ ";
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
@@ -89,7 +57,7 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 
-static const char *guard_end(const reduction_update *update) {
+static const char *owner_check_end(const reduction_update *update) {
     return needs_braces(update) ? "} }" : "}";
 }
 
@@ -116,9 +84,9 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
         return false;
     const reduction_update *update = loop_update_at(loop->facts, statement);
     write_forward(loop, out, store, local_name, loop);
-    writer_line(out, "%s", guard_text(loop, update));
+    writer_line(out, "%s", owner_check(loop, update));
     write_forwarded_store(loop, out, store, local_name, loop);
-    writer_line(out, "%s", guard_end(update));
+    writer_line(out, "%s", owner_check_end(update));
     return true;
 }
 
@@ -151,7 +119,7 @@ static bool print_appends(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-static bool print_guard(printer *p, const ir_node *statement) {
+static bool print_checked(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
     if (print_appends(copy, statement) || print_operand(copy, statement) ||
         print_forward(copy, statement) || print_noted(copy, statement))
@@ -164,47 +132,12 @@ static bool print_guard(printer *p, const ir_node *statement) {
     if (update->last)
         loop_obstacle(copy->loop, statement->range,
                       "an update of several statements cannot be spelled a second time");
-    writer_line(p->out, "%s", guard_text(copy->loop, update));
+    writer_line(p->out, "%s", owner_check(copy->loop, update));
     copy->within = statement;
     print_statement(p, statement);
     copy->within = NULL;
-    writer_line(p->out, "%s", guard_end(update));
+    writer_line(p->out, "%s", owner_check_end(update));
     return true;
-}
-
-/* ---- edits --------------------------------------------------------------------------------- */
-
-/** The line ends in bytes [begin, end), so that the following text keeps its line number. */
-static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end) {
-    const char *text = loop->unit->source->text;
-    buffer out = {0};
-    for (uint32_t i = begin; i < end; i++)
-        if (text[i] == '\n')
-            buffer_byte(&out, '\n');
-    return buffer_take(loop->arena, &out);
-}
-
-static void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text) {
-    loop_text *loop = copy->loop;
-    text = arena_format(loop->arena, "%s%s", text, line_ends(loop, begin, end));
-    edit_replace(loop->arena, &copy->edits, begin, end, text);
-}
-
-static bool is_printed(const body_copy *copy, const ir_node *node) {
-    for (unsigned i = 0; i < copy->printed.count; i++)
-        if (ir_contains(copy->printed.items[i], node))
-            return true;
-    return false;
-}
-
-static void print_instead(body_copy *copy, const ir_node *statement) {
-    const ir_node *body = copy->loop->facts->counted.body;
-    const ir_node *whole = syntax_editable_statement(statement, body);
-    if (!whole)
-        loop_obstacle(copy->loop, statement->range,
-                      "one macro call stands for several statements of the body");
-    else if (!is_printed(copy, whole))
-        VECTOR_PUSH(copy->loop->arena, &copy->printed, whole);
 }
 
 /* ---- names --------------------------------------------------------------------------------- */
@@ -255,11 +188,6 @@ static const char *other_name(const loop_text *loop, const ir_node *node, bool *
     return name ? name : pointed_name(loop, node);
 }
 
-/** A bound of the loop over columns, which a tile replaces. */
-static bool is_clipped(const loop_text *loop, const ir_node *node) {
-    return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
-}
-
 /** Visits each node in the body that must be replaced by another name. */
 static void visit_names(body_copy *copy, const ir_node *node,
                         void (*visit)(body_copy *, const ir_node *, const char *name)) {
@@ -286,7 +214,8 @@ static void replace_name(body_copy *copy, const ir_node *node, const char *name)
         replace_bytes(copy, node->range.begin, node->range.end, name);
 }
 
-/* ---- guards -------------------------------------------------------------------------------- */
+/* ---- owner checks
+ * -------------------------------------------------------------------------------- */
 
 static void choose_noted(body_copy *copy, const ir_node *node) {
     if (conditional_live_out_of(copy->loop->facts, node) >= 0)
@@ -338,101 +267,6 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** The address of a row that the program may not compute, as a number. */
-static const char *row_number(loop_text *loop, const ir_node *row) {
-    row_address address;
-    return row_address_of(row, &address)
-               ? address_number(loop->arena, &address, NULL, wrapping_name, loop)
-               : NULL;
-}
-
-/** Prints a loop's stepped variables as their initial values. */
-typedef struct first_values {
-    loop_text *loop;
-    const loop_span *span;
-} first_values;
-
-static const char *first_value_name(const ir_node *node, void *context) {
-    const first_values *it = context;
-    const counted_loop *counted = &it->span->counted;
-    const ir_node *value = NULL;
-    if (node->kind == IR_VARIABLE && node->variable == counted->counter)
-        value = counted->lower;
-    for (unsigned i = 0; node->kind == IR_VARIABLE && i < counted->start_count; i++)
-        if (counted->starts[i].variable == node->variable)
-            value = counted->starts[i].value;
-    if (!value) {
-        const char *name = local_name(node, it->loop);
-        return name ? name : wrapping_operation(it->loop->arena, node, first_value_name, context);
-    }
-    const char *text = text_operand(it->loop->arena, value, wrapping_name, it->loop);
-    const char *type = origin_type(it->loop->arena, node->type);
-    return text && type ? arena_format(it->loop->arena, "((%s)%s)", type, text) : NULL;
-}
-
-/** Checks all rows that the loop steps through. Without iterations there are none, and any answer
- *  is correct. */
-static const char *span_question(loop_text *loop, const skip_row *skipped) {
-    arena *a = loop->arena;
-    const counted_loop *counted = &skipped->span->counted;
-    const ir_node *row = skipped->update->row;
-    first_values first = {loop, skipped->span};
-    row_address address;
-    const char *number = row_address_of(row, &address)
-                             ? address_number(a, &address, NULL, first_value_name, &first)
-                             : NULL;
-    const char *lower = text_operand(a, counted->lower, wrapping_name, loop);
-    const char *bound = text_operand(a, counted->bound, wrapping_name, loop);
-    if (!number || !lower || !bound)
-        return NULL;
-    const char *count = arena_format(a, "((redcc_size)%s - (redcc_size)%s%s)", bound, lower,
-                                     counted->comparison == IR_OP_LESS ? "" : " + 1");
-    return arena_format(a, "REDCC_OWNS_ROW(%u, %s, %s * %lldu)", skipped->update->array,
-                        macro_argument(a, number), macro_argument(a, count),
-                        (long long)row->type->size);
-}
-
-static const char *row_question(loop_text *loop, const skip_row *skipped) {
-    const ir_node *row = skipped->update->row;
-    const char *number = row_number(loop, row);
-    return number
-               ? arena_format(loop->arena, "REDCC_OWNS_ROW(%u, %s, %lld)", skipped->update->array,
-                              macro_argument(loop->arena, number), (long long)row->type->size)
-               : NULL;
-}
-
-/** The expression that checks whether the thread owns any of the rows; NULL: it cannot be
- *  spelled. */
-static const char *skip_question(loop_text *loop, const inner_skip *skip) {
-    const char *question = !skip->needs_leader       ? ""
-                           : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "
-                                                     : "REDCC_LEADS_ALONE || ";
-    for (unsigned i = 0; i < skip->row_count; i++) {
-        const skip_row *skipped = &skip->rows[i];
-        const char *one =
-            skipped->span ? span_question(loop, skipped) : row_question(loop, skipped);
-        if (!one)
-            return NULL;
-        question = arena_format(loop->arena, "%s%s%s", question, i > 0 ? " || " : "", one);
-    }
-    return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
-}
-
-/** Skips inner iterations that do not concern the thread as soon as that is known. */
-static void skip_inner_iterations(body_copy *copy, const ir_node *node) {
-    loop_text *loop = copy->loop;
-    const inner_skip *skip = is_printed(copy, node) ? NULL : skip_of(loop->plan, node);
-    const char *question = skip ? skip_question(loop, skip) : NULL;
-    if (question &&
-        syntax_editable_statement(skip->before, loop->facts->counted.body) == skip->before &&
-        !is_printed(copy, skip->before)) {
-        edit_insert(loop->arena, &copy->edits, skip->before->range.begin, question);
-        return;
-    }
-    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
-        skip_inner_iterations(copy, node->children[i]);
-}
-
 static void unroll_loops(body_copy *copy, const ir_node *node) {
     if (is_unrolled_in_body(node) && !is_printed(copy, node) &&
         takes_pragma(copy->loop->plan, node))
@@ -441,7 +275,7 @@ static void unroll_loops(body_copy *copy, const ir_node *node) {
         unroll_loops(copy, node->children[i]);
 }
 
-static void guard_updates(body_copy *copy) {
+static void check_owners(body_copy *copy) {
     loop_text *loop = copy->loop;
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
         const reduction_update *update = &loop->facts->updates[i];
@@ -454,37 +288,10 @@ static void guard_updates(body_copy *copy) {
                           "an update of several statements cannot be spelled a second time");
         if (is_printed(copy, first))
             continue;
-        edit_insert(loop->arena, &copy->edits, first->range.begin, guard_text(loop, update));
+        edit_insert(loop->arena, &copy->edits, first->range.begin, owner_check(loop, update));
         edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last),
-                    arena_format(loop->arena, " %s", guard_end(update)));
+                    arena_format(loop->arena, " %s", owner_check_end(update)));
     }
-}
-
-/** The loop over columns is clipped to those of the tile. */
-static void clip_columns(body_copy *copy) {
-    loop_text *loop = copy->loop;
-    const tile_plan *tiles = loop->tiles;
-    if (!tiles)
-        return;
-    const ir_node *const inner = tiles->inner;
-    const char *type = origin_type(loop->arena, span_of(loop->facts, inner)->counted.counter->type);
-    const char *lower = text_operand(loop->arena, tiles->lower, local_name, loop);
-    const char *bound = text_operand(loop->arena, tiles->bound, local_name, loop);
-    if (!type || !lower || !bound || is_printed(copy, inner) ||
-        syntax_editable_statement(inner, loop->facts->counted.body) != inner) {
-        loop_obstacle(loop, inner->range, "the loop over columns cannot be clipped");
-        return;
-    }
-    edit_insert(loop->arena, &copy->edits, inner->range.begin,
-                arena_format(loop->arena,
-                             "{ const %s redcc__column = REDCC_TILE_FROM(%s, %s), "
-                             "redcc__column_end = REDCC_TILE_%s(%s, %s); ",
-                             type, type, macro_argument(loop->arena, lower),
-                             tiles->is_inclusive ? "UP_TO" : "TO", type,
-                             macro_argument(loop->arena, bound)));
-    replace_bytes(copy, tiles->lower->range.begin, tiles->lower->range.end, "redcc__column");
-    replace_bytes(copy, tiles->bound->range.begin, tiles->bound->range.end, "redcc__column_end");
-    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner), " }");
 }
 
 /* ---- the copy ------------------------------------------------------------------------------ */
@@ -566,7 +373,7 @@ static const char *copied_text(body_copy *copy) {
         append_nests(copy, body);
     }
     clip_columns(copy);
-    guard_updates(copy);
+    check_owners(copy);
     if (!loop->lanes.is_wanted) /* compiled once, in addition to the code for lanes */
         unroll_loops(copy, body);
     if (is_printed(copy, body))
@@ -607,6 +414,13 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
     return reads_below(facts->counted.body, variable, body_increment(facts));
 }
 
+/** For spelling an own element itself. */
+static const char *element_name(const ir_node *node, void *context) {
+    const loop_text *loop = context;
+    const int array = loop_array_of_base(loop->facts, node);
+    return array >= 0 ? loop->arrays[array].local : pointed_name(loop, node);
+}
+
 static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
@@ -631,7 +445,7 @@ void write_iteration(loop_text *loop, writer *out) {
     body_copy copy = {.printer = {.arena = loop->arena,
                                   .rename = local_name,
                                   .context = loop,
-                                  .before = print_guard,
+                                  .before = print_checked,
                                   .in_front_of_for = loop->lanes.is_wanted ? NULL : pragma_in_body},
                       .loop = loop};
     declare_variables(loop, out);

@@ -78,7 +78,7 @@ static lane_value leaf(vectoriser *l, const ir_node *node, const ir_type *type) 
     if (lane_is_uniform(&l->in, node) && (!l->may_be_none || lane_is_safe(&l->in, node)))
         return (lane_value){arena_format(a, "(%s)", text), false};
     return (lane_value){
-        arena_format(a, "%s(%s)", lane_words_of(type)->gather, lane_guarded(l, node, text)), true};
+        arena_format(a, "%s(%s)", lane_words_of(type)->gather, lane_masked(l, node, text)), true};
 }
 
 /* ---- arithmetic ----------------------------------------------------------------------------- */
@@ -150,7 +150,7 @@ static lane_value call_by_lane(vectoriser *l, const ir_node *node) {
     const char *text =
         arena_format(a, "%s(%s)", operand(l, node->children[0], NULL), buffer_take(a, &arguments));
     return (lane_value){arena_format(a, "__extension__({ %s%s(%s); })", buffer_take(a, &given),
-                                     words->gather, lane_guarded(l, node, text)),
+                                     words->gather, lane_masked(l, node, text)),
                         true};
 }
 

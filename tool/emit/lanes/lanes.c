@@ -73,7 +73,7 @@ static void declare_outer(vectoriser *l) {
         lane_declare(l, variable);
     }
     writer_line(l->out, "int redcc__l;");
-    writer_line(l->out, "(void)redcc__guarded;");
+    writer_line(l->out, "(void)redcc__checked;");
     lane_declare(l, counter);
     writer_line(l->out,
                 "REDCC_EACH_LANE %s[redcc__l] = (%s)(redcc__lower + %lld * "
@@ -88,11 +88,11 @@ static void write_updates(vectoriser *l, const char *updates) {
         writer_line(l->out, "REDCC_EACH_ITERATION if (%s[redcc__l]) {", l->mask);
     else
         writer_line(l->out, "REDCC_EACH_ITERATION {");
-    writer_line(l->out, "    if (!redcc__block->guarded[redcc__l]) {");
-    writer_line(l->out, "        enum { redcc__guarded = 0 };");
+    writer_line(l->out, "    if (!redcc__block->checked[redcc__l]) {");
+    writer_line(l->out, "        enum { redcc__checked = 0 };");
     buffer_text(&l->out->out, updates);
     writer_line(l->out, "    } else {");
-    writer_line(l->out, "        enum { redcc__guarded = 1 };");
+    writer_line(l->out, "        enum { redcc__checked = 1 };");
     buffer_text(&l->out->out, updates);
     writer_line(l->out, "    }");
     writer_line(l->out, "}");

@@ -7,7 +7,7 @@
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 
-const char *lane_guarded(vectoriser *l, const ir_node *node, const char *text) {
+const char *lane_masked(vectoriser *l, const ir_node *node, const char *text) {
     if (!l->mask || lane_is_safe(&l->in, node))
         return text;
     return arena_format(l->loop->arena, "(%s[redcc__l] ? %s : 0)", l->mask, text);
@@ -62,7 +62,7 @@ const char *lane_mask(vectoriser *l, const ir_node *node) {
                             lane_vector(l, node->children[0], type), ir_operator_spelling(node->op),
                             lane_vector(l, node->children[1], type));
     if (lane_is_plain(node) && !lane_mentions_vector(&l->in, node))
-        return arena_format(a, "REDCC_TELL(%s)", lane_guarded(l, node, lane_scalar(l, node)));
+        return arena_format(a, "REDCC_TELL(%s)", lane_masked(l, node, lane_scalar(l, node)));
     lane_problem(&l->in, NO_LANES_CONDITION, node);
     return "0";
 }

@@ -115,7 +115,7 @@ static void declare_own(vectoriser *l, const ir_variable *variable, const ir_nod
         writer_line(l->out, "%s %s[REDCC_WIDTH];", lane_type(l, variable->type), name);
         if (value)
             writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
-                        lane_guarded(l, value, lane_text(l, value)));
+                        lane_masked(l, value, lane_text(l, value)));
         break;
     case LANE_LOCAL: /* printed in place */
         break;
@@ -167,7 +167,7 @@ static const char *argument_text(vectoriser *l, const ir_variable *parameter, la
         return origin_variable(a, value->variable);
     if (class == LANE_VARYING)
         return arena_format(a, "REDCC_EACH(%s, %s)", lane_type(l, parameter->type),
-                            lane_guarded(l, value, lane_text(l, value)));
+                            lane_masked(l, value, lane_text(l, value)));
     if (parameter->type->kind != IR_POINTER)
         return lane_vector(l, value, parameter->type);
     const char *text = text_operand(a, value, NULL, NULL);

@@ -78,7 +78,7 @@ const char *lane_mask(vectoriser *l, const ir_node *node);
  *  name. */
 const char *lane_new_mask(vectoriser *l, const char *condition);
 /** The text of one lane's value; 0 in lanes that do not evaluate it, if evaluation is unsafe. */
-const char *lane_guarded(vectoriser *l, const ir_node *node, const char *text);
+const char *lane_masked(vectoriser *l, const ir_node *node, const char *text);
 /** Do lanes that do not execute an assignment to the variable need its old value? */
 bool lane_needs_select(const vectoriser *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */

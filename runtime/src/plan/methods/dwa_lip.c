@@ -35,7 +35,7 @@ static uint32_t rounds(const struct pairs *pairs) {
     return (pairs->blocks + pairs->members - 1) / pairs->members;
 }
 
-bool redcc_sort_pairs(const struct summary *summary, redcc_pair_taker *take, void *context) {
+bool redcc_visit_pairs(const struct summary *summary, redcc_pair_taker *take, void *context) {
     const struct sets *sets = &summary->sets;
     for (size_t b = 0; b < summary->block_count; b++) {
         const struct block *block = &summary->block[b];
@@ -86,7 +86,7 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
     pairs.pair = redcc_memory_take_zeroed(count, sizeof *pairs.pair);
     bool enough = pairs.pair != NULL;
     for (int from = first; enough && from < end; from++)
-        enough = redcc_sort_pairs(evidence->summary[from], take_pair, &pairs);
+        enough = redcc_visit_pairs(evidence->summary[from], take_pair, &pairs);
     if (enough && thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence))
         enough = redcc_schedule_add(&pairs.pair[0], 0, evidence->trip - 1, 1, false);
     enough = enough && put_in_stages(&pairs, &plan->schedule[thread]);

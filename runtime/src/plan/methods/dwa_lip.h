@@ -18,6 +18,6 @@ typedef bool redcc_pair_taker(void *context, uint32_t lowest, uint32_t delta, re
 
 /** Passes the iterations of a summary to `take` in order, with the pair (Bmin, deltaB) of the
  *  blocks that they write; those that write none are left out. False: `take` returned false. */
-bool redcc_sort_pairs(const struct summary *summary, redcc_pair_taker *take, void *context);
+bool redcc_visit_pairs(const struct summary *summary, redcc_pair_taker *take, void *context);
 
 #endif

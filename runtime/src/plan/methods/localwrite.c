@@ -10,7 +10,7 @@
 
 #include "base/memory.h"
 
-enum { SKIP, PLAIN, GUARDED };
+enum { SKIP, PLAIN, CHECKED };
 
 /* The form in which `owner` executes the iterations of each set: [sets->count]. NULL: no memory. */
 static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
@@ -20,7 +20,7 @@ static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
     for (uint32_t set = 1; set < sets->count; set++)
         for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)
             if (sets->member[m] == owner)
-                part[set] = redcc_set_size(sets, set) == 1 ? PLAIN : GUARDED;
+                part[set] = redcc_set_size(sets, set) == 1 ? PLAIN : CHECKED;
     return part;
 }
 
@@ -36,12 +36,12 @@ static void count_parts(const struct summary *summary, const unsigned char *part
 
 /* If most of an owner's iterations are owner-checked, all are: this costs no more, and avoids
  * ending runs where the form changes. */
-static void guard_most(const struct summary *summary, unsigned char *part) {
-    redcc_int amount[GUARDED + 1] = {0};
+static void check_most(const struct summary *summary, unsigned char *part) {
+    redcc_int amount[CHECKED + 1] = {0};
     count_parts(summary, part, amount);
-    for (uint32_t set = 0; amount[GUARDED] > amount[PLAIN] && set < summary->sets.count; set++)
+    for (uint32_t set = 0; amount[CHECKED] > amount[PLAIN] && set < summary->sets.count; set++)
         if (part[set] == PLAIN)
-            part[set] = GUARDED;
+            part[set] = CHECKED;
 }
 
 static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t owner,
@@ -52,7 +52,7 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
         part[0] = PLAIN; /* iterations that touch nothing are executed by the thread that inspected
                           * them */
     if (enough)
-        guard_most(summary, part);
+        check_most(summary, part);
     for (size_t b = 0; enough && b < summary->block_count; b++) {
         const struct block *block = &summary->block[b];
         for (size_t s = block->span_begin; enough && s < block->span_end; s++) {

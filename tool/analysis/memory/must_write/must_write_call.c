@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "analysis/base/external.h"
+#include "analysis/base/library.h"
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum { MOST_CALLS_DEEP = 32, MOST_ARGUMENTS = 64 };
@@ -41,18 +42,6 @@ static const known_function known_functions[] = {
     {"remquof", 1, {{true, 2, 4, 0}}, false},
 };
 
-/* __builtin_memcpy and __builtin___memcpy_chk, as fortified headers call it, are memcpy. */
-static bool is_called(const char *name, const char *plain) {
-    static const char builtin[] = "__builtin_";
-    const size_t length = strlen(plain);
-    if (strncmp(name, builtin, sizeof builtin - 1) == 0)
-        name += sizeof builtin - 1;
-    if (strncmp(name, "__", 2) == 0 && strlen(name) == length + 6 &&
-        strcmp(name + 2 + length, "_chk") == 0)
-        return strncmp(name + 2, plain, length) == 0;
-    return strcmp(name, plain) == 0;
-}
-
 /* Names that C reserves, or, for GNU's, that the compiler reserves or a system header declares. */
 static bool is_of_library(const ir_function *function, const known_function *known) {
     return !known->is_gnu || function->is_from_system || strncmp(function->name, "__", 2) == 0;
@@ -61,8 +50,11 @@ static bool is_of_library(const ir_function *function, const known_function *kno
 static const known_function *find_known(const ir_function *function) {
     if (function->body != NULL || function->linkage.is_static || function->linkage.is_renamed)
         return NULL;
+    char name[LIBRARY_NAME_SIZE];
+    if (!library_plain_name(function->name, name))
+        return NULL;
     for (size_t i = 0; i < sizeof known_functions / sizeof known_functions[0]; i++)
-        if (is_called(function->name, known_functions[i].name))
+        if (strcmp(name, known_functions[i].name) == 0)
             return is_of_library(function, &known_functions[i]) ? &known_functions[i] : NULL;
     return NULL;
 }

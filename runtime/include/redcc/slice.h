@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The slice's macros: what an iteration touches is recorded, probed, or prefetched. loop.h includes
+ * this file.
+ */
+#ifndef REDCC_SLICE_H
+#define REDCC_SLICE_H
+
+#include <redcc/entry.h>
+#include <redcc/prefetch.h>
+
+/** redcc__probe is 0 if addresses are recorded, redcc__teller 0 if they are prefetched. redcc__told
+ *  is 0 if all of them are recorded; otherwise its bits select the sources. All are constants, and
+ *  each use of the function is compiled separately. */
+#define REDCC_SLICE REDCC_INLINE void
+#define REDCC_SLICE_PARAMETERS                                                                     \
+    redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
+        redcc_worker *const redcc__worker __attribute__((__unused__)),                             \
+        const redcc_u32 redcc__told __attribute__((__unused__))
+#define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
+#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told, redcc__by_calls
+
+/** For long iterations (lanes.h): compiled once for all uses, recording addresses by calls. Other
+ *  slices record them inline. */
+#define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
+#define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
+enum { redcc__by_calls = 0 };
+
+/** The iteration may update, or read, `redcc_n` bytes at an address. */
+#define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
+    redcc_slice_touch(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
+#define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
+    redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
+
+/** The same for redcc_base[redcc_row]. No iteration changes redcc_base, so the number identifies
+ *  the row. */
+#define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
+    redcc_slice_touch_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],      \
+                          (const void *)(redcc_base), (redcc_int)(redcc_row),                      \
+                          sizeof((redcc_base)[redcc_row]))
+#define REDCC_READ_ROW(redcc_i, redcc_base, redcc_row)                                             \
+    redcc_slice_read_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],       \
+                         (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
+                         sizeof((redcc_base)[redcc_row]))
+
+/** In a loop that needs a dry run: ends it after an update, or after a read that may overlap
+ *  one. */
+#define REDCC_RETURN_IF_OVER                                                                       \
+    if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
+        return;
+#define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
+    if (redcc__worker && !redcc__probe && !redcc__told &&                                          \
+        redcc_is_over(redcc__worker, redcc_source))                                                \
+        return;
+
+/** An iteration leaves the loop. */
+#define REDCC_LEAVE                                                                                \
+    {                                                                                              \
+        if (redcc__worker && !redcc__probe && !redcc__told)                                        \
+            redcc_iteration_leaves(redcc__worker);                                                 \
+        return;                                                                                    \
+    }
+
+/** The owner of the row that is touched next executes the whole iteration (redcc/series.h). */
+#define REDCC_LEADER                                                                               \
+    if (redcc__probe)                                                                              \
+        redcc__probe->preferred = 1;
+
+/** All from an address to before another. */
+#define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
+    redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
+
+/* The common case, a touch within the owned range of an owner without a map, is handled inline;
+ * this function has the rest. */
+static __attribute__((__noinline__, __unused__)) void
+redcc_tell_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array, const void *address,
+                   redcc_size bytes) {
+    if (probe)
+        redcc_probe_touch(probe, worker, array, address, bytes);
+    else
+        redcc_touch(worker, array, address, bytes);
+}
+REDCC_INLINE void redcc_tell_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                   const void *address, redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    int *const inside = probe ? &probe->inside : &worker->inside;
+    if (window->map || redcc_leaves(window->first, window->size, address, bytes))
+        redcc_tell_outside(probe, worker, array, address, bytes);
+    else
+        *inside = 1;
+}
+static __attribute__((__noinline__, __unused__)) void
+redcc_tell_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source, const void *address,
+                redcc_size bytes) {
+    if (probe)
+        redcc_probe_read(probe, worker, source, address, bytes);
+    else
+        redcc_read(worker, source, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                    int by_calls, redcc_u32 array, const void *address,
+                                    redcc_size bytes) {
+    if (told)
+        return;
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_touch(probe, worker, array, address, bytes);
+    else if (probe)
+        redcc_probe_touch(probe, worker, array, address, bytes);
+    else
+        redcc_touch(worker, array, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                   int by_calls, redcc_u32 source, const void *address,
+                                   redcc_size bytes) {
+    if (told && !(told >> source & 1))
+        return;
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_read(probe, worker, source, address, bytes);
+    else if (probe)
+        redcc_probe_read(probe, worker, source, address, bytes);
+    else
+        redcc_read(worker, source, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                        int by_calls, redcc_u32 array, const void *address,
+                                        const void *base, redcc_int row, redcc_size bytes) {
+    if (told)
+        return;
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_touch(probe, worker, array, address, bytes);
+    else if (probe)
+        redcc_probe_touch_row(probe, worker, array, base, row, bytes);
+    else
+        redcc_touch(worker, array, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                       int by_calls, redcc_u32 source, const void *address,
+                                       const void *base, redcc_int row, redcc_size bytes) {
+    if (told && !(told >> source & 1))
+        return;
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (by_calls)
+        redcc_tell_read(probe, worker, source, address, bytes);
+    else if (probe)
+        redcc_probe_read_row(probe, worker, source, base, row, bytes);
+    else
+        redcc_read(worker, source, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                         int by_calls, redcc_u32 array, const char *first,
+                                         const char *end) {
+    (void)by_calls; /* a span is one place */
+    if (told)
+        return;
+    if (!worker)
+        redcc_prefetch((const char *)first, (redcc_size)(end - first));
+    else if (probe)
+        redcc_probe_touch(probe, worker, array, first, (redcc_size)(end - first));
+    else
+        redcc_touch_span(worker, array, first, end);
+}
+
+/** Hands out blocks of iterations to inspect. Iterations that need no record are compared in a loop
+ *  that neither calls nor stores, so that a compiler keeps the invariants in registers. */
+#define REDCC_INSPECT(redcc_call_of_slice)                                                         \
+    while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
+        const redcc_u32 redcc__told = 0;                                                           \
+        for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last;                      \
+             redcc__k += redcc__worker->stride) {                                                  \
+            if (redcc_is_settled(redcc__worker)) {                                                 \
+                const redcc_int redcc__from = redcc__k;                                            \
+                for (; redcc__k < redcc__worker->last; redcc__k++) {                               \
+                    redcc_probe redcc__seen = {0, 0, 0, 0, 0, 0};                                  \
+                    redcc_probe *const redcc__probe = &redcc__seen;                                \
+                    redcc_call_of_slice;                                                           \
+                    if (!redcc_is_alike(&redcc__seen))                                             \
+                        break;                                                                     \
+                }                                                                                  \
+                redcc__worker->alike += redcc__k - redcc__from;                                    \
+                if (redcc__k == redcc__worker->last)                                               \
+                    break;                                                                         \
+            }                                                                                      \
+            {                                                                                      \
+                redcc_probe *const redcc__probe = 0;                                               \
+                redcc_call_of_slice;                                                               \
+                redcc_iteration_done(redcc__worker);                                               \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
+#endif

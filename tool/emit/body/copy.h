@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * A copy of the user's body: its bytes, the edits to them, and the statements that are printed from
+ * the IR instead.
+ */
+#ifndef EMIT_BODY_COPY_H
+#define EMIT_BODY_COPY_H
+
+#include "emit/base/loop.h"
+#include "emit/text/edit.h"
+#include "emit/text/print.h"
+
+typedef struct body_copy {
+    printer printer; /* first: the printer's hook reaches the other fields through it */
+    loop_text *loop;
+    edit_list edits;
+    VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
+    const ir_node *within;           /* the statement being printed */
+} body_copy;
+
+/** Hooks that spell a node of the body, with the loop_text as context: the local name of an array's
+ *  base, of an own element, of a value that is forwarded, or of a variable passed by address. NULL:
+ *  as the user wrote it. */
+const char *local_name(const ir_node *node, void *context);
+/** The same for code that the program may not execute: sums wrap around. */
+const char *wrapping_name(const ir_node *node, void *context);
+
+/** Replaces bytes [begin, end). The line ends among them are kept, so that the following text keeps
+ *  its line number. */
+void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text);
+
+/** Prints the statement from the IR; a statement around it if a macro made it. */
+void print_instead(body_copy *copy, const ir_node *statement);
+bool is_printed(const body_copy *copy, const ir_node *node);
+
+/** tiles.c: is the node a bound of the loop over columns, which a tile replaces? */
+bool is_clipped(const loop_text *loop, const ir_node *node);
+/** In a loop with tiles, clips the loop over columns to those of the tile. */
+void clip_columns(body_copy *copy);
+
+/** skip.c: skips inner iterations that do not concern the thread as soon as that is known. */
+void skip_inner_iterations(body_copy *copy, const ir_node *node);
+
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The loop over columns, clipped to a tile (plan/tiles.h). */
+#include "plan/tiles.h"
+
+#include "emit/body/copy.h"
+#include "emit/text/origin.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+
+bool is_clipped(const loop_text *loop, const ir_node *node) {
+    return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
+}
+
+void clip_columns(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    const tile_plan *tiles = loop->tiles;
+    if (!tiles)
+        return;
+    const ir_node *const inner = tiles->inner;
+    const char *type = origin_type(loop->arena, span_of(loop->facts, inner)->counted.counter->type);
+    const char *lower = text_operand(loop->arena, tiles->lower, local_name, loop);
+    const char *bound = text_operand(loop->arena, tiles->bound, local_name, loop);
+    if (!type || !lower || !bound || is_printed(copy, inner) ||
+        syntax_editable_statement(inner, loop->facts->counted.body) != inner) {
+        loop_obstacle(loop, inner->range, "the loop over columns cannot be clipped");
+        return;
+    }
+    edit_insert(loop->arena, &copy->edits, inner->range.begin,
+                arena_format(loop->arena,
+                             "{ const %s redcc__column = REDCC_TILE_FROM(%s, %s), "
+                             "redcc__column_end = REDCC_TILE_%s(%s, %s); ",
+                             type, type, macro_argument(loop->arena, lower),
+                             tiles->is_inclusive ? "UP_TO" : "TO", type,
+                             macro_argument(loop->arena, bound)));
+    replace_bytes(copy, tiles->lower->range.begin, tiles->lower->range.end, "redcc__column");
+    replace_bytes(copy, tiles->bound->range.begin, tiles->bound->range.end, "redcc__column_end");
+    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner), " }");
+}
