@@ -11,6 +11,9 @@ enum { N = 4000, D = 10, CENTRES = 14, ROWS = 60 };
 static float points[N][D + 1], centres[CENTRES][D], sums[CENTRES][D];
 static float *point[N], *centre[CENTRES], *sum[CENTRES];
 static double far[ROWS * 3 + D], *row[ROWS], w[N], wide[ROWS][D + 2], *apart[ROWS];
+static struct sphere {
+    double mass, spin[2];
+} ball[ROWS][D + 2], *balls[ROWS];
 static int member[N], count[CENTRES], key[N], length[N];
 
 static float distance(const float *a, const float *b, int n) {
@@ -52,7 +55,7 @@ static void overlapping(int n, int d) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int j = 0; j < d; j++)
             row[key[t]][j] = w[t] - row[key[t]][j] * 0.5;
-} // BINNED: 52
+} // BINNED: 55
 
 static void bounds(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -61,7 +64,7 @@ static void bounds(int n) {
         for (unsigned j = 2; j <= (unsigned)length[t]; j++)
             apart[key[t]][j] -= scale * (double)(j + shift) + (double)points[t][0];
     }
-} // BINNED: 58
+} // BINNED: 61
 
 static void conditions(int n, int d) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -72,6 +75,13 @@ static void conditions(int n, int d) {
                 apart[key[t]][j] *= 1.0 + w[t] * 1e-3;
             }
     }
+}
+
+/* Members of records are not next to each other. */
+static void records(int n, int d) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int j = 0; j < d; j++)
+            balls[key[t]][j].spin[1] += w[t];
 }
 
 int main(void) {
@@ -93,6 +103,7 @@ int main(void) {
     }
     for (int k = 0; k < ROWS; k++) {
         row[k] = far + 3 * k;
+        balls[k] = ball[(k * 11) % ROWS];
         apart[k] = wide[(k * 7) % ROWS];
     }
     apart[5] = apart[9]; /* one row, twice */
@@ -101,6 +112,8 @@ int main(void) {
         overlapping(N, D);
         bounds(N);
         conditions(N, D);
+        records(N, D);
+        CASE_PRINT(ball);
         CASE_PRINT(sums);
         CASE_PRINT(count);
         CASE_PRINT(member);

@@ -9,6 +9,9 @@ enum { MOST = 8, BLOCKS = 400, ALL = 500, NEAR = 9, ROWS = MOST * ALL };
 static int near[BLOCKS][NEAR], count[ALL], id[ROWS], order[ROWS];
 static double u[ROWS + 64], f[ROWS + 64][3], r[ROWS][3];
 static long n_of[ROWS + 64];
+static struct {
+    double at, mass, push[4];
+} body[ROWS];
 
 /* A molecular dynamics program's force loop: halo blocks behind the others, only written to. */
 static void cells(int blocks, double cut) {
@@ -52,6 +55,19 @@ static void with_the_bound(int blocks) {
                 u[q + 1] += e;
                 if (e > 0.125)
                     n_of[q] += 2;
+            }
+        }
+    }
+}
+
+/* Members of records: other members lie between them. */
+static void records(int blocks) {
+    for (int b = 0; b < blocks; b++) { // EXPECT: transformed
+        for (int k = 0; k < NEAR; k++) {
+            const int other = near[b][k], last = MOST * other + count[other];
+            for (int q = MOST * other; q < last; q++) { // TURN
+                const double e = r[b][0] * body[q].at + r[other][2] * body[q].mass - r[b][0] / 3;
+                body[q].push[1] += e * e;
             }
         }
     }
@@ -134,6 +150,8 @@ static void start(int many) {
         count[b] = case_below(many) - 1;
     case_values(&r[0][0], 3 * ROWS);
     for (int i = 0; i < ROWS; i++) {
+        body[i].at = r[i][1];
+        body[i].mass = r[i][2];
         id[i] = case_below(100000);
         order[i] = case_below(ROWS);
     }
@@ -156,12 +174,14 @@ int main(void) {
                 start(many);
             cells(BLOCKS, 1.5);
             with_the_bound(BLOCKS - 7);
+            records(BLOCKS);
             asked_afterwards(BLOCKS);
             twice(BLOCKS);
             others(BLOCKS);
         }
     case_print("u", u, sizeof u);
     case_print("f", f, sizeof f);
+    case_print("body", body, sizeof body);
     case_print("n", n_of, sizeof n_of);
     return 0;
 }

@@ -107,8 +107,7 @@ static bool find_span(const loop_plan *plan, const reduction_update *update, bin
     const ir_variable *counter = counted->counted.counter;
     return counted->counted.lower && expression_constant(counted->counted.lower, &span->first) &&
            span->first >= 0 && counter->type->spelling &&
-           expression_mentions(update->target, counter) &&
-           row_steps_with(update->target, counter) &&
+           row_stride(update->target, counter) == update->target->type->size &&
            !is_named_outside(facts->counted.body, loop, counter) &&
            syntax_editable_statement(loop, facts->counted.body) == loop &&
            may_be_later(plan, span, update, update->statement->children[0]);

@@ -45,12 +45,19 @@ static const ir_node *element_around(const ir_node *row) {
     }
 }
 
-bool row_steps_with(const ir_node *row, const ir_variable *counter) {
+int64_t row_stride(const ir_node *row, const ir_variable *counter) {
     if (!expression_mentions(row, counter))
-        return true;
+        return 0;
     row = element_around(row);
     return row->kind == IR_INDEX && row->type->size > 0 &&
-           !expression_mentions(row->children[0], counter) && steps_with(row->children[1], counter);
+                   !expression_mentions(row->children[0], counter) &&
+                   steps_with(row->children[1], counter)
+               ? row->type->size
+               : -1;
+}
+
+bool row_steps_with(const ir_node *row, const ir_variable *counter) {
+    return row_stride(row, counter) >= 0;
 }
 
 bool source_loop_is_span(const source_loop *loop, const ir_node *row) {

@@ -5,6 +5,10 @@
 
 #include "analysis/base/facts.h"
 
+/** Bytes from the row to that of the counter's next value, at least those of the row; 0: it is
+ *  independent of the counter; -1: they are not known, or differ. */
+int64_t row_stride(const ir_node *row, const ir_variable *counter);
+
 /** Is the row independent of the counter, or the next element of an array for its next value? */
 bool row_steps_with(const ir_node *row, const ir_variable *counter);
 

@@ -3,6 +3,8 @@
  * Inner iterations that a thread skips because it owns no row that they would update: which rows,
  * and where in the text the question is asked.
  */
+#include "analysis/base/row_steps.h"
+#include "analysis/base/stepped.h"
 #include "emit/base/wrapping.h"
 #include "emit/body/copy.h"
 #include "emit/text/origin.h"
@@ -61,7 +63,7 @@ static const char *span_question(loop_text *loop, const skip_row *skipped) {
                                      counted->comparison == IR_OP_LESS ? "" : " + 1");
     return arena_format(a, "REDCC_OWNS_ROW(%u, %s, %s * %lldu)", skipped->update->array,
                         macro_argument(a, number), macro_argument(a, count),
-                        (long long)row->type->size);
+                        (long long)row_stride(row, span_stepped_in(skipped->span, row)));
 }
 
 static const char *row_question(loop_text *loop, const skip_row *skipped) {
