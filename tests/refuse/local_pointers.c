@@ -23,15 +23,6 @@ void assigned_twice(int n, const int *k, double (*b)[3]) {
     }
 }
 
-void moved_on(int n, const int *k, double *b) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        double *p = b + k[t];
-        *p += 1.0;
-        p++;
-        *p += 1.0;
-    }
-}
-
 void of_the_iteration_before(int n, const int *k, double (*b)[3]) {
     double *row = b[0];
     for (int t = 0; t < n; t++) { // EXPECT: nothing

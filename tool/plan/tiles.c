@@ -264,7 +264,7 @@ static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
     pairs p = {.plan = plan, .facts = facts, .row = facts->counted.counter};
     tiles->inner = find_inner(facts->counted.body);
     p.span = tiles->inner ? span_of(facts, tiles->inner) : NULL;
-    if (!p.span)
+    if (!p.span || p.span->other_count > 0)
         return "it is no loop over pairs";
     p.column = p.span->counted.counter;
     const char *why = look_at_header(&p, tiles);

@@ -43,9 +43,10 @@ void optional(int n, const int *s, struct output *o) {
             o->b[s[i]] += 1.0;
 }
 
+/* what was valid before may have been freed since */
 void not_optional(int n, const int *s, struct output *o) {
     o->b[0] = 0;
-    for (int i = 0; i < n; i++) // EXPECT: transform o->b(+)
+    for (int i = 0; i < n; i++) // EXPECT: refuse base-conditional
         if (s[i] > 0)
             o->b[s[i]] += 1.0;
 }

@@ -330,7 +330,11 @@ typedef struct loop_span {
     const ir_node *loop;
     counted_loop counted;
     unsigned stepped_count; /* variables that the header steps by 1: the counter, and others, */
-    const ir_variable *stepped[MOST_STEPPED]; /* which the body does not write */
+    const ir_variable *stepped[MOST_STEPPED]; /* integers and pointers, which the body does not
+                                               * write */
+    unsigned
+        other_count; /* variables that the header changes otherwise, `w += dw`: the slice does */
+    const ir_variable *others[MOST_STEPPED]; /* not read them, and leaves the change out */
 } loop_span;
 
 /** A read that prevents keeping a plan of the loop. */

@@ -45,10 +45,23 @@ static const ir_node *element_around(const ir_node *row) {
     }
 }
 
+/* *p, p[0], p->x with a pointer that is stepped itself: the element that it points to. */
+static bool is_behind(const ir_node *row, const ir_variable *pointer) {
+    if (pointer->type->kind != IR_POINTER || pointer->type->target->size <= 0 ||
+        !row->child_count || !expression_is_variable(row->children[0], pointer))
+        return false;
+    const bool is_member = row->kind == IR_MEMBER && (row->flags & IR_ARROW) && row->field &&
+                           !row->field->is_bit_field;
+    const bool is_element = row->kind == IR_INDEX && (row->children[1]->flags & IR_HAS_VALUE);
+    return is_member || is_element || (row->kind == IR_UNARY && row->op == IR_OP_DEREFERENCE);
+}
+
 int64_t row_stride(const ir_node *row, const ir_variable *counter) {
     if (!expression_mentions(row, counter))
         return 0;
     row = element_around(row);
+    if (is_behind(row, counter))
+        return counter->type->target->size;
     return row->kind == IR_INDEX && row->type->size > 0 &&
                    !expression_mentions(row->children[0], counter) &&
                    steps_with(row->children[1], counter)

@@ -5,12 +5,38 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 
-/* Its values do not wrap around before the loop ends: no object has that many elements. */
-static bool may_go_along(const ir_node *body, const ir_variable *variable) {
+static bool is_local(const ir_variable *variable) {
+    return variable->storage == IR_LOCAL && !variable->address_taken;
+}
+
+/* An integer's values do not wrap around before the loop ends: no object has that many elements. A
+ * pointer beside a pointer would have steps of another size. */
+static bool may_go_along(const loop_span *span, const ir_variable *variable) {
     const ir_type *type = variable->type;
-    return type->kind == IR_INTEGER && ((type->is_signed && type->size >= 4) || type->size == 8) &&
-           variable->storage == IR_LOCAL && !variable->address_taken &&
-           !variable_is_written_in(body, variable);
+    const bool is_integer =
+        type->kind == IR_INTEGER && ((type->is_signed && type->size >= 4) || type->size == 8);
+    const bool is_pointer = type->kind == IR_POINTER && type->target->size > 0;
+    return (is_integer || is_pointer) && span->counted.counter->type->kind == IR_INTEGER &&
+           is_local(variable) && !variable_is_written_in(span->counted.body, variable);
+}
+
+static bool is_stepped(const loop_span *span, const ir_variable *variable) {
+    for (unsigned i = 0; i < span->stepped_count; i++)
+        if (span->stepped[i] == variable)
+            return true;
+    return false;
+}
+
+/* w += dw: no row mentions it. */
+static bool find_other(const ir_node *step, loop_span *span) {
+    const ir_node *target = expression_written(step);
+    if (!target || target->kind != IR_VARIABLE || !is_local(target->variable) ||
+        is_stepped(span, target->variable) || span->other_count == MOST_STEPPED ||
+        !ir_type_is_scalar(target->type) || target->type->is_volatile ||
+        (step->kind == IR_ASSIGN && !expression_is_plain(step->children[1])))
+        return false;
+    span->others[span->other_count++] = target->variable;
+    return true;
 }
 
 /* i++, p++ */
@@ -22,13 +48,19 @@ static bool find_stepped(const ir_node *step, loop_span *span) {
     if (step->kind == IR_BINARY && step->op == IR_OP_COMMA)
         return find_stepped(step->children[0], span) && find_stepped(step->children[1], span);
     if (!counted_step(step, &variable, &by) || by != 1 || span->stepped_count == MOST_STEPPED ||
-        (variable != span->counted.counter && !may_go_along(span->counted.body, variable)))
-        return false;
-    for (unsigned i = 0; i < span->stepped_count; i++)
-        if (span->stepped[i] == variable)
-            return false;
+        is_stepped(span, variable) ||
+        (variable != span->counted.counter && !may_go_along(span, variable)))
+        return find_other(step, span);
     span->stepped[span->stepped_count++] = variable;
     return true;
+}
+
+/* Is each variable stepped in one way, and the counter by one? */
+static bool are_apart(const loop_span *span) {
+    for (unsigned i = 0; i < span->other_count; i++)
+        if (is_stepped(span, span->others[i]) || span->others[i] == span->counted.counter)
+            return false;
+    return is_stepped(span, span->counted.counter);
 }
 
 bool span_recognise(ir_node *loop, loop_span *span) {
@@ -39,7 +71,7 @@ bool span_recognise(ir_node *loop, loop_span *span) {
     span->counted = counted.loop;
     return counted.is_counted &&
            (counted.loop.comparison == IR_OP_LESS || counted.loop.comparison == IR_OP_LESS_EQUAL) &&
-           find_stepped(loop->children[2], span);
+           find_stepped(loop->children[2], span) && are_apart(span);
 }
 
 unsigned span_mentions(const loop_span *span, const ir_node *expression) {
@@ -57,6 +89,9 @@ const ir_variable *span_stepped_in(const loop_span *span, const ir_node *express
 }
 
 bool span_is_told(const loop_span *span, const ir_node *row) {
+    for (unsigned i = 0; i < span->other_count; i++)
+        if (expression_mentions(row, span->others[i]))
+            return false;
     const ir_variable *variable = span_stepped_in(span, row);
     return variable ? row_steps_with(row, variable) : span_mentions(span, row) == 0;
 }

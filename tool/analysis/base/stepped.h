@@ -5,7 +5,8 @@
 
 #include "analysis/base/facts.h"
 
-/** Is this a `for` with step 1, with any body? Then *span has its stepped variables. */
+/** Is this a `for` with step 1, with any body? Then *span has its stepped variables, and those that
+ *  the header changes otherwise. */
 bool span_recognise(ir_node *loop, loop_span *span);
 
 /** The number of the loop's stepped variables that the expression mentions. */

@@ -39,32 +39,6 @@ static bool list_dereferences(const access_list *list, const ir_node *pointer) {
     return false;
 }
 
-/* Statements that are always executed before the loop. */
-static bool dereferenced_on_the_way(const loop_analysis *j, const ir_node *pointer) {
-    if (pointer->kind != IR_VARIABLE)
-        return false;
-    for (const ir_node *node = j->loop; node->parent; node = node->parent) {
-        const ir_node *block = node->parent;
-        for (unsigned i = 0; block->kind == IR_BLOCK && i < block->child_count; i++) {
-            const ir_node *statement = block->children[i];
-            if (statement == node)
-                break;
-            if (variable_written_in(j->an->facts, j->function->body, pointer->variable) &&
-                pointer->variable->storage != IR_LOCAL)
-                return false; /* it may point elsewhere by then */
-            access_list list = {0};
-            if (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATION)
-                access_collect(j->an->effects, statement, &list);
-            if (list_dereferences(&list, pointer))
-                return variable_fact_of(j->an->facts, pointer->variable)->write_count <=
-                       (pointer->variable->storage == IR_LOCAL ? 1u : 0u);
-        }
-        if (ir_is_loop(block) && block->kind != IR_FOR)
-            return false;
-    }
-    return false;
-}
-
 static bool has_subscript(const ir_node *node) {
     if (node->kind == IR_INDEX)
         return true;
@@ -97,5 +71,5 @@ bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
     const ir_node *pointer = dereferenced(base);
     if (!pointer || (base->type && base->type->kind == IR_ARRAY && pointer->kind == IR_VARIABLE))
         return true; /* for p->b with an array b only an address is computed */
-    return list_dereferences(&j->found, pointer) || dereferenced_on_the_way(j, pointer);
+    return list_dereferences(&j->found, pointer);
 }

@@ -12,6 +12,7 @@
  */
 #include "analysis/loop/spans.h"
 
+#include "analysis/base/expression.h"
 #include "analysis/base/stepped.h"
 
 /* ---- its parts in the slice ------------------------------------------------------------------ */
@@ -79,9 +80,57 @@ static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
     return count > 0;
 }
 
+/* Is the statement, declarator or header that contains the expression in the slice? One that was
+ * taken out, to be printed elsewhere, has no parent. */
+static bool is_held(const loop_analysis *j, const ir_node *node) {
+    while (node && ir_is_expression(node))
+        node = node->parent;
+    return !node || j->slice.holds[node->id];
+}
+
+static bool is_in_loop(const loop_analysis *j, const ir_node *node) {
+    return node->id > j->loop->id && node->id <= expression_last_id(j->loop);
+}
+
+/* Does a statement of the slice, other than this loop's header, use its value, or a recorded row?
+ */
+static bool is_read_in_slice(const loop_analysis *j, const loop_span *span,
+                             const ir_variable *variable) {
+    const variable_fact *fact = variable_fact_of(j->an->facts, variable);
+    for (unsigned i = 0; i < fact->occurrences.count; i++) {
+        const ir_node *use = fact->occurrences.items[i];
+        const bool is_set = use->parent->kind == IR_ASSIGN && use->parent->op == IR_OP_NONE &&
+                            use->parent->children[0] == use;
+        if (!is_set && is_in_loop(j, use) && !ir_contains(span->loop->children[2], use) &&
+            is_held(j, use))
+            return true;
+    }
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (expression_mentions(j->updates.items[i].row, variable))
+            return true;
+    for (unsigned i = 0; i < j->sources.count; i++) {
+        const loop_source *read = &j->sources.items[i];
+        bool is_read = expression_mentions(read->row, variable);
+        for (unsigned k = 0; k < read->loop_count; k++)
+            is_read |= expression_mentions(read->loops[k].lower, variable) ||
+                       expression_mentions(read->loops[k].bound, variable);
+        if (is_read)
+            return true;
+    }
+    return false;
+}
+
+static bool may_leave_steps_out(const loop_analysis *j, const loop_span *span) {
+    for (unsigned i = 0; i < span->other_count; i++)
+        if (is_read_in_slice(j, span, span->others[i]))
+            return false;
+    return true;
+}
+
 static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span) {
     return node->kind == IR_FOR && j->slice.holds[node->id] && span_recognise(node, span) &&
-           is_left_out(j, span, (ir_node *)span->counted.body) && tells_spans_only(j, span);
+           is_left_out(j, span, (ir_node *)span->counted.body) && tells_spans_only(j, span) &&
+           may_leave_steps_out(j, span);
 }
 
 static void find_below(const loop_analysis *j, ir_node *node, span_list *spans) {

@@ -166,8 +166,22 @@ static location cast_location(const question *q, const ir_node *node, unsigned d
     return l;
 }
 
+/* Moved by a number that is not known. */
+static void move_somewhere(location *l) {
+    if (l->step_count && !l->steps[l->step_count - 1].field)
+        l->steps[l->step_count - 1].subscript = NULL;
+    else
+        leave_single_object(l);
+}
+
 static location variable_location(const question *q, const ir_node *node, unsigned depth) {
     const ir_node *value = variable_single_definition(q->facts, node->variable);
+    const ir_node *start = value ? NULL : variable_walk_start(q->facts, node->variable, q->scope);
+    if (start && is_followed(start) && depth < LOOK_THROUGH_LIMIT) {
+        location l = pointed_location(q, start, depth + 1);
+        move_somewhere(&l);
+        return l;
+    }
     if (!value)
         return pointer_base(node);
     /* variable_escapes relies on every pointer with one definition being looked through, or

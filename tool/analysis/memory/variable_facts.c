@@ -33,6 +33,11 @@ static bool is_handed_over(const ir_node *node) {
            (node->type->kind == IR_ARRAY || node->kind == IR_CAST || node->kind == IR_BINARY);
 }
 
+static bool is_step(const ir_node *write) {
+    return ir_is_increment(write) ||
+           (write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT));
+}
+
 static bool note_occurrence(ir_node *node, void *context) {
     variable_facts *all = context;
     if (node->kind == IR_VARIABLE && node->variable) {
@@ -50,7 +55,7 @@ static bool note_occurrence(ir_node *node, void *context) {
         if (node->child_count) {
             VECTOR_PUSH(all->memory, &fact->writes, node);
             fact->write_count++;
-            fact->definition = node->children[0];
+            fact->definition = fact->start = node->children[0];
             fact->definition_place = node;
         }
     }
@@ -64,6 +69,10 @@ static bool note_occurrence(ir_node *node, void *context) {
         fact->definition =
             node->kind == IR_ASSIGN && node->op == IR_OP_NONE ? node->children[1] : NULL;
         fact->definition_place = node;
+        if (is_step(node))
+            fact->step_count++;
+        else
+            fact->start = fact->definition;
     }
     return true;
 }
@@ -142,6 +151,19 @@ const ir_node *variable_single_definition(variable_facts *facts, const ir_variab
     if (variable->type->kind != IR_ARRAY && variable->address_taken)
         return NULL;
     return fact->definition;
+}
+
+const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
+                                   const ir_node *scope) {
+    const variable_fact *fact = variable_fact_of(facts, variable);
+    if (variable->storage != IR_LOCAL || variable->type->kind != IR_POINTER ||
+        variable->address_taken || !fact->step_count || fact->write_count != fact->step_count + 1 ||
+        !fact->start || expression_mentions(fact->start, variable))
+        return NULL;
+    for (unsigned i = 0; i < fact->writes.count; i++)
+        if (!scope || !ir_contains(scope, fact->writes.items[i]))
+            return NULL;
+    return fact->start;
 }
 
 /* ---- uses of a pointer's value -------------------------------------------------------------- */

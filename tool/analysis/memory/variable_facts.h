@@ -12,8 +12,10 @@ typedef struct variable_fact {
     VECTOR(const ir_node *) occurrences; /* IR_VARIABLE nodes, in text order */
     VECTOR(const ir_node *) writes; /* nodes that assign it or take its address, in text order */
     unsigned write_count; /* assignments, increments, initialisers; address-taking not counted */
+    unsigned step_count;  /* of them, p++, p += e and the like */
     const ir_node *definition;       /* the value of the last assignment, if it is a plain `=` */
     const ir_node *definition_place; /* the declarator or IR_ASSIGN of it */
+    const ir_node *start;            /* the same of the last one that is no step */
     const ir_node *declarator;
     enum { EXPOSURE_NOT_ASKED, EXPOSURE_YES, EXPOSURE_NO } exposure;
     enum { ESCAPE_NOT_ASKED, ESCAPE_IN_PROGRESS, ESCAPE_YES, ESCAPE_NO } escape;
@@ -51,6 +53,11 @@ unsigned expression_last_id(const ir_node *node);
 /** The value of a local pointer or scalar that is assigned only once, by a plain initialiser or
  *  assignment; NULL otherwise. */
 const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable);
+
+/** The value that a local pointer is set to, where all its other assignments are steps, below
+ *  `scope`, which contains the first one as well; NULL: it is no such pointer. */
+const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
+                                   const ir_node *scope);
 
 /** Is it a restrict pointer whose value is used only for accesses through it and for calls of
  *  functions that do not store it? Then no other pointer reaches its target, if that is written. */

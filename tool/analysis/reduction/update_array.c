@@ -14,7 +14,9 @@ bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *updat
     const ir_node *base = update->where.base;
     const ir_variable *root = ir_root_variable(target);
     return base && !ir_contains(target, base) && ir_contains(j->counted.body, base) && root &&
-           root->type->kind == IR_POINTER && variable_single_definition(j->an->facts, root);
+           root->type->kind == IR_POINTER &&
+           (variable_single_definition(j->an->facts, root) ||
+            variable_walk_start(j->an->facts, root, j->loop));
 }
 
 static bool stays(const loop_analysis *j, const ir_node *base) {
@@ -221,8 +223,9 @@ static const ir_node *element_of_pointer(const loop_analysis *j, const loop_acce
         return NULL;
     const ir_node *pointer =
         variable_single_definition(j->an->facts, ir_root_variable(update->access.form.target));
-    const ir_node *element =
-        pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS ? pointer->children[0] : NULL;
+    const ir_node *element = pointer && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS
+                                 ? pointer->children[0]
+                                 : NULL;
     return element && element->kind == IR_INDEX &&
                    expression_same(element->children[0], update->where.base) &&
                    is_of_iteration_alone(j, element->children[1]) &&
