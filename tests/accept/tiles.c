@@ -83,6 +83,100 @@ static void shifted(int first, int n, int most, const double *x, double *f, doub
         }
 } // TILED: 75
 
+/* Vectors one after the other in one array, with local arrays. */
+static void vectors(int n, const double *x, double *f) {
+    double d[3], rr;
+    int i, j, k;
+    for (i = 0; i < n; i++) // EXPECT: transformed
+        for (j = i + 1; j < n; j++) {
+            rr = 0.125;
+            for (k = 0; k < 3; k++) {
+                d[k] = x[3 * i + k] - x[3 * j + k];
+                rr += d[k] * d[k];
+            }
+            if (rr > 1.5)
+                continue;
+            for (k = 0; k < 3; k++) {
+                f[3 * i + k] += d[k] / rr;
+                f[k + j * 3] -= d[k] / rr;
+            }
+        }
+} // TILED: 90
+
+static void planes(long n, const float *x, const float *mass, float *f, float cut) {
+    for (long i = 0; i < n; ++i) { // EXPECT: transformed
+        const float m = mass[i];
+        for (long j = i + 1; j < n; ++j) {
+            const float dx = x[2 * i + 0] - x[2 * j + 0], dy = x[2 * i + 1] - x[2 * j + 1];
+            const float rr = dx * dx + dy * dy;
+            if (rr < cut) {
+                const float e = m * mass[j] * (cut - rr);
+                f[2 * i + 0] += e * dx;
+                f[2 * i + 1] += e * dy;
+                f[2 * j + 0] -= e * dx;
+                f[2 * j + 1] -= e * dy;
+            }
+        }
+    }
+} // TILED: 107
+
+/* The counter is named after the loop that sets it under a condition. */
+static void counter_named_later(int n, const double *x, double *f) {
+    int i, j, k;
+    for (i = 0; i < n; i++) // EXPECT: transformed
+        for (j = i + 1; j < n; j++) {
+            k = 1;
+            if (x[i] * x[j] > 0.25)
+                for (k = 0; k < 2; k++)
+                    f[3 * j + k] -= x[i];
+            f[3 * i + k] = f[3 * i + k] * 0.5 + x[j];
+        }
+} // NOT-TILED: 126
+
+/* A vector reaches into the next one. */
+static void longer_vectors(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int j = i + 1; j < n; j++)
+            for (int k = 0; k < 3; k++) {
+                f[2 * i + k] += x[j];
+                f[2 * j + k] = f[2 * j + k] * 0.5 - x[i];
+            }
+} // NOT-TILED: 138
+
+/* The third value is that of an earlier turn. */
+static void older_values(int n, const double *x, double *f) {
+    double d[3] = {0, 0, 0};
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        d[0] = d[1] = d[2] = x[i];
+        for (int j = i + 1; j < n; j++) {
+            for (int k = 0; k < 3 - (x[j] > 0); k++)
+                d[k] = x[j] * 0.25;
+            for (int k = 0; k < 3; k++) {
+                f[3 * i + k] += d[k];
+                f[3 * j + k] = f[3 * j + k] * 0.5 - d[k];
+            }
+        }
+    }
+} // NOT-TILED: 149
+
+static void values_left_over(int n, const double *x, double *f) {
+    double d[3] = {0, 0, 0};
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        d[0] = d[1] = d[2] = x[i];
+        for (int j = i + 1; j < n; j++) {
+            for (int k = 0; k < 3; k++) {
+                if (x[j] * x[i] > 0.5 && k == 2)
+                    continue;
+                d[k] = x[j] * 0.25;
+            }
+            for (int k = 0; k < 3; k++) {
+                f[3 * i + k] += d[k];
+                f[3 * j + k] = f[3 * j + k] * 0.5 - d[k];
+            }
+        }
+    }
+} // NOT-TILED: 164
+
 /* Row and column of one element are not one apart from each other. */
 static void uneven(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -90,7 +184,7 @@ static void uneven(int n, const double *x, double *f) {
             f[i + 1] += x[j];
             f[j] = f[j] * 0.5 + x[i];
         }
-} // NOT-TILED: 88
+} // NOT-TILED: 182
 
 static void full(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -98,7 +192,7 @@ static void full(int n, const double *x, double *f) {
             f[i] += x[j];
             f[j] = f[j] * 0.5 - x[i];
         }
-} // NOT-TILED: 96
+} // NOT-TILED: 190
 
 static void above_and_below(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -106,7 +200,7 @@ static void above_and_below(int n, const double *x, double *f) {
             f[i] += x[j];
             f[j] = f[j] * 0.5 - x[i];
         }
-} // NOT-TILED: 104
+} // NOT-TILED: 198
 
 static void carried(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -118,7 +212,7 @@ static void carried(int n, const double *x, double *f) {
             f[j] = f[j] * 0.5 - e;
         }
     }
-} // NOT-TILED: 112
+} // NOT-TILED: 206
 
 static void sometimes_carried(int n, const double *x, double *f) {
     double e = 0;
@@ -131,7 +225,7 @@ static void sometimes_carried(int n, const double *x, double *f) {
             f[j] = f[j] * 0.5 - e;
         }
     }
-} // NOT-TILED: 125
+} // NOT-TILED: 219
 
 static void left_early(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) // EXPECT: transformed
@@ -141,7 +235,7 @@ static void left_early(int n, const double *x, double *f) {
             f[i] += x[j];
             f[j] = f[j] * 0.5 - x[i];
         }
-} // NOT-TILED: 137
+} // NOT-TILED: 231
 
 static void counted_by_rows(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -151,7 +245,7 @@ static void counted_by_rows(int n, const double *x, double *f) {
             f[j] = f[j] * 0.5 - x[i];
         }
     }
-} // NOT-TILED: 147
+} // NOT-TILED: 241
 
 static void begun_by_rows(int n, const double *x, double *f) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -161,7 +255,7 @@ static void begun_by_rows(int n, const double *x, double *f) {
             f[j] = f[j] * 0.5 - x[i];
         }
     }
-} // NOT-TILED: 157
+} // NOT-TILED: 251
 
 static void records_begun_by_rows(int n, const double *x) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -171,7 +265,7 @@ static void records_begun_by_rows(int n, const double *x) {
             points[j].force.x -= x[i];
         }
     }
-} // NOT-TILED: 167
+} // NOT-TILED: 261
 
 /* The arrays overlap: the row of one is another column of the other. */
 static void two_arrays(int n, const double *x, double *f, double *g) {
@@ -188,7 +282,7 @@ static void by_twos(int n, const double *x, double *f) {
             f[i] += x[j];
             f[j] = f[j] * 0.5 - x[i];
         }
-} // NOT-TILED: 186
+} // NOT-TILED: 280
 
 static void fill(void) {
     case_values(memory, ROOM);
@@ -228,6 +322,13 @@ int main(void) {
         shifted(round - 3, n / 2, n - 10, m + 9, m + 3 * N, round == 2 ? m + 12 : m + 7 * N);
         shifted(0, n / 3, n / 3 * 2, m, m + (round == 1 ? N : 2 * N), m + 7 * N);
         print();
+        vectors(n, m + 3 * N, m);
+        planes(n / 2, x, x + 1, f, 1);
+        CASE_PRINT(f);
+        longer_vectors(n - 1, m, m + 2 * N);
+        counter_named_later(n, m, m + 2 * N);
+        older_values(n, m, m + 2 * N);
+        values_left_over(n, m, m + 2 * N);
         uneven(n, m, m + 2 * N);
         full(n, m, m + 2 * N);
         above_and_below(n - 1, m, m + 2 * N);

@@ -1,16 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A place is the variable, or one member of it. Statements are classified in the order of their
- * execution: what follows an assignment that is always executed is not looked at. Control leaves a
- * statement early only by `continue`, `break` or `return`, and then does not reach what follows it.
+ * A place is the variable, a member of it, or an element of a short array. Loops over constants are
+ * executed: their counters have values in subscripts. Statements are classified in the order of
+ * their execution: what follows an assignment that is always executed is not looked at. Control
+ * leaves a statement early only by `continue`, `break` or `return`, and then does not reach what
+ * follows it.
  */
 #include "plan/fresh.h"
 
+#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/stepped.h"
+
+enum { MOST_ELEMENTS = 16 };
+
+/** A counter's value in the present iteration of a loop over constants. */
+typedef struct known {
+    const ir_variable *counter;
+    int64_t value;
+    const struct known *others;
+} known;
 
 typedef struct place {
-    const ir_variable *variable;
-    const ir_field *field; /* NULL: all of it */
+    const ir_variable *variable; /* all of it, if it is a scalar; */
+    const ir_field *field;       /* of a record */
+    int64_t element;             /* of an array */
+    const known *known;
 } place;
 
 typedef enum finding {
@@ -19,7 +34,28 @@ typedef enum finding {
     ASSIGNS, /* moreover, it is assigned whenever the next statement is reached */
 } finding;
 
+static bool is_array(const place *p) {
+    return p->variable->type->kind == IR_ARRAY;
+}
+
+static bool value_of(const place *p, const ir_node *node, int64_t *value) {
+    for (const known *it = p->known; it; it = it->others)
+        if (expression_is_variable(node, it->counter)) {
+            *value = it->value;
+            return true;
+        }
+    return expression_constant(node, value);
+}
+
+static bool is_element_of(const place *p, const ir_node *node, int64_t *element) {
+    return node->kind == IR_INDEX && expression_is_variable(node->children[0], p->variable) &&
+           value_of(p, node->children[1], element);
+}
+
 static bool is_place(const place *p, const ir_node *node) {
+    int64_t element;
+    if (is_array(p))
+        return is_element_of(p, node, &element) && element == p->element;
     if (!p->field)
         return expression_is_variable(node, p->variable);
     return node->kind == IR_MEMBER && !(node->flags & IR_ARROW) && node->field &&
@@ -27,9 +63,13 @@ static bool is_place(const place *p, const ir_node *node) {
            expression_is_variable(node->children[0], p->variable);
 }
 
+/** Perhaps: a subscript may have any value. */
 static bool mentions(const place *p, const ir_node *node) {
-    if (is_place(p, node))
+    int64_t element;
+    if (is_place(p, node) || (is_array(p) && expression_is_variable(node, p->variable)))
         return true;
+    if (is_array(p) && is_element_of(p, node, &element))
+        return false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (mentions(p, node->children[i]))
             return true;
@@ -69,6 +109,19 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
+/** Each of a few iterations is executed to its end. */
+static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
+                             const ir_variable *counter) {
+    finding found = FRESH;
+    for (int64_t i = first; i <= last && found == FRESH; i++) {
+        const known value = {counter, i, p->known};
+        place there = *p;
+        there.known = &value;
+        found = find_in(&there, node->children[3]);
+    }
+    return found;
+}
+
 /** Its body may be executed not at all, and `continue` may leave it anywhere. */
 static finding in_for(const place *p, const ir_node *node) {
     const finding first = find_in(p, node->children[0]);
@@ -76,6 +129,13 @@ static finding in_for(const place *p, const ir_node *node) {
         return first;
     if (mentions(p, node->children[1]) || mentions(p, node->children[2]))
         return READS;
+    const ir_variable *counter;
+    int64_t begin, end;
+    loop_span steps; /* of 1 */
+    if (is_array(p) && span_recognise((ir_node *)node, &steps) &&
+        counted_constant(node, &counter, &begin, &end) && end - begin < MOST_ELEMENTS &&
+        !ir_has_kind(node, IR_CONTINUE) && !ir_has_kind(node, IR_BREAK))
+        return in_iterations(p, node, begin, end, counter);
     return find_in(p, node->children[3]) == READS ? READS : FRESH;
 }
 
@@ -113,20 +173,34 @@ static bool names_only_members(const ir_node *node, const ir_variable *variable)
     return true;
 }
 
+static bool is_fresh_array_in(const ir_node *statement, const ir_variable *variable) {
+    const ir_type *element = variable->type->target;
+    const int64_t count = element->size > 0 ? variable->type->size / element->size : 0;
+    place one = {.variable = variable};
+    if (!ir_type_is_scalar(element) || count < 1 || count > MOST_ELEMENTS)
+        return false;
+    for (one.element = 0; one.element < count; one.element++)
+        if (find_in(&one, statement) == READS)
+            return false;
+    return true;
+}
+
 bool is_fresh_in(const ir_node *statement, const ir_variable *variable) {
     if (variable->address_taken || variable->has_other_name || ir_has_kind(statement, IR_OPAQUE) ||
         ir_has_kind(statement, IR_GOTO) || ir_has_kind(statement, IR_SWITCH))
         return false;
     const ir_record *record = variable->type->record;
     if (ir_type_is_scalar(variable->type)) {
-        const place whole = {variable, NULL};
+        const place whole = {.variable = variable};
         return find_in(&whole, statement) != READS;
     }
+    if (variable->type->kind == IR_ARRAY)
+        return is_fresh_array_in(statement, variable);
     if (variable->type->kind != IR_RECORD || !record || record->is_union ||
         !names_only_members(statement, variable))
         return false;
     for (unsigned i = 0; i < record->field_count; i++) {
-        const place member = {variable, &record->fields[i]};
+        const place member = {.variable = variable, .field = &record->fields[i]};
         if (find_in(&member, statement) == READS)
             return false;
     }

@@ -127,7 +127,7 @@ static bool turns_are_apart(const pairs *p) {
         if (variable == p->column || ir_declarator_in(p->span->loop, variable) ||
             !expression_mentions(body, variable))
             continue;
-        if (variable->address_taken || variable->type->kind == IR_ARRAY)
+        if (variable->address_taken)
             return false;
         if (is_written_in(body, variable) && !is_fresh_in(body, variable))
             return false;

@@ -3,6 +3,14 @@
 
 #include "analysis/base/expression.h"
 
+/* Elements of a vector among others in one array, `x[3 * i + c]`: as with records, the whole from
+ * the first to the last has some too many. */
+enum { MOST_FLAT = 16 };
+
+static int64_t at_most(int64_t steps) {
+    return steps <= MOST_FLAT ? steps : 0;
+}
+
 /* Either values of this type never wrap around, or they do as addresses do. */
 static bool is_steady(const ir_type *type) {
     return type && type->kind == IR_INTEGER &&
@@ -15,20 +23,30 @@ static bool keeps_steps(const ir_type *from, const ir_type *to) {
             (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
 
-/* Does the index increase by one with the counter, without wrapping around? */
-static bool steps_with(const ir_node *index, const ir_variable *counter) {
+/* By how much does the index increase with the counter, without wrapping around? 0: not known. */
+static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
     if (index->kind == IR_VARIABLE)
         return index->variable == counter && counter->type->size >= 4;
     if (index->kind == IR_CAST)
-        return keeps_steps(index->children[0]->type, index->type) &&
-               steps_with(index->children[0], counter);
+        return keeps_steps(index->children[0]->type, index->type)
+                   ? steps_with(index->children[0], counter)
+                   : 0;
     if (index->kind != IR_BINARY || !is_steady(index->type))
-        return false;
+        return 0;
     const ir_node *left = index->children[0], *right = index->children[1];
+    int64_t factor;
+    if (index->op == IR_OP_MULTIPLY)
+        return expression_constant(left, &factor) && factor > 0 && factor <= MOST_FLAT
+                   ? at_most(factor * steps_with(right, counter))
+               : expression_constant(right, &factor) && factor > 0 && factor <= MOST_FLAT
+                   ? at_most(factor * steps_with(left, counter))
+                   : 0;
     if (index->op == IR_OP_ADD && !expression_mentions(left, counter))
         return steps_with(right, counter);
     return (index->op == IR_OP_ADD || index->op == IR_OP_SUBTRACT) &&
-           !expression_mentions(right, counter) && steps_with(left, counter);
+                   !expression_mentions(right, counter)
+               ? steps_with(left, counter)
+               : 0;
 }
 
 /* Of the same part of each element, `a[i].f.x` or `a[i].v[2]`: the element. Between two such parts
@@ -62,11 +80,11 @@ int64_t row_stride(const ir_node *row, const ir_variable *counter) {
     row = element_around(row);
     if (is_behind(row, counter))
         return counter->type->target->size;
-    return row->kind == IR_INDEX && row->type->size > 0 &&
-                   !expression_mentions(row->children[0], counter) &&
-                   steps_with(row->children[1], counter)
-               ? row->type->size
-               : -1;
+    const int64_t steps = row->kind == IR_INDEX && row->type->size > 0 &&
+                                  !expression_mentions(row->children[0], counter)
+                              ? steps_with(row->children[1], counter)
+                              : 0;
+    return steps > 0 ? steps * row->type->size : -1;
 }
 
 bool row_steps_with(const ir_node *row, const ir_variable *counter) {

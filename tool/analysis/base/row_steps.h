@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Consecutive elements, as a counter is incremented. */
+/** Elements one after the other, as a counter is incremented. */
 #ifndef ANALYSIS_ROW_STEPS_H
 #define ANALYSIS_ROW_STEPS_H
 
@@ -9,11 +9,12 @@
  *  independent of the counter; -1: they are not known, or differ. */
 int64_t row_stride(const ir_node *row, const ir_variable *counter);
 
-/** Is the row independent of the counter, or the next element of an array for its next value? */
+/** Is the row independent of the counter, or a later one of an array for its next value, at a
+ *  constant distance? */
 bool row_steps_with(const ir_node *row, const ir_variable *counter);
 
-/** Does the loop access consecutive elements, so that the first and the last determine the
- *  range? */
+/** Does the loop access elements at constant distances, so that the first and the last determine
+ * the range? */
 bool source_loop_is_span(const source_loop *loop, const ir_node *row);
 
 /** Loops with the same bounds; their counters may differ. */

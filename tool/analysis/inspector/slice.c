@@ -390,6 +390,22 @@ static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope)
     return true;
 }
 
+/* Does a loop over constants set the counter wherever the body names it? Then it may be set to any
+ * value in between. */
+static bool is_set_by_loops(const ir_node *node, const ir_variable *variable) {
+    const ir_variable *counter;
+    int64_t first, last;
+    if (node->kind == IR_FOR && counted_constant(node, &counter, &first, &last) &&
+        counter == variable)
+        return true;
+    if (node->kind == IR_OPAQUE || node->kind == IR_GOTO || expression_is_variable(node, variable))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_set_by_loops(node->children[i], variable))
+            return false;
+    return true;
+}
+
 /* May the slice execute the kept parts of this statement when the program does not? */
 static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node *scope) {
     const ir_variable *counter;
@@ -405,7 +421,8 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
     default:
         return !has_own_condition(node) ||
                (counted_constant(node, &counter, &first, &last) &&
-                stays_in(s, node->children[0], scope) && stays_in(s, node->children[2], scope));
+                ((stays_in(s, node->children[0], scope) && stays_in(s, node->children[2], scope)) ||
+                 is_set_by_loops(s->j->counted.body, counter)));
     }
 }
 

@@ -9,10 +9,15 @@
  *
  *     for (p = first, i = 0; i < n; i++, p++)
  *         for (q = second, k = 0; k < m; k++, q++)  f[p] += ..., f[q] -= ...
+ *
+ * A row may go along with both if the nested loop is over constants, `f[3 * p + c]`: it has the
+ * nested loop's first value in the first row and its last one in the last row.
  */
 #include "analysis/loop/spans.h"
 
+#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/row_steps.h"
 #include "analysis/base/stepped.h"
 
 /* ---- its parts in the slice ------------------------------------------------------------------ */
@@ -27,13 +32,22 @@ static bool stays_in(const loop_span *outer, const loop_span *inner) {
     return true;
 }
 
+/* `x[3 * j + c]` in a loop over a constant range of c: its ends are known. */
+static bool is_vector_loop(const ir_node *loop, const loop_span *inner, const ir_node *row) {
+    const ir_variable *counter;
+    int64_t first, last;
+    return inner->stepped_count == 1 && counted_constant(loop, &counter, &first, &last) &&
+           counter == inner->counted.counter && row_steps_with(row, counter);
+}
+
 /* Is there a loop of the slice in between that also steps a variable of the row? */
 static bool is_stepped_below(const loop_analysis *j, const loop_span *span, const ir_node *place,
                              const ir_node *row) {
     loop_span inner;
     for (ir_node *node = place->parent; node && node != span->loop; node = node->parent)
         if (node->kind == IR_FOR && j->slice.holds[node->id] &&
-            (!span_recognise(node, &inner) || span_mentions(&inner, row) > 0))
+            (!span_recognise(node, &inner) ||
+             (span_mentions(&inner, row) > 0 && !is_vector_loop(node, &inner, row))))
             return true;
     return false;
 }

@@ -3,6 +3,7 @@
  * function; and the same as probes. */
 #include "emit/slice/access_log.h"
 
+#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 #include "emit/base/forward.h"
@@ -16,12 +17,39 @@
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
+const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
+                              const ir_variable *counter) {
+    const ir_variable *stepped;
+    int64_t first, last;
+    for (const ir_node *node = place; node && node != span; node = node->parent)
+        if (counted_constant(node, &stepped, &first, &last) && stepped == counter)
+            return node;
+    return NULL;
+}
+
+/** The value in the first or last row of a span that a loop over constants has there. */
+static const char *end_value(inspector *self, const ir_variable *counter) {
+    const ir_node *loop = vector_loop_of(self->span, self->place, counter);
+    const ir_variable *stepped;
+    int64_t first, last;
+    if (!loop || !counted_constant(loop, &stepped, &first, &last))
+        return NULL;
+    const int64_t number = self->is_at_last ? last : first;
+    const char *value =
+        arena_format(self->loop->arena, number < 0 ? "(%lld)" : "%lld", (long long)number);
+    return counter->type->is_signed && counter->type->size == 4
+               ? value
+               : origin_value(self->loop->arena, counter->type, value);
+}
+
 /** The printer's hook for spellings: records the variables. */
 const char *inspector_note_variable(const ir_node *node, void *context) {
     inspector *self = context;
     for (unsigned i = 0; node->kind == IR_VARIABLE && i < self->loop_count; i++)
         if (self->loops[i].counter == node->variable)
             return source_loop_counter(self->loop->arena, i);
+    if (node->kind == IR_VARIABLE && self->place && end_value(self, node->variable))
+        return end_value(self, node->variable);
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
     const char *name = own_name(self->loop, node);
@@ -212,11 +240,14 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
     const unsigned number = logged_number(item);
     arena *a = self->printer.arena;
     self->is_unconditional = item->is_unconditional;
+    self->place = item->place;
+    self->is_at_last = true;
     const char *end =
         item->is_unconditional
             ? arena_format(a, "%s + sizeof(%s)", log_address_text(self, item->row, counter),
                            log_row_text(self, item->row))
             : arena_format(a, "(const char *)(&%s + 1)", log_row_text(self, item->row));
+    self->place = NULL;
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
     if (logged_is_update(item))
@@ -266,7 +297,7 @@ static void log_in_loops(inspector *self, const loop_source *read, unsigned numb
         writer_line(out, "%s = (%s)(%s%s);", source_loop_counter(a, read->loop_count - 1),
                     origin_type(a, last->counter->type), log_row_text(self, last->bound),
                     last->comparison == IR_OP_LESS ? " - 1" : "");
-        log_up_to(self, &(logged_row){read->row, (int)number, 0, self->is_unconditional}, 0,
+        log_up_to(self, &(logged_row){read->row, (int)number, 0, self->is_unconditional, NULL}, 0,
                   last->counter);
     } else {
         log_row(self, read->row, false, number, base);
@@ -278,7 +309,7 @@ static void log_in_loops(inspector *self, const loop_source *read, unsigned numb
 }
 
 void log_update(inspector *self, const reduction_update *update) {
-    const logged_row item = {update->row, SOURCE_NOT_LOGGED, update->array, false};
+    const logged_row item = {update->row, SOURCE_NOT_LOGGED, update->array, false, NULL};
     if (was_just_logged(self, item))
         return;
     self->is_unconditional = update_is_unconditional(self->loop->facts, update);
@@ -287,7 +318,7 @@ void log_update(inspector *self, const reduction_update *update) {
 }
 
 void log_read(inspector *self, const loop_source *read, int number) {
-    const logged_row item = {read->row, number, 0, false};
+    const logged_row item = {read->row, number, 0, false, NULL};
     if (!read->loop_count && was_just_logged(self, item))
         return;
     const bool is_fixed =

@@ -13,6 +13,7 @@ typedef struct logged_row {
     int source; /* or SOURCE_NOT_LOGGED, for an update */
     unsigned array;
     bool is_unconditional;
+    const ir_node *place; /* in a span: where the loop accesses it; otherwise NULL */
 } logged_row;
 
 typedef VECTOR(logged_row) row_list;
@@ -26,8 +27,11 @@ typedef struct inspector {
     bool is_unconditional; /* the current code may be evaluated when the program does not */
     unsigned loop_count;   /* around the current code, of a called function */
     const source_loop *loops;
-    row_list recent;   /* logged since the slice's last other statement */
-    size_t recent_end; /* length of the text when the last of them was */
+    const ir_node *span;  /* a loop, while the ends of its rows are spelled, */
+    const ir_node *place; /* of the one accessed here; NULL: not now */
+    bool is_at_last;      /* in the last of its iterations, not the first */
+    row_list recent;      /* logged since the slice's last other statement */
+    size_t recent_end;    /* length of the text when the last of them was */
 } inspector;
 
 bool logged_same(const logged_row *a, const logged_row *b);
@@ -48,6 +52,9 @@ const char *log_row_text(inspector *self, const ir_node *row);
  *  array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
+/** Is the counter one of a loop over constants between the span and the place? */
+const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
+                              const ir_variable *counter);
 /** The range from row number `row` of a list, from its first element on, whose address was saved,
  *  to this one. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter);

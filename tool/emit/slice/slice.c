@@ -86,9 +86,22 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
-static void list_row(inspector *self, row_list *rows, logged_row item) {
+/** Accessed within the same loops over constants that step variables of the row. */
+static bool has_same_ends(const ir_node *row, const ir_node *span, const ir_node *place,
+                          const ir_node *other) {
+    if (row->kind == IR_VARIABLE &&
+        vector_loop_of(span, place, row->variable) != vector_loop_of(span, other, row->variable))
+        return false;
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (!has_same_ends(row->children[i], span, place, other))
+            return false;
+    return true;
+}
+
+static void list_row(inspector *self, row_list *rows, const loop_span *span, logged_row item) {
     for (unsigned i = 0; i < rows->count; i++)
-        if (logged_same(&rows->items[i], &item)) {
+        if (logged_same(&rows->items[i], &item) &&
+            has_same_ends(item.row, span->loop, rows->items[i].place, item.place)) {
             rows->items[i].is_unconditional |= item.is_unconditional;
             return;
         }
@@ -129,26 +142,34 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
         if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_LOGGED || !read->place ||
             !is_logged_here(facts, span, read->place, read->row))
             continue;
-        list_row(self, &rows,
-                 (logged_row){read->row, number, 0, source_is_unconditional(facts, read)});
+        list_row(
+            self, &rows, span,
+            (logged_row){read->row, number, 0, source_is_unconditional(facts, read), read->place});
         self->source_logged[i] = true;
     }
     for (unsigned i = 0; i < facts->update_count && facts->slice.has_rows; i++) {
         const reduction_update *update = &facts->updates[i];
         if (!is_logged_here(facts, span, update->statement, update->row))
             continue;
-        list_row(self, &rows,
+        list_row(self, &rows, span,
                  (logged_row){update->row, SOURCE_NOT_LOGGED, update->array,
-                              update_is_unconditional(facts, update)});
+                              update_is_unconditional(facts, update), update->statement});
         self->update_logged[i] = true;
     }
     return rows;
 }
 
+/** Do spans around it log all its rows? Its counter is not known behind it. */
+static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
+    return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
+           span->counted.counter_is_declared_in_header && span->stepped_count == 1;
+}
+
 /** Nested spans: each is logged once. */
 static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *node) {
     if (span_of(facts, node)) {
-        print_statement(p, node);
+        if (!is_logged_elsewhere((inspector *)p, span_of(facts, node)))
+            print_statement(p, node);
         return;
     }
     for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
@@ -196,9 +217,13 @@ static void log_at_once(printer *p, const ir_node *loop) {
     for (unsigned i = 0; i < rows.count; i++)
         if (span_mentions(span, rows.items[i].row)) {
             self->is_unconditional = rows.items[i].is_unconditional;
+            self->span = loop;
+            self->place = rows.items[i].place;
+            self->is_at_last = false;
             writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
                         log_address_text(self, rows.items[i].row,
                                          span_stepped_in(span, rows.items[i].row)));
+            self->place = NULL;
         }
     for (unsigned i = 0; i < rows.count; i++) {
         const logged_row *item = &rows.items[i];
@@ -210,8 +235,10 @@ static void log_at_once(printer *p, const ir_node *loop) {
     self->is_unconditional = is_unconditional(facts, loop);
     step_to_last(self, span);
     for (unsigned i = 0; i < rows.count; i++)
-        if (span_mentions(span, rows.items[i].row))
+        if (span_mentions(span, rows.items[i].row)) {
+            self->span = loop;
             log_up_to(self, &rows.items[i], i, span_stepped_in(span, rows.items[i].row));
+        }
     step_behind(self, span);
 }
 
