@@ -11,6 +11,9 @@ enum { N = 4000, D = 10, CENTRES = 14, ROWS = 60 };
 static float points[N][D + 1], centres[CENTRES][D], sums[CENTRES][D];
 static float *point[N], *centre[CENTRES], *sum[CENTRES];
 static double far[ROWS * 3 + D], *row[ROWS], w[N], wide[ROWS][D + 2], *apart[ROWS];
+static struct cell {
+    double before, sum;
+} cells[ROWS][D], *cell[ROWS];
 static int member[N], count[CENTRES], key[N], length[N];
 
 static float distance(const float *a, const float *b, int n) {
@@ -52,7 +55,14 @@ static void overlapping(int n, int d) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int j = 0; j < d; j++)
             row[key[t]][j] = w[t] - row[key[t]][j] * 0.5;
-} // BINNED: 52
+} // BINNED: 55
+
+/* A part of each record: no row of elements one after the other. */
+static void parts(int n, int d) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int j = 0; j < d; j++)
+            cell[key[t]][j].sum += w[t] * 0.5;
+}
 
 static void bounds(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -61,7 +71,7 @@ static void bounds(int n) {
         for (unsigned j = 2; j <= (unsigned)length[t]; j++)
             apart[key[t]][j] -= scale * (double)(j + shift) + (double)points[t][0];
     }
-} // BINNED: 58
+} // BINNED: 68
 
 static void conditions(int n, int d) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -94,6 +104,7 @@ int main(void) {
     for (int k = 0; k < ROWS; k++) {
         row[k] = far + 3 * k;
         apart[k] = wide[(k * 7) % ROWS];
+        cell[k] = cells[k];
     }
     apart[5] = apart[9]; /* one row, twice */
     for (int round = 0; round < 4; round++) {
@@ -101,11 +112,13 @@ int main(void) {
         overlapping(N, D);
         bounds(N);
         conditions(N, D);
+        parts(N, D - round);
         CASE_PRINT(sums);
         CASE_PRINT(count);
         CASE_PRINT(member);
         CASE_PRINT(far);
         CASE_PRINT(wide);
+        CASE_PRINT(cells);
         for (int k = 0; k < CENTRES; k++)
             for (int j = 0; j < D; j++)
                 centres[k][j] = sums[k][j] / (float)(count[k] + 1);

@@ -109,6 +109,7 @@ static bool find_span(const loop_plan *plan, const reduction_update *update, bin
            span->first >= 0 && counter->type->spelling &&
            expression_mentions(update->target, counter) &&
            row_steps_with(update->target, counter) &&
+           row_stride(update->target) == update->target->type->size &&
            !is_named_outside(facts->counted.body, loop, counter) &&
            syntax_editable_statement(loop, facts->counted.body) == loop &&
            may_be_later(plan, span, update, update->statement->children[0]);

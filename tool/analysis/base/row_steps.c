@@ -66,6 +66,11 @@ bool row_steps_with(const ir_node *row, const ir_variable *counter) {
            !expression_mentions(row->children[0], counter) && steps_with(row->children[1], counter);
 }
 
+int64_t row_stride(const ir_node *row) {
+    row = element_around(row);
+    return row->kind == IR_MEMBER ? row->children[0]->type->target->size : row->type->size;
+}
+
 bool source_loop_is_span(const source_loop *loop, const ir_node *row) {
     return loop->step == 1 &&
            (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL) &&

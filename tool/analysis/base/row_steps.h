@@ -8,6 +8,9 @@
 /** Is the row independent of the counter, or the next element of an array for its next value? */
 bool row_steps_with(const ir_node *row, const ir_variable *counter);
 
+/** The bytes from such a row to the next: of the element that it is, or is a part of. */
+int64_t row_stride(const ir_node *row);
+
 /** Does the loop access consecutive elements, so that the first and the last determine the
  *  range? */
 bool source_loop_is_span(const source_loop *loop, const ir_node *row);

@@ -11,6 +11,7 @@
 
 #include "analysis/base/loop_exits.h"
 #include "analysis/base/loop_loads.h"
+#include "analysis/base/row_steps.h"
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
 #include "emit/base/own.h"
@@ -389,7 +390,7 @@ static const char *span_question(loop_text *loop, const skip_row *skipped) {
                                      counted->comparison == IR_OP_LESS ? "" : " + 1");
     return arena_format(a, "REDCC_OWNS_ROW(%u, %s, %s * %lldu)", skipped->update->array,
                         macro_argument(a, number), macro_argument(a, count),
-                        (long long)row->type->size);
+                        (long long)row_stride(row));
 }
 
 static const char *row_question(loop_text *loop, const skip_row *skipped) {
