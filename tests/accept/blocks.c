@@ -12,6 +12,9 @@ static long n_of[ROWS + 64];
 static struct {
     double at, mass, push[4];
 } body[ROWS];
+static struct record {
+    double before[5], sum, behind[3];
+} record[ROWS];
 
 /* A molecular dynamics program's force loop: halo blocks behind the others, only written to. */
 static void cells(int blocks, double cut) {
@@ -71,6 +74,20 @@ static void records(int blocks) {
             }
         }
     }
+}
+
+/* A part of each record: the rows of a block lie a record apart. */
+static void parts(int blocks) {
+    for (int b = 0; b < blocks; b++) // EXPECT: transformed
+        for (int k = 0; k < NEAR; k++) {
+            const int other = near[b][k];
+            for (int p = MOST * b; p < MOST * (b + 1); p++) // TURN
+                for (int q = MOST * other; q < MOST * (other + 1); q++) {
+                    const double d = r[p][0] - r[q][1], e = sqrt(d * d + 0.1) * d / (d * d + 3);
+                    record[p].sum += e;
+                    record[q].sum -= e;
+                }
+        }
 }
 
 /* The secondary counter is used after the loop: its value is the next subscript. */
@@ -175,6 +192,7 @@ int main(void) {
             cells(BLOCKS, 1.5);
             with_the_bound(BLOCKS - 7);
             records(BLOCKS);
+            parts(BLOCKS);
             asked_afterwards(BLOCKS);
             twice(BLOCKS);
             others(BLOCKS);
@@ -183,5 +201,6 @@ int main(void) {
     case_print("f", f, sizeof f);
     case_print("body", body, sizeof body);
     case_print("n", n_of, sizeof n_of);
+    case_print("record", record, sizeof record);
     return 0;
 }

@@ -147,7 +147,7 @@ static void reads_walk(int n, float *to, const float *from) {
 }
 
 /* Only some iterations follow the pointer. */
-static void some_cells(struct lattice *l, int n) {
+static void some_cells(const struct lattice *l, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         if (length[t] > 3) {
             float *q = l->at + place[t];

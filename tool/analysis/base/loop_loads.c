@@ -1,17 +1,30 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/loop_loads.h"
 
+#include <string.h>
+
 #include "analysis/base/expression.h"
 
 enum { MOST_NAMED = 32 }; /* in one function */
 
 /* ---- loads that qualify ---------------------------------------------------------------------- */
 
+/* The length of the type's spelling without a last `const`, which is the pointer's own: a member of
+ * a const record has one. */
+static size_t length_of_spelling(const ir_type *type) {
+    static const char word[] = "*const";
+    const size_t length = strlen(type->spelling), last = sizeof word - 1;
+    const bool ends_so = length > last && strcmp(type->spelling + length - last, word) == 0;
+    return type->is_const && ends_so ? length - (last - 1) : length;
+}
+
 static bool is_plain_pointer(const ir_type *type) {
-    return type && type->kind == IR_POINTER && !type->is_const && !type->is_volatile &&
-           !type->is_atomic && !type->is_restrict && !type->has_address_space && type->spelling &&
-           type->target && type->target->kind != IR_FUNCTION_TYPE && !type->target->is_volatile &&
-           !type->target->is_atomic && !type->target->has_address_space;
+    return type && type->kind == IR_POINTER && type->spelling &&
+           type->is_const == (length_of_spelling(type) < strlen(type->spelling)) &&
+           !type->is_volatile && !type->is_atomic && !type->is_restrict &&
+           !type->has_address_space && type->target && type->target->kind != IR_FUNCTION_TYPE &&
+           !type->target->is_volatile && !type->target->is_atomic &&
+           !type->target->has_address_space;
 }
 
 /* p->a.b.c, with the pointer type of c: returns p, and the offset of c behind it. NULL: another
@@ -70,9 +83,13 @@ static void name_load(naming *n, const ir_node *node) {
     if (n->count == MOST_NAMED || named(n->variables.count, n->variables.items, n->function, node))
         return;
     arena *a = n->unit->arena;
+    ir_type *type = ARENA_NEW(a, ir_type);
+    *type = *node->type;
+    type->is_const = false;
+    type->spelling = arena_copy(a, type->spelling, length_of_spelling(node->type));
     ir_variable *variable = ARENA_NEW(a, ir_variable);
     *variable = (ir_variable){.name = arena_format(a, "redcc__read_%u", n->count++),
-                              .type = node->type,
+                              .type = type,
                               .storage = IR_LOCAL,
                               .function = n->function,
                               .id = n->unit->variable_count + n->variables.count,
