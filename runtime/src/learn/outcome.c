@@ -102,7 +102,7 @@ static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
     struct arm *arm = &size->arm[it->contender];
     if (arm->timed.count == 0)
-        note_time(&arm->timed, redcc_turns_mean(&it->turns, 0));
+        note_time(&arm->timed, it->turns.least[0]);
     size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
     size->unchecked = 0;
     if (contender_won || it->incumbent != WAY_SEQUENTIAL) {
