@@ -213,6 +213,12 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         run_sequentially(it, call, true);
         return;
     }
+    if (trace->no_inspection) {
+        it->so_far.looks++;
+        tell(it, outcome_of(RESULT_REFUSED, WAY_SEQUENTIAL, call, spent));
+        run_sequentially(it, call, true);
+        return;
+    }
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const double trip = (double)call->trip;
         arm[way].possible = trace->possible[way];

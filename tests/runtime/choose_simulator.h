@@ -39,6 +39,7 @@ struct trace {
     bool compared;            /**< all of them are compared with those of the call before */
     int refused_from;         /**< call from which on a guard forbids bins; 0: none, */
     double refusal;           /**< after so many seconds */
+    bool no_inspection;       /**< a guard forbids all that is inspected, after the sample */
 };
 
 struct simulated {

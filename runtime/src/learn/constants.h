@@ -53,7 +53,9 @@
 /** A sample: 256 iterations of some touches. Starting threads on an idle machine takes as long (0.1
  *  to 0.4 ms), ten times as long on a busy one (2 to 6). */
 #define LEARN_LOOK 0.4e-3
-/** Iterations of that sample. */
+/** Iterations of that sample. The square of this number takes milliseconds in a loop that cannot be
+ *  inspected, whose subscripts take some 10 ns and more: it is tried in bins in its first
+ * execution, a 16th of it. */
 #define LEARN_LOOKED_AT 256
 /** Recording a touch of an iteration with the same owners as the preceding one. Beginning a run of
  *  iterations takes three times that, and logging a touch seven. */
@@ -77,8 +79,5 @@
 /** Bytes of the caches of a current core. Random updates of arrays three times as large wait for
  *  memory: bins and prefetches help only there (script/bench binning). */
 #define LEARN_CACHE 4e6
-/** Iterations from which a loop that cannot be inspected, whose subscripts take some 10 ns and
- * more, is tried in bins in its first execution: it takes milliseconds, the trial a 16th of it. */
-#define LEARN_AT_ONCE 65536
 
 #endif

@@ -38,7 +38,7 @@ static double usual_of(const struct choice *c) {
 /* Until bins are known to be faster, an execution by them is a trial, which may stop. */
 static bool is_trial(const struct choice *c, enum way way) {
     const bool compared = c->size->stand == STAND_COMPARING && c->size->comparison.contender == way;
-    return way == WAY_BINS && (compared || !c->size->arm[way].measured);
+    return way == WAY_BINS && (compared || c->size->arm[way].timed.count == 0);
 }
 
 static bool is_clear(const struct choice *c, enum way way) {
@@ -52,11 +52,13 @@ static double room_for(const struct choice *c, enum way way) {
     return credit_of(c->ledger) - lent - risk * usual_of(c);
 }
 
-/* A measured strategy that is clearly faster repays the debt while it stays so. */
+/* A strategy that is clearly faster repays the debt, while its executions together do: one that was
+ * interrupted does not end that. */
 static bool may_execute(const struct choice *c, enum way way) {
-    const bool gains =
-        c->size->gained && c->size->arm[way].measured && !is_trial(c, way) && is_clear(c, way);
-    return gains || room_for(c, way) >= 0;
+    const bool was_executed =
+        c->size->arm[way].timed.count > 0 || c->size->stand == STAND_COMPARING;
+    const bool repays = c->size->gained > 0 && was_executed && !is_trial(c, way);
+    return (repays && is_clear(c, way)) || room_for(c, way) >= 0;
 }
 
 static bool fits(const struct choice *c, enum way way) {
@@ -240,14 +242,15 @@ static struct decision look(const struct choice *c) {
     const bool alone =
         !(are_sure(c) || goes_without_plan(c)) || credit_of(c->ledger) < cost + c->now->start;
     c->size->rule = RULE_LOOKING;
-    return (struct decision){.action = ACTION_INSPECT,
-                             .alone = alone,
-                             .deadline = credit_of(c->ledger) - (alone ? 0 : c->now->start),
-                             .rule = RULE_LOOKING};
+    return (struct decision){
+        .action = ACTION_INSPECT,
+        .alone = alone,
+        .deadline = least_of(2 * cost, credit_of(c->ledger) - (alone ? 0 : c->now->start)),
+        .rule = RULE_LOOKING};
 }
 
 static struct decision take_up(const struct choice *c, enum way way) {
-    if (!c->size->arm[way].measured) {
+    if (c->size->arm[way].timed.count == 0) {
         redcc_compare(c->size, way, WAY_SEQUENTIAL);
         return reuse(c, way, RULE_COMPARING);
     }
@@ -264,32 +267,30 @@ static struct decision decide_set_up(const struct choice *c) {
     return set_up(c, redcc_usual(c->size));
 }
 
+bool redcc_goes_at_once(const struct situation *now) {
+    return now->bins_only && now->threads > 1 &&
+           now->trip >= (long long)LEARN_LOOKED_AT * LEARN_LOOKED_AT;
+}
+
 /* Is there no inspection, does it begin with a dry run, which may take as long as the loop, or are
  * iterations so heavy that an inspection may take longer than a trial of bins may lose? They have
  * inner loops, and the inspection records all rows that those touch, but for tiles only where they
- * begin and end. */
+ * begin and end. The first execution may be a trial that times the sequential loop as well. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
-    return c->now->threads > 1 && !c->now->tiled && !bins->measured && !bins->ruled_out &&
-           c->now->kept[WAY_BINS] == KEPT_FITS &&
-           (c->now->bins_only || c->now->dry_run ||
-            redcc_usual(c->size) * LEARN_LOOKED_AT > LEARN_LOOK);
-}
-
-bool redcc_goes_at_once(const struct situation *now) {
-    return now->bins_only && now->threads > 1 && now->trip >= LEARN_AT_ONCE;
-}
-
-/* The first execution: a trial that times the sequential loop as well. */
-static bool is_tried_at_once(const struct choice *c) {
-    const struct arm *bins = &c->size->arm[WAY_BINS];
-    return redcc_goes_at_once(c->now) && c->now->kept[WAY_BINS] == KEPT_FITS && !bins->ruled_out;
+    const double usual = redcc_usual(c->size);
+    if (c->now->threads < 2 || c->now->tiled || bins->timed.count > 0 || bins->ruled_out ||
+        c->now->kept[WAY_BINS] != KEPT_FITS)
+        return false;
+    return usual == 0
+               ? redcc_goes_at_once(c->now)
+               : c->now->bins_only || c->now->dry_run || usual * LEARN_LOOKED_AT > LEARN_LOOK;
 }
 
 static struct decision try_first(const struct choice *c) {
-    const double least = LEARN_CONTENDED / c->now->threads * redcc_usual(c->size);
+    const double usual = redcc_usual(c->size), least = LEARN_CONTENDED / c->now->threads * usual;
     c->size->arm[WAY_BINS] = (struct arm){.possible = true, .guessed = true, .execution = least};
-    const bool may = fits(c, WAY_BINS) && may_execute(c, WAY_BINS);
+    const bool may = usual == 0 || (fits(c, WAY_BINS) && may_execute(c, WAY_BINS));
     return may ? take_up(c, WAY_BINS) : sequentially(c, RULE_SAVING);
 }
 
@@ -334,11 +335,17 @@ static struct decision decide_comparing(const struct choice *c) {
  * that the plan was the faster way it is half as much, three times. A first execution finds no page
  * of the arrays in place, and says less than the others. */
 static bool is_check_due(const struct choice *c) {
-    const double more = redcc_usual(c->size) - c->size->arm[c->size->way].execution;
+    const double more = redcc_usual(c->size) - redcc_expected(c->size, c->size->way);
     const double half = 2 / LEARN_SHARE;
     const double after =
         c->size->sequential.count > 1 ? half * (double)(1 << c->size->checks) : half / LEARN_SURE;
     return c->size->unchecked > after * more * (double)c->now->trip;
+}
+
+/* A strategy that was tried before any sample was taken is not the best one for that. */
+static struct decision look_for_more(const struct choice *c) {
+    const bool is_known = c->size->looked || c->now->bins_only;
+    return is_known ? (struct decision){0} : look(c);
 }
 
 static struct decision decide_parallel(const struct choice *c) {
@@ -346,7 +353,7 @@ static struct decision decide_parallel(const struct choice *c) {
         return leave_plan(c);
     if (!may_execute(c, c->size->way))
         return sequentially(c, RULE_SAVING);
-    const double current = c->size->arm[c->size->way].execution;
+    const double current = redcc_expected(c->size, c->size->way);
     if (is_check_due(c)) {
         c->size->checks += c->size->sequential.count > 1 && c->size->checks < LEARN_PAIRS;
         redcc_compare(c->size, c->size->way, WAY_SEQUENTIAL);
@@ -355,6 +362,9 @@ static struct decision decide_parallel(const struct choice *c) {
         redcc_turns_note(&c->size->comparison.turns, current);
         return sequentially(c, RULE_COMPARING);
     }
+    const struct decision looked = look_for_more(c);
+    if (looked.action == ACTION_INSPECT)
+        return looked;
     const enum way way = affordable_way(c, current);
     if (way != WAY_SEQUENTIAL && way != c->size->way && c->now->kept[way] != KEPT_FITS)
         return set_up(c, current);
@@ -366,12 +376,26 @@ static struct decision decide_parallel(const struct choice *c) {
     return reuse(c, c->size->way, RULE_FASTER);
 }
 
+/* Of the strategies available in this call, the one that was the fastest when it was last
+ * executed. */
+static enum way fastest_known(const struct choice *c) {
+    enum way best = WAY_SEQUENTIAL;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        if (c->size->arm[way].timed.count > 0 && c->now->kept[way] == KEPT_FITS &&
+            (redcc_is_planned(way) || redcc_expected(c->size, way) < redcc_usual(c->size)) &&
+            (best == WAY_SEQUENTIAL ||
+             redcc_expected(c->size, way) < redcc_expected(c->size, best)))
+            best = way;
+    return best;
+}
+
 /* The reason for a back-off may no longer hold. */
 static void end_rest(const struct choice *c) {
     const bool was_slower = c->size->rule == RULE_SLOWER;
     c->size->stand = STAND_SAVING;
-    if (was_slower && c->now->kept[c->size->way] == KEPT_FITS) {
-        redcc_compare(c->size, c->size->way, WAY_SEQUENTIAL);
+    const enum way again = was_slower ? fastest_known(c) : WAY_SEQUENTIAL;
+    if (again != WAY_SEQUENTIAL) {
+        redcc_compare(c->size, again, WAY_SEQUENTIAL);
         return;
     }
     c->size->looked = false;
@@ -395,7 +419,7 @@ static bool is_short(const struct choice *c) {
 
 static struct decision decide(const struct choice *c) {
     if (c->size->sequential.count == 0)
-        return is_tried_at_once(c) ? take_up(c, WAY_BINS) : sequentially(c, RULE_FIRST);
+        return tries_first(c) ? try_first(c) : sequentially(c, RULE_FIRST);
     if (c->size->stand == STAND_SHORT && c->size->calls == c->size->rest.until) {
         c->size->stand = STAND_SAVING;
         return sequentially(c, RULE_SHORT);
@@ -473,8 +497,7 @@ void redcc_note_arms(struct choice_state *state, long long trip, const struct ar
         known->learned = before.learned;
         known->ruled_out = before.ruled_out;
         known->possible = arm[way].possible && !before.ruled_out;
-        known->measured = before.measured && arm[way].possible;
-        known->execution = known->measured ? before.execution : arm[way].execution;
+        known->timed = before.timed;
     }
     size->looked = true;
     size->look = spent;
@@ -488,7 +511,7 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
     here.spent = spent;
     redcc_note_arms(state, now->trip, arm, spent);
     const double current =
-        size->stand == STAND_PARALLEL ? size->arm[size->way].execution : redcc_usual(size);
+        size->stand == STAND_PARALLEL ? redcc_expected(size, size->way) : redcc_usual(size);
     const struct choice c = {&state->ledger, size, &here};
     const bool may_be_direct = size->stand == STAND_SAVING && goes_without_plan(&c) &&
                                size->arm[WAY_DIRECT].possible && is_clear(&c, WAY_DIRECT);

@@ -22,15 +22,21 @@
 
 #include <stdbool.h>
 
+/** The last three executions, seconds per iteration. */
+struct timings {
+    double recent[3];
+    long count;
+};
+
 /** Estimates and measurements of a strategy. */
 struct arm {
     bool possible;
     bool ruled_out;   /**< it was tried and failed: not feasible until the loop's back-off ends */
-    bool measured;    /**< `execution` is measured, not estimated */
     bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
     double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
     double learned;   /**< measured seconds, or a lower bound; 0: none was constructed */
-    double execution; /**< seconds per iteration, including the check of a kept plan */
+    double execution; /**< seconds per iteration, including the check of a kept plan; estimated */
+    struct timings timed; /**< and measured */
 };
 
 /** Is there a kept plan for this call? A strategy without plans fits if the loop has a form for it,
@@ -115,15 +121,10 @@ enum stand {
     STAND_RESTING    /**< sequential for some calls: exponential back-off */
 };
 
-/** The last three sequential executions, seconds per iteration. */
-struct timings {
-    double recent[3];
-    long count;
-};
-
 /** Two strategies alternate, the contender first. */
 struct comparison {
     enum way contender, incumbent;
+    bool proven; /**< the contender is in use: less than all pairs are no proof against it */
     struct turns turns;
 };
 
@@ -150,9 +151,9 @@ struct size_state {
     int threads;
     int steady;       /* of the last call (situation.steady), at least 0 */
     bool looked;      /* the arms are known */
-    bool gained;      /* the last execution by a strategy was faster than the sequential loop */
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds per iteration of the sequential loop, as known then */
+    double gained; /* seconds, by strategies: in the last execution, and in debt since it began */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
     int checks;       /* consecutive checks in which a plan was faster */
     long calls;
@@ -222,8 +223,11 @@ double redcc_credit(const struct choice_state *state);
 /** The state at trip counts of that size. */
 const struct size_state *redcc_size_of(const struct choice_state *state, long long trip);
 
-/** Seconds per iteration of the sequential loop: the median of the last three executions, or the
- *  lower of two. 0: unknown. */
+/** Seconds per iteration: the median of the last three executions, since one that was interrupted
+ *  says nothing; or the lower of two. 0: unknown. */
+double redcc_typical(const struct timings *timings);
+
+/** That of the sequential loop. */
 double redcc_usual(const struct size_state *size);
 
 /** Seconds per iteration by that strategy. Estimates are relative to the sequential loop, whose

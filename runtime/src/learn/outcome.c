@@ -10,12 +10,20 @@ const struct size_state *redcc_size_of(const struct choice_state *state, long lo
     return &state->size[logarithm < REDCC_SIZES ? logarithm : REDCC_SIZES - 1];
 }
 
-double redcc_usual(const struct size_state *size) {
-    const double *t = size->sequential.recent;
-    if (size->sequential.count < 3)
-        return size->sequential.count == 2 && t[1] < t[0] ? t[1] : t[0];
+double redcc_typical(const struct timings *it) {
+    const double *t = it->recent;
+    if (it->count < 3)
+        return it->count == 2 && t[1] < t[0] ? t[1] : t[0];
     const double low = t[0] < t[1] ? t[0] : t[1], high = t[0] < t[1] ? t[1] : t[0];
     return t[2] < low ? low : t[2] > high ? high : t[2];
+}
+
+double redcc_usual(const struct size_state *size) {
+    return redcc_typical(&size->sequential);
+}
+
+static void note_time(struct timings *it, double each) {
+    it->recent[it->count++ % 3] = each;
 }
 
 /* Gains must not be overestimated. 0: unknown. */
@@ -44,9 +52,9 @@ double redcc_factor(const struct set_ups *it) {
 
 double redcc_expected(const struct size_state *size, enum way way) {
     const struct arm *it = &size->arm[way];
-    return it->measured || size->looked_at <= 0
-               ? it->execution
-               : it->execution * redcc_usual(size) / size->looked_at;
+    return it->timed.count > 0    ? redcc_typical(&it->timed)
+           : size->looked_at <= 0 ? it->execution
+                                  : it->execution * redcc_usual(size) / size->looked_at;
 }
 
 bool redcc_is_better(const struct size_state *size, enum way way, double current) {
@@ -54,7 +62,8 @@ bool redcc_is_better(const struct size_state *size, enum way way, double current
 }
 
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent) {
-    size->comparison = (struct comparison){contender, incumbent, {0}};
+    const bool proven = size->stand == STAND_PARALLEL && size->way == contender;
+    size->comparison = (struct comparison){contender, incumbent, proven, {0}};
     size->stand = STAND_COMPARING;
     size->rule = RULE_COMPARING;
 }
@@ -92,8 +101,8 @@ static void return_to_sequential(struct size_state *size, enum way way) {
 static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
     struct arm *arm = &size->arm[it->contender];
-    arm->execution = redcc_turns_mean(&it->turns, 0);
-    arm->measured = true;
+    if (arm->timed.count == 0)
+        note_time(&arm->timed, it->turns.least[0]);
     size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
     size->unchecked = 0;
     if (contender_won || it->incumbent != WAY_SEQUENTIAL) {
@@ -102,7 +111,19 @@ static void settle(struct size_state *size, bool contender_won) {
         return;
     }
     size->checks = 0;
-    return_to_sequential(size, it->contender);
+    if (it->proven)
+        rest(size, RULE_SLOWER);
+    else
+        return_to_sequential(size, it->contender);
+}
+
+/* One pair is enough to keep a strategy that is in use, since only the sequential loop costs
+ * anything then; it is left only after all of them. */
+static bool is_settled(const struct comparison *it) {
+    const int winner = redcc_turns_winner(&it->turns);
+    return it->turns.timed % TURN_ARMS == 0 &&
+           (winner == 0 ||
+            (winner == 1 && !(it->proven && it->turns.timed < TURN_ARMS * LEARN_PAIRS)));
 }
 
 enum way redcc_turn(const struct comparison *it) {
@@ -117,7 +138,7 @@ static void count_in_comparison(struct size_state *size, enum way way, double ea
     redcc_turns_note(&it->turns, each);
     if (it->turns.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);
-    else if (it->turns.timed % 2 == 0 && redcc_turns_winner(&it->turns) >= 0)
+    else if (is_settled(it))
         settle(size, redcc_turns_winner(&it->turns) == 0);
 }
 
@@ -139,7 +160,7 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
     const bool is_check = comparing && it->turns.timed == 1 && redcc_turn(it) == WAY_SEQUENTIAL;
     if (is_check && is_another(redcc_usual(size), each))
         timings->count = 0;
-    timings->recent[timings->count++ % 3] = each;
+    note_time(timings, each);
     if (size->calls < timings->count) /* timed before the loop had a state */
         size->calls = timings->count;
     if (comparing)
@@ -182,32 +203,29 @@ static double enter_in_ledger(struct choice_state *state, struct size_state *siz
 /* A trial has timed the sequential loop, too. */
 static void note_usual(struct size_state *size, double usual) {
     if (usual > 0)
-        size->sequential.recent[size->sequential.count++ % 3] = usual;
+        note_time(&size->sequential, usual);
 }
 
 static void observe_parallel(struct choice_state *state, struct size_state *size,
                              const struct outcome *outcome) {
     const double each = outcome->seconds / (double)outcome->trip;
-    const double smoothing = 1.0 / (1 + LEARN_PAIRS);
     struct arm *arm = &size->arm[outcome->way];
     struct set_ups *set_ups = &size->set_ups;
     const bool is_first =
-        outcome->set_up > 0 || (!redcc_is_planned(outcome->way) && !arm->measured);
+        outcome->set_up > 0 || (!redcc_is_planned(outcome->way) && arm->timed.count == 0);
     if (outcome->set_up > 0) {
         if (size->stand == STAND_SAVING && set_ups->uses > 0)
             set_ups->lifetime = set_ups->met + set_ups->uses;
         count_set_up(size, outcome->way, outcome->set_up);
     }
     note_usual(size, outcome->usual);
+    const bool goes_on_in_debt = outcome->set_up == 0 && redcc_credit(state) < 0;
     const double sequential = enter_in_ledger(state, size, outcome);
     set_ups->uses++;
     set_ups->earned += sequential - outcome->seconds;
-    size->gained = outcome->seconds < sequential;
-    if (outcome->set_up == 0) {
-        arm->execution +=
-            arm->measured ? smoothing * (each - arm->execution) : each - arm->execution;
-        arm->measured = true;
-    }
+    size->gained = (goes_on_in_debt ? size->gained : 0) + sequential - outcome->seconds;
+    if (outcome->set_up == 0)
+        note_time(&arm->timed, each);
     const double usual = outcome->usual > 0 ? outcome->usual : redcc_usual(size);
     if (is_first)
         begin_trial(size, outcome->way, each, usual);
@@ -224,8 +242,8 @@ static void observe_left(struct choice_state *state, struct size_state *size,
     struct arm *arm = &size->arm[outcome->way];
     note_usual(size, outcome->usual);
     enter_in_ledger(state, size, outcome);
-    arm->execution = outcome->seconds / (double)outcome->trip;
-    arm->measured = true;
+    arm->timed = (struct timings){0};
+    note_time(&arm->timed, outcome->seconds / (double)outcome->trip);
     size->way = outcome->way;
     return_to_sequential(size, outcome->way);
 }
@@ -257,8 +275,10 @@ static void observe_refusal(struct size_state *size, const struct outcome *outco
         return;
     const bool another =
         another_may_do(size, outcome->way) && (!refused || outcome->way != WAY_SEQUENTIAL);
-    if (size->stand == STAND_PARALLEL && size->way != outcome->way)
+    if (size->stand == STAND_PARALLEL && size->way != outcome->way) {
+        size->looked = true; /* what could be known */
         return;
+    }
     if (another)
         size->stand = STAND_SAVING;
     else

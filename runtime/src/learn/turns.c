@@ -13,8 +13,6 @@ void redcc_turns_note(struct turns *it, double seconds) {
     const int arm = redcc_turn_of(it->timed);
     if (it->least[arm] <= 0 || seconds < it->least[arm])
         it->least[arm] = seconds;
-    it->sum[arm] += seconds;
-    it->count[arm]++;
     it->timed++;
 }
 
@@ -24,8 +22,4 @@ int redcc_turns_winner(const struct turns *it) {
     const bool is_evident =
         rounds > 0 && it->least[!best] > (1 + LEARN_NOISE / rounds) * it->least[best];
     return is_evident || rounds >= LEARN_PAIRS ? best : -1;
-}
-
-double redcc_turns_mean(const struct turns *it, int arm) {
-    return it->sum[arm] / it->count[arm];
 }

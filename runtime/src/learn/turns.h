@@ -12,8 +12,6 @@ enum { TURN_ARMS = 2 };
 struct turns {
     int timed;
     double least[TURN_ARMS]; /**< seconds */
-    double sum[TURN_ARMS];
-    int count[TURN_ARMS];
 };
 
 /** The arm to run after `timed` timings: 0 1 0 1 */
@@ -25,8 +23,5 @@ void redcc_turns_note(struct turns *it, double seconds);
 /** The faster arm, if that is evident: after n rounds the other one takes longer by the n-th part
  *  of the noise, or the maximum number of rounds is reached. Else -1. */
 int redcc_turns_winner(const struct turns *it);
-
-/** Mean seconds of an arm that was timed. */
-double redcc_turns_mean(const struct turns *it, int arm);
 
 #endif
