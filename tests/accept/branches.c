@@ -150,6 +150,24 @@ static void pragmas(int n) {
         counted[s[t]] += 3;
 }
 
+/* Versions of the function, one of which is compiled: what stands above the loop in another. */
+static void other_versions(int n) {
+#ifdef WITH_THREADS
+    for (int t = 0; t < n; t++)
+        counted[s[t]]--;
+#else
+#if LEVEL > 2
+    int lock = -1; // of the row
+#endif
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+#if LEVEL > 2
+        lock = s[t];
+#endif
+        counted[s[t]] += 5;
+    }
+#endif
+}
+
 static void floating_subscript(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
 #ifdef NO_WEIGHTS
@@ -189,6 +207,7 @@ int main(void) {
         printf("%d %d\n", without_braces(N - 1), without_braces(1));
         sum += sum_beside(N);
         pragmas(N - 7);
+        other_versions(N);
         floating_subscript(N);
         hints(N);
         CASE_PRINT(h);

@@ -49,6 +49,37 @@ static float assign(int n, float **f, float **centres, int *membership, int *len
     return delta;
 }
 
+/* The search begins with the first row: that pointer is read in each call. */
+static float apart(const float *a, const float *b, int n) {
+    float sum = 0;
+    for (int d = 0; d < n; d++)
+        sum += (a[d] - b[d]) * (a[d] - b[d]);
+    return sum;
+}
+
+static int nearest_to(const float *f, float **rows, int clusters, int n) {
+    int best = 0;
+    float least = apart(f, rows[0], n);
+    for (int c = 1; c < clusters; c++) {
+        const float now = apart(f, rows[c], n);
+        if (now < least) {
+            least = now;
+            best = c;
+        }
+    }
+    return best;
+}
+
+static void assign_from_the_first(int n, int width, float **f, float **centres, int *membership,
+                                  float **sums) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int index = nearest_to(f[i], centres, C, width);
+        membership[i] += index;
+        for (int d = 0; d < width; d++)
+            sums[index][d] += f[i][d];
+    }
+}
+
 /* Moved, wrapped around, and deposited where it is then. */
 static void push(int n, struct particle *p, double *rho, double dt) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -382,10 +413,12 @@ int main(void) {
         order[i + 1] = i % 997;
     }
     static float sum[C][F], *sums[C];
+    static float total[C + 8][F], *totals[C]; /* the pointers are apart from the rows */
     static int length[C];
     for (int c = 0; c < C; c++) {
         row[c] = centre[c];
         sums[c] = sum[c];
+        totals[c] = total[c + 4];
         for (int d = 0; d < F; d++)
             centre[c][d] = feature[c * 31][d];
     }
@@ -398,9 +431,12 @@ int main(void) {
     for (int round = 0; round < 5; round++) {
         const int n = round == 3 ? N / 2 : N;
         printf("%a\n", (double)assign(n, point, row, member, length, sums));
-        CASE_PRINT(member);
         CASE_PRINT(length);
+        assign_from_the_first(n, F, point, totals, member, totals); /* it overlaps */
+        assign_from_the_first(n, F, point, row, member, totals);
+        CASE_PRINT(member);
         CASE_PRINT(sum);
+        CASE_PRINT(total);
         for (int c = 0; c < C; c++)
             for (int d = 0; d < F; d++)
                 centre[c][d] = (centre[c][d] + sum[(c + 1) % C][d] / 100) / 2;

@@ -59,6 +59,20 @@ void ends_in_a_branch(int n, const int *k, double *h) {
 #endif
 }
 
+/* It is compiled, and may apply to the loop. */
+#define HINT
+void hint_in_a_branch(int n, const int *k, double *h) {
+    h[0] = 0;
+#ifdef OTHER
+    h[0] = 1;
+#else
+    HINT
+#endif
+    for (int t = 0; t < n; t++) { // EXPECT: refuse directive-in-range
+        h[k[t]] += 1;
+    }
+}
+
 void before_the_semicolon(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse directive-in-range
         h[k[t]] += 1

@@ -197,3 +197,47 @@ void writes_its_list(int n, const int *to, int (*list)[4], const double *x, doub
     for (int e = 0; e < n; e++) // EXPECT: refuse callee-updates
         renumber(x, list[e], &b[to[e]]);
 }
+
+/* A row that some calls read only: before the loop, its pointer cannot be read. */
+static float apart(const float *a, const float *b, int n) {
+    float sum = 0;
+    for (int d = 0; d < n; d++)
+        sum += (a[d] - b[d]) * (a[d] - b[d]);
+    return sum;
+}
+
+static float where_there_is_one(const float *f, float **rows, int n) {
+    if (n < 2)
+        return 0;
+    return apart(f, rows[0], n) / 3;
+}
+
+void of_some_calls(int n, const int *k, float **f, float **rows, int d, float *b) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        b[k[i]] += where_there_is_one(f[i], rows, d);
+}
+
+static float in_turns(const float *f, float **rows, int n) {
+    float sum = 0;
+    for (int q = 0; q < n; q++)
+        sum += apart(f, rows[0], n);
+    return sum;
+}
+
+void of_some_loops(int n, const int *k, float **f, float **rows, int d, float *b) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        b[k[i]] += in_turns(f[i], rows, d);
+}
+
+static float from_the_first(const float *f, float **rows, int n) {
+    return apart(f, rows[0], n) / 5;
+}
+
+void of_calls_in_some_iterations(int n, const int *k, float **f, float **rows, int d, float *b) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse callee-reads
+        float v = 0;
+        if (k[i] > 3)
+            v = from_the_first(f[i], rows, d);
+        b[k[i]] += v;
+    }
+}

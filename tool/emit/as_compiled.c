@@ -25,12 +25,6 @@ static void blank(char *text, uint32_t begin, uint32_t end) {
             text[i] = ' ';
 }
 
-/** The end of the text that the directive excludes. */
-static uint32_t end_of_branch(const ir_unit *unit, unsigned number) {
-    const ir_directive *d = &unit->directives[number];
-    return d->is_skipped && number + 1 < unit->directive_count ? d[1].range.begin : d->range.end;
-}
-
 const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis) {
     bool *is_left_out = ARENA_ARRAY(a, bool, unit->directive_count + 1);
     unsigned count = 0;
@@ -50,7 +44,7 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
     seen->directive_count = 0;
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (is_left_out[i])
-            blank(text, unit->directives[i].range.begin, end_of_branch(unit, i));
+            blank(text, unit->directives[i].range.begin, loop_text_end_of_branch(unit, i));
         else
             kept[seen->directive_count++] = unit->directives[i];
     source *file = ARENA_NEW(a, source);

@@ -17,6 +17,11 @@ unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset) {
     return low;
 }
 
+uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number) {
+    const ir_directive *d = &unit->directives[number];
+    return d->is_skipped && number + 1 < unit->directive_count ? d[1].range.begin : d->range.end;
+}
+
 /* ---- above the loop ------------------------------------------------------------------------ */
 
 static bool is_blank(const ir_unit *unit, uint32_t begin, uint32_t end) {

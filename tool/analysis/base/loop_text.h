@@ -15,6 +15,9 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 /** Index of the unit's first directive at or after `offset`. */
 unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
 
+/** The end of the directive with this number and of the text that it excludes, up to the next. */
+uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number);
+
 /**
  * A directive in the loop's text that prevents it from being one statement in each compilation of
  * the file, or that only one copy of the text can have; or NULL. Permitted are conditional

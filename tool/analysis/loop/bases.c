@@ -48,12 +48,17 @@ static bool has_subscript(const ir_node *node) {
     return false;
 }
 
+/* A function that is called makes it whenever it is called, once, and of this very lvalue. */
+static bool is_certain(const access *a) {
+    return !a->is_conditional &&
+           (!a->callee || (a->lvalue && a->is_exact && !a->is_behind && !a->loop_count));
+}
+
 /* Is exactly this object read in each iteration? */
 static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
         const access *a = &j->found.items.items[i];
-        if (a->kind == ACCESS_READ && !a->is_conditional && !a->callee &&
-            expression_same(a->lvalue, lvalue))
+        if (a->kind == ACCESS_READ && is_certain(a) && expression_same(a->lvalue, lvalue))
             return true;
     }
     return false;

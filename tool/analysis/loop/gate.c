@@ -13,13 +13,14 @@
 
 /* ---- the source text ------------------------------------------------------------------------- */
 
-/* Past blanks, comments, empty statements and directives; the beginning of other text, or `to`. */
+/* Past blanks, comments, empty statements, directives and text that is not compiled (with it, the
+ * original loop is: as_compiled.h); the beginning of other text, or `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
     while ((from = source_skip_blanks(unit->source, from, to)) < to) {
         const unsigned next = loop_text_first_directive(unit, from);
         if (next < unit->directive_count && unit->directives[next].range.begin == from)
-            from = unit->directives[next].range.end;
+            from = loop_text_end_of_branch(unit, next);
         else if (unit->source->text[from] == ';')
             from++;
         else
