@@ -3,9 +3,11 @@
 
 #include "learn/constants.h"
 
+#include <assert.h>
 #include <stdbool.h>
 
 int redcc_turn_of(int timed) {
+    assert(timed >= 0);
     return timed % TURN_ARMS;
 }
 
@@ -27,5 +29,6 @@ int redcc_turns_winner(const struct turns *it) {
 }
 
 double redcc_turns_mean(const struct turns *it, int arm) {
+    assert(arm >= 0 && arm < TURN_ARMS && it->count[arm] > 0);
     return it->sum[arm] / it->count[arm];
 }
