@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lanes.h"
 
+#include <assert.h>
+
 #include "plan/inner_iterations.h"
 #include "plan/lane_calls.h"
 #include "plan/lookup.h"
@@ -68,6 +70,7 @@ static const ir_variable *assigned_by(const ir_node *node, bool *other) {
 }
 
 bool lane_begins_with(const ir_node *loop, const ir_variable *variable) {
+    assert(loop->kind == IR_FOR);
     bool other = false;
     const ir_node *first = loop->children[0];
     if (first->kind == IR_DECLARATION) {
@@ -298,6 +301,7 @@ static bool is_uniform_step(lane_scope *l, const ir_node *node) {
 }
 
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
+    assert(loop->kind == IR_FOR);
     const ir_node *first = loop->children[0], *condition = loop->children[1];
     if (condition->kind == IR_EMPTY || !lane_is_uniform(l, condition) ||
         !is_uniform_step(l, loop->children[2]))
