@@ -2,11 +2,14 @@
 /** Adds an execution to the report, and informs auto of its result. */
 #include "loop.h"
 
+#include <assert.h>
+
 #include "base/clock.h"
 #include "base/trace.h"
 #include "plan/lost.h"
 
 void redcc_count_fallback(struct loop_state *state, enum reason reason) {
+    assert(reason < REASON_COUNT);
     redcc_trace(TRACE_CHOICE, state->execution.call.request.loop, "the original loop%s%s",
                 reason == REASON_NONE ? "" : ": ", redcc_reason_text(reason));
     redcc_note_mode(&state->reported.statistics, MODE_SEQUENTIAL);
@@ -16,10 +19,12 @@ void redcc_count_fallback(struct loop_state *state, enum reason reason) {
 }
 
 void redcc_note_mode(struct statistics *statistics, enum mode mode) {
+    assert(mode < MODE_COUNT);
     atomic_store_explicit(&statistics->last.mode, (int)mode, memory_order_relaxed);
 }
 
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds) {
+    assert(iterations >= 0);
     redcc_note_mode(statistics, MODE_TIMED);
     statistics->sequential.calls++;
     statistics->sequential.iterations += iterations;
@@ -27,6 +32,7 @@ void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, 
 }
 
 void redcc_note_rule(struct statistics *statistics, enum rule rule) {
+    assert(rule < RULE_COUNT);
     atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
 }
 
@@ -181,6 +187,8 @@ static void tell_auto(struct execution *execution, double now) {
 
 void redcc_count_lost(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
+    assert(reuse->changed_source < 0 ||
+           (uint32_t)reuse->changed_source < execution->call.request.loop->source_count);
     if (reuse->changed_source >= 0)
         redcc_report_lost(&execution->state->reported.statistics,
                           execution->call.request.loop->sources[reuse->changed_source].name);
@@ -305,6 +313,7 @@ bool redcc_account(struct execution *execution) {
 }
 
 void redcc_note_misnamed(redcc_loop *loop, long count) {
+    assert(count >= 0);
     struct loop_state *state = redcc_state_of(loop);
     if (state)
         atomic_fetch_add(&state->reported.statistics.validated.misnamed, count);

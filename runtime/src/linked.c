@@ -2,6 +2,7 @@
 /* Functions of other files: checks that the linked definitions are those that were analysed. Each
  * object describes its functions and their addresses (redcc_record). The records are compared with
  * those of the loop's translation, and the addresses with the targets of the calls. */
+#include <assert.h>
 #include <redcc/runtime.h>
 
 #include <stdbool.h>
@@ -33,5 +34,6 @@ static bool are_linked(const redcc_callee *called, redcc_size count,
 
 int redcc_are_linked(const redcc_callee *called, redcc_size count,
                      const redcc_expectation *expected, redcc_size expected_count) {
+    assert((called || count == 0) && (expected || expected_count == 0));
     return are_linked(called, count, expected, expected_count, 0);
 }

@@ -106,6 +106,7 @@ void redcc_loop_forget(redcc_loop *loop) {
 
 struct loop_state *redcc_loop_acquire(struct loop_state *state, redcc_loop *loop, bool always,
                                       enum reason *reason) {
+    assert(!state->temporary);
     int idle = 0;
     if (atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
                                                 memory_order_relaxed))

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "operands.h"
 
+#include <assert.h>
+
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/system.h"
@@ -20,6 +22,7 @@ void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size) {
         return NULL;
     (void)redcc_is_forked(); /* before any memory of the parent is used */
     const bool fits = (redcc_size)trip <= SIZE_MAX / 4 / size;
+    assert(size > 0);
     void *operands =
         fits && !are_too_many((size_t)trip * size) ? redcc_memory_take((size_t)trip * size) : NULL;
     if (!operands)

@@ -7,6 +7,7 @@
 #include "settings.h"
 #include "variables.h"
 
+#include <assert.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@
 static _Atomic(struct reported *) all;
 
 void redcc_report_add(struct reported *reported) {
+    assert(reported->file && reported->function);
     reported->next = atomic_load(&all);
     while (!atomic_compare_exchange_weak(&all, &reported->next, reported))
         ;
@@ -49,6 +51,7 @@ static bool count_text(char *place, long *count, const char *text) {
 }
 
 void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array) {
+    assert(source && array);
     char text[REDCC_TEXT];
     snprintf(text, sizeof text, "'%s' overlaps '%s'", source, array);
     for (int i = 0; i < REDCC_TEXTS; i++)

@@ -9,6 +9,7 @@
 #include "variables.h"
 #include "why.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* ---- what both say --------------------------------------------------------------------------- */
@@ -250,6 +251,7 @@ static void write_notes(FILE *out, const struct statistics *it) {
 /* With busy neighbours cores are preempted some 50 to 200 times a second (docs/report.md), on a
  * quiet machine rarely. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time) {
+    assert(seconds >= 0);
     const long many = 10, a_second = 20;
     const bool sleeps = policy && (policy[0] == 'p' || policy[0] == 'P');
     return !sleeps && !has_spin_time && lost >= many && (double)lost >= (double)a_second * seconds;

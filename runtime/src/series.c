@@ -134,6 +134,7 @@ static bool any_is_lost(const redcc_series_writer *writers, redcc_u32 count) {
 }
 
 int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
+    assert(count > 0);
     struct thread_state *thread = worker->execution;
     if (!is_executed(thread))
         return 0;
@@ -157,6 +158,7 @@ int redcc_series_is_over(const redcc_worker *worker) {
 }
 
 const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k) {
+    assert(*k >= 0);
     for (; *k < series->trip; ++*k) {
         redcc_series_part *part = atomic_load_explicit(&series->part[*k], memory_order_relaxed);
         if (part)

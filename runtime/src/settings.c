@@ -11,6 +11,7 @@
 #include "spelling.h"
 #include "variables.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -47,6 +48,7 @@ void redcc_stop(const char *format, ...) {
 static const char *const order_names[] = {"serial", "fixed", "any"};
 
 const char *redcc_order_name(redcc_order order) {
+    assert(order <= REDCC_ORDER_ANY);
     return order_names[order];
 }
 
@@ -67,6 +69,7 @@ static void append(char *text, size_t size, const char *more) {
 
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count) {
+    assert(count > 0); /* one of them is the nearest */
     char known[512] = "";
     for (size_t i = 0; i < count; i++) {
         append(known, sizeof known, i ? " " : "");

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "spelling.h"
 
+#include <assert.h>
 #include <string.h>
 
 size_t redcc_spelling_distance(const char *a, const char *b) {
@@ -23,6 +24,7 @@ size_t redcc_spelling_distance(const char *a, const char *b) {
 }
 
 size_t redcc_spelling_nearest(const char *word, const char *const *names, size_t count) {
+    assert(count > 0);
     size_t nearest = 0;
     for (size_t i = 1; i < count; i++)
         if (redcc_spelling_distance(word, names[i]) < redcc_spelling_distance(word, names[nearest]))

@@ -73,6 +73,7 @@ static bool lengthen(struct loop_state *state, size_t count) {
 }
 
 bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int count) {
+    assert(count >= 1);
     if (count > state->thread_count && !lengthen(state, (size_t)count))
         return false;
     for (; state->thread_count < count; state->thread_count++) {

@@ -3,6 +3,7 @@
 
 #include "learn/back_off.h"
 
+#include <assert.h>
 #include <stdint.h>
 
 /* The duration of an execution that is worth a state: threads are worth waking for it on an idle
@@ -60,6 +61,7 @@ static bool counts(void) {
 }
 
 bool redcc_unmade_call(void **state, redcc_int trip) {
+    assert(trip >= 0);
     void *const before = __atomic_load_n(state, __ATOMIC_RELAXED);
     if (!before || !redcc_is_unmade(before))
         return true;

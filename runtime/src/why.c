@@ -3,6 +3,7 @@
 
 #include "learn/constants.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* Possible remedies. */
@@ -70,11 +71,13 @@ static long repaid_after(double seconds) {
 void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
     long sequential;
     const enum reason reason = commonest(it, &sequential);
+    assert(reason < REASON_COUNT && sequential >= 0);
     const long calls = atomic_load(&it->calls), timed = it->sequential.calls;
     text[0] = '\0';
     if (sequential == 0 || 2 * sequential < calls)
         return;
     const char *remedy = remedies[reason];
+    assert(remedy || reason == REASON_NONE);
     const double each = timed > 0 ? it->sequential.seconds / (double)timed : 0;
     if (reason == REASON_SAVING && timed > 0)
         snprintf(text, REDCC_WHY,

@@ -33,6 +33,21 @@ double leaves_a_sum(int n, elements e, points p, double *restrict b) {
     return sum;
 }
 
+/* An inner iteration that a thread skips may set errno: one of the threads executes all of them. */
+void sets_errno_in_what_is_skipped(int n, const int (*near)[4], const double *w, points p,
+                                   double *restrict b) {
+    for (int t = 0; t < n; t++) { /* lanes: other-values */
+        const int a = near[t][0];
+        for (int k = 1; k < 4; k++) {
+            const int j = near[t][k];
+            const double d = p[j][0] - w[k];
+            const double e = sqrt(d * d + w[k]) * 0.5 + p[j][1] * w[k] - p[j][2] * d;
+            b[a] += e;
+            b[j] -= e;
+        }
+    }
+}
+
 void counted_by_a_pointer(const struct element *begin, const struct element *end, points p,
                           double *restrict b) {
     for (const struct element *at = begin; at < end; at++) { /* lanes: counter */

@@ -68,8 +68,8 @@ void in_a_switch(int n, const int *k, double *h, const double *v) {
         }
 }
 
-/* The pointer is read only where the first iteration does not leave. */
-struct system { double *h; };
+/* The pointer is read only where the first iteration does not leave, and a restrict one is not loaded ahead. */
+struct system { double *restrict h; };
 void before_a_pointer(int n, const int *k, const struct system *s, const double *v, int skip) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse base-conditional
         if (skip)

@@ -3,6 +3,7 @@
  * reported. */
 #include "analysis/nest.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 #include "analysis/base/expression.h"
@@ -224,6 +225,7 @@ static int by_position(const void *a, const void *b) {
 }
 
 void check_loops(loop_search *s, ir_function *function) {
+    assert(function->body);
     unsigned from = s->verdicts.count;
     s->function = function;
     search(s, function->body);

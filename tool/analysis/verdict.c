@@ -385,6 +385,7 @@ static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
 
 loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
                              const ir_node *update) {
+    assert(ir_contains(loop, update));
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const array_list arrays = arrays_of_kind(&j, CONFLICT_REGULAR);
     const char *name = arrays.count ? arrays.items[0].array.name : "?";

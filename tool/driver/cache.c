@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/cache.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -188,6 +189,7 @@ static void keep_run(session *s, cached *c, const cached_run *run, const digest 
 }
 
 int cached_run_program(session *s, cached *c, const cached_run *run) {
+    assert(run->words->count > 0);
     if (!c)
         return session_run(s, run->words, run->streams);
     if (run->read)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/compiler.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -137,6 +138,7 @@ static void describe(arena *a, compiler *c) {
 }
 
 compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words) {
+    assert(count > 0); /* the program's own name */
     compiler c;
     memset(&c, 0, sizeof c);
     take_from_front(a, self, count - 1, words + 1, &c);
@@ -151,5 +153,6 @@ compiler compiler_choose(arena *a, const char *self, unsigned count, char *const
 }
 
 bool compiler_has_launcher(const compiler *c) {
+    assert(c->bare.count <= c->words.count);
     return c->bare.count < c->words.count;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/digest.h"
 
+#include <assert.h>
 #include <endian.h>
 #include <string.h>
 
@@ -73,6 +74,7 @@ digester digest_begin(void) {
 
 void digest_add(digester *d, const void *bytes, size_t count) {
     const unsigned char *at = bytes;
+    assert(bytes || count == 0);
     while (count > 0) {
         if (d->filled == sizeof d->block) { /* the last block is compressed only at the end */
             d->length += d->filled;
@@ -95,6 +97,7 @@ void digest_text(digester *d, const char *text) {
 }
 
 digest digest_end(digester *d) {
+    assert(d->filled <= sizeof d->block);
     digest made;
     d->length += d->filled;
     memset(d->block + d->filled, 0, sizeof d->block - d->filled);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/process.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -69,6 +70,7 @@ static _Noreturn void run_child(char **argv, process_streams streams, const sigs
 }
 
 int process_run(arena *a, const word_list *words, process_streams streams) {
+    assert(words->count > 0);
     char **argv = words_argv(a, words);
     sigset_t caught, before;
     sigemptyset(&caught);
@@ -97,6 +99,7 @@ int process_run(arena *a, const word_list *words, process_streams streams) {
 }
 
 _Noreturn void process_become(arena *a, const word_list *words) {
+    assert(words->count > 0);
     char **argv = words_argv(a, words);
     fflush(NULL);
     execvp(argv[0], argv);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/store.h"
 
+#include <assert.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -127,6 +128,7 @@ static void touch(const char *path) {
 }
 
 bool store_get(arena *a, const store *s, const digest *key, unsigned count, store_part *parts) {
+    assert(count > 0);
     size_t length;
     const char *path = s->folder ? path_of(a, s, key) : NULL;
     const char *bytes = path ? file_read(a, path, &length) : NULL;
@@ -207,6 +209,7 @@ static bool write_entry(const char *path, const buffer *bytes) {
 
 void store_put(arena *a, const store *s, const digest *key, unsigned count,
                const store_part *parts) {
+    assert(count > 0);
     if (!s->folder)
         return;
     buffer rest = {0}, whole = {0};

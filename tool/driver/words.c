@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/words.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 enum { RESPONSE_FILES_MAX = 2000 }; /* gcc's own limit against recursive response files */
 
 void words_add(arena *a, word_list *list, const char *word) {
+    assert(word);
     VECTOR_PUSH(a, list, word);
 }
 

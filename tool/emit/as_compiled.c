@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/as_compiled.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/loop_text.h"
@@ -100,6 +101,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
         return;
     const ir_unit *whole = loop->whole;
     const ir_range text = looked_at(loop);
+    assert(text.begin <= text.end && text.end <= whole->source->length);
     unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
     bool is_decided = true;           /* in the current group, a branch is compiled */
     const ir_directive *before = NULL;

@@ -2,9 +2,11 @@
 /** Where a table lies of which a function reads elements between bounds: what these are is read
  *  before the loop, by loads that do no harm where the program makes none. */
 #include "analysis/base/expression.h"
+
 #include "emit/base/names.h"
 #include "emit/call.h"
 #include "emit/text/origin.h"
+#include <assert.h>
 
 bool reads_by_system(const loop_text *loop) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
@@ -86,6 +88,7 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number) {
     const element_bounds *bounds = loop->plan->sources[number].fact->bounds;
     arena *a = loop->arena;
     bounds_text self = {.loop = loop, .out = out, .source = number, .all = ""};
+    assert(bounds && number < loop->plan->source_count);
     const char *conditions = "";
     writer_line(out, "{");
     out->depth++;

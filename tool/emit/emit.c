@@ -397,6 +397,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
                       .options = options,
                       .lanes = ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1),
                       .obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1)};
+    assert(options->order <= ORDER_ANY);
     emit_result result = {.text = unit->source->text,
                           .length = unit->source->length,
                           .obstacles = file.obstacles,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "frontend/directives.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <string.h>
 
@@ -97,6 +98,7 @@ static void skip_piece(scanner *s) {
 
 const char *piece_end(const char *at, const char *end) {
     scanner s = {.at = at, .end = end};
+    assert(at <= end);
     skip_piece(&s);
     return s.at;
 }
@@ -232,4 +234,6 @@ ir_directive *directives_in(arena *a, const char *text, size_t length, unsigned 
 void find_directives(arena *a, ir_unit *unit) {
     unit->directives =
         directives_in(a, unit->source->text, unit->source->length, &unit->directive_count);
+    for (unsigned i = 1; i < unit->directive_count; i++) /* they are searched by halves */
+        assert(unit->directives[i - 1].range.end <= unit->directives[i].range.begin);
 }

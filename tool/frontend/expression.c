@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Expressions. */
+#include <assert.h>
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -18,6 +19,7 @@ static enum CXChildVisitResult collect_child(CXCursor child, CXCursor parent, CX
 cursor_list children_of(converter *c, CXCursor cursor) {
     const unsigned first = c->collected.count;
     clang_visitChildren(cursor, collect_child, c);
+    assert(c->collected.count >= first);
     cursor_list list = {.count = c->collected.count - first};
     list.capacity = list.count;
     if (list.count > 0) {
@@ -421,6 +423,7 @@ static ir_node *convert_parentheses(converter *c, CXCursor cursor) {
 /* ---- all ----------------------------------------------------------------------------------- */
 
 bool enter_level(converter *c, CXCursor cursor, ir_node **result) {
+    assert(c->depth <= DEEPEST_NODE);
     if (c->depth < DEEPEST_NODE) {
         c->depth++;
         return true;

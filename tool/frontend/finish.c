@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* After all trees are complete: order, numbers, address_taken. */
 #include "frontend/convert.h"
+
 #include "frontend/flags.h"
 #include "ir/ir_accessors.h"
+#include <assert.h>
 
 /* ---- addresses taken ------------------------------------------------------------------------ */
 
@@ -110,7 +112,11 @@ static void mark_interposable(converter *c) {
 void finish_unit(converter *c) {
     order_functions(c);
     number_variables(c);
+    for (unsigned i = 0; i < c->unit->variable_count; i++)
+        assert(c->unit->variables[i]->id == i); /* facts about variables are arrays by it */
     mark_interposable(c);
+    for (unsigned i = 0; i < c->unit->function_count; i++)
+        assert(c->unit->functions[i]->id == i);
     ir_look_through_accessors(c->unit);
     for (unsigned i = 0; i < c->unit->function_count; i++) {
         ir_function *f = c->unit->functions[i];

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* memmem */
 #include "frontend/lexing.h"
 
+#include <assert.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -115,6 +116,7 @@ bool lexing_has_digit_separator(const char *text, size_t length) {
 }
 
 const char *lexing_in_doubt(const char *text, size_t length) {
+    assert(text);
     const char *end = text + length;
     if (memmem(text, length, "?\?/", 3))
         return "?\?/";

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Converts clang's locations to bytes of the main file, looking through macros. */
 #define _GNU_SOURCE /* memmem */
+#include <assert.h>
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -71,6 +72,7 @@ static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned depth
 }
 
 void find_own_inclusion(converter *c) {
+    assert(c->main_file);
     clang_getInclusions(c->clang, visit_inclusion, c);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The meaning of names in the functions' text: the declaration that the compiler finds for each,
  * including those that the tree does not show (types, lengths, sizeof). */
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -136,6 +137,7 @@ static int compare_typed_places(const void *left, const void *right) {
 }
 
 void finish_references(converter *c) {
+    assert(!c->unit->references && !c->unit->typed_places); /* called once */
     struct reference_table *table = c->references;
     if (table->items.count > 0)
         qsort(table->items.items, table->items.count, sizeof *table->items.items,

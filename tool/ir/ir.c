@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ir/ir.h"
 
+#include <assert.h>
 #include <string.h>
 
 bool ir_is_expression(const ir_node *node) {
@@ -14,6 +15,7 @@ bool ir_is_loop(const ir_node *node) {
 }
 
 const ir_node *ir_loop_body(const ir_node *loop) {
+    assert(ir_is_loop(loop));
     return loop->children[loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0];
 }
 
@@ -86,6 +88,7 @@ bool ir_value_is_used(const ir_node *node) {
 }
 
 const ir_node *ir_declarator_in(const ir_node *tree, const ir_variable *variable) {
+    assert(variable);
     if (tree->kind == IR_DECLARATOR && tree->variable == variable)
         return tree;
     for (unsigned i = 0; i < tree->child_count; i++) {

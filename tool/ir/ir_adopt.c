@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ir/ir_adopt.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <string.h>
 
@@ -379,6 +380,7 @@ unsigned ir_adopt(ir_unit *unit, ir_unit *from, unsigned count, const char *cons
                   .types = map_new(a),
                   .records = map_new(a),
                   .own_records = map_new(a)};
+    assert(unit != from && (names || count == 0));
     unsigned found = 0;
     note_records(&d);
     note_digests(&d);

@@ -5,6 +5,7 @@
 #include <assert.h>
 
 ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count) {
+    assert((unsigned)kind <= IR_EMPTY);
     ir_node *node = ARENA_NEW(a, ir_node);
     node->kind = kind;
     node->type = type;

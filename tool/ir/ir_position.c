@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ir/ir_position.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,6 +45,7 @@ static bool read_line_directive(arena *a, const char *text, line_directive *resu
 }
 
 ir_position ir_position_of(const ir_unit *unit, uint32_t offset) {
+    assert(offset <= unit->source->length);
     const position at = source_position(unit->source, offset);
     ir_position result = {unit->source->path, at.line, at.column};
     for (unsigned i = 0; i < unit->directive_count; i++) {

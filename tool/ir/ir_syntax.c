@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ir/ir_syntax.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* ---- equality ------------------------------------------------------------------------------ */
@@ -98,6 +99,7 @@ static uint32_t after_semicolon(const source *s, uint32_t at) {
 
 uint32_t syntax_statement_end(const source *text, const ir_node *statement) {
     const uint32_t end = statement->range.end;
+    assert(end <= text->length);
     switch (statement->kind) {
     case IR_IF:
     case IR_FOR:

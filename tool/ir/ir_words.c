@@ -286,5 +286,6 @@ const char *ir_storage_word(ir_storage storage) {
         [IR_STATIC_LOCAL] = "static-local",
         [IR_THREAD_LOCAL] = "thread-local",
     };
+    assert((unsigned)storage < sizeof words / sizeof *words);
     return words[storage];
 }

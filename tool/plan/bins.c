@@ -66,6 +66,7 @@ static value_kind record_kind(const ir_node *operand) {
 }
 
 int operand_number(const bins_record *record, const ir_node *node) {
+    assert(record->operand_count <= MOST_RECORD_OPERANDS);
     for (unsigned i = 0; i < record->operand_count; i++)
         if (record->operands[i] == node || syntax_same(record->operands[i], node))
             return (int)i;

@@ -5,6 +5,7 @@
  * reasons: the operands read nothing that the loop changes, since updates are applied later, and no
  * two iterations update the same element.
  */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/counted.h"
@@ -59,8 +60,10 @@ static bool mentions_counter(const bins_nest *nest, const ir_node *node) {
 
 unsigned nest_part_count(const bins_nest *nest) {
     unsigned count = 1;
-    for (unsigned i = 0; nest && i < nest->depth; i++)
+    for (unsigned i = 0; nest && i < nest->depth; i++) {
+        assert(nest->levels[i].trip > 0);
         count *= (unsigned)nest->levels[i].trip;
+    }
     return count;
 }
 
@@ -173,6 +176,8 @@ const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
 /* ---- the counters' values ------------------------------------------------------------------ */
 
 int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part) {
+    assert(level >= nest->levels && level < nest->levels + nest->depth);
+    assert(part < nest_part_count(nest));
     unsigned i = nest->depth - 1;
     for (; &nest->levels[i] != level; i--)
         part /= (unsigned)nest->levels[i].trip;

@@ -5,6 +5,7 @@
  * arrays that contain them. A row is binned as a whole: its elements need one place, and one record
  * of all contributions.
  */
+#include <assert.h>
 #include <string.h>
 
 #include "ir/ir_syntax.h"
@@ -97,6 +98,7 @@ void find_rows(const loop_facts *facts, bins_plan *bins, bool wide) {
 }
 
 bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
+    assert(array < facts->array_count);
     return bins->row_bytes[array] > element_size(facts, array);
 }
 
@@ -113,6 +115,7 @@ const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
 unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
                      unsigned part) {
     const bins_nest *nest = nest_of(facts, bins, update);
+    assert(part < nest_part_count(nest));
     int64_t offset;
     const ir_node *row = row_in_bins(facts, bins, update, &offset);
     for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {

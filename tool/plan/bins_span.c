@@ -11,12 +11,14 @@
  * rows: each element has its updates in the order of the loop, whatever rows overlap.
  */
 #include "analysis/base/expression.h"
+
 #include "analysis/base/row_steps.h"
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 #include "plan/outline.h"
+#include <assert.h>
 
 /* ---- what the text reads ------------------------------------------------------------------- */
 
@@ -120,6 +122,7 @@ void find_bins_spans(const loop_plan *plan, bins_plan *bins) {
 }
 
 const bins_span *span_of_stream(const bins_plan *bins, unsigned stream) {
+    assert(stream < bins->stream_count);
     for (unsigned i = 0; i < bins->record_count; i++)
         if (bins->records[i].stream == stream)
             return bins->records[i].span;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/inner_iterations.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/stepped.h"
 #include "ir/ir_syntax.h"
@@ -393,6 +395,7 @@ static void find_skips(const loop_plan *plan, const ir_node *node, skip_list *li
 }
 
 void plan_inner_skips(loop_plan *plan) {
+    assert(!plan->skips);
     skip_list list = {0};
     find_skips(plan, plan->facts->counted.body, &list);
     plan->skip_count = list.count;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lane_calls.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/library.h"
@@ -41,6 +42,7 @@ const char *lane_known_call(const ir_function *callee) {
 }
 
 bool lane_may_call(const ir_unit *unit, const ir_node *call) {
+    assert(call->kind == IR_CALL);
     const ir_function *callee =
         call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
     const bool has_integer = callee && (strncmp(callee->name, "ldexp", 5) == 0 ||

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lane_class.h"
 
+#include <assert.h>
+
 #include "plan/lanes.h"
 #include "plan/lookup.h"
 
@@ -14,6 +16,7 @@ void lane_note_place(lane_scope *l, const ir_node *node) {
 }
 
 void lane_problem(const lane_scope *l, lane_reason why, const ir_node *node) {
+    assert(why != LANES_WRITTEN && why < LANE_REASON_COUNT);
     lanes_outcome *outcome = l->outcome;
     if (outcome->why == LANES_WRITTEN)
         *outcome = (lanes_outcome){why, node && has_place(node->range) ? node->range : l->place};
@@ -170,6 +173,7 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node) {
 /** `d > 0 ? 1 : 0`: the operands can be converted before the selection if neither is converted to
  *  an integer of another type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
+    assert(ir_is_expression(node));
     return node->kind == IR_CONDITIONAL && lane_mentions_vector(l, node->children[0]) &&
            ir_type_equal(node->children[1]->type, node->type) &&
            ir_type_equal(node->children[2]->type, node->type);

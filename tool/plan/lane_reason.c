@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lane_reason.h"
 
+#include <assert.h>
 #include <stddef.h>
 
 static const struct {
@@ -14,9 +15,11 @@ static const struct {
 };
 
 const char *lane_reason_slug(lane_reason why) {
+    assert(why < LANE_REASON_COUNT);
     return reasons[why].slug;
 }
 
 const char *lane_reason_message(lane_reason why) {
+    assert(why < LANE_REASON_COUNT);
     return reasons[why].message;
 }

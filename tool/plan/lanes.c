@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lanes.h"
 
+#include <assert.h>
+
+#include "plan/inner_iterations.h"
 #include "plan/lane_calls.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
@@ -20,16 +23,20 @@ lane_reason plan_lanes(const loop_plan *plan) {
     const bool is_asked =
         plan->options->lanes == LANES_OF_ALL ||
         (plan->options->lanes == LANES_OF_HEAVY && plan->execution.work >= WORK_HEAVY);
-    return !is_asked                  ? LANES_NOT_ASKED
-           : !facts->inspector.exists ? NO_LANES_INSPECTOR
-           : leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits
-               ? NO_LANES_OTHER_VALUES
-           : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
-           : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
-               ? NO_LANES_COUNTER
-           : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY
-           : has_unnamed_array(facts)              ? NO_LANES_SCATTERED
-                                                   : LANES_WRITTEN;
+    if (!is_asked)
+        return LANES_NOT_ASKED;
+    if (!facts->inspector.exists)
+        return NO_LANES_INSPECTOR;
+    if (leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits ||
+        plan_has_leaders(plan)) /* errno */
+        return NO_LANES_OTHER_VALUES;
+    if (plan->options->order == ORDER_ANY)
+        return NO_LANES_ANY_ORDER;
+    if (facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride)
+        return NO_LANES_COUNTER;
+    if (facts->counted.body->kind != IR_BLOCK)
+        return NO_LANES_BODY;
+    return has_unnamed_array(facts) ? NO_LANES_SCATTERED : LANES_WRITTEN;
 }
 
 /* ---- updates --------------------------------------------------------------------------------- */
@@ -63,6 +70,7 @@ static const ir_variable *assigned_by(const ir_node *node, bool *other) {
 }
 
 bool lane_begins_with(const ir_node *loop, const ir_variable *variable) {
+    assert(loop->kind == IR_FOR);
     bool other = false;
     const ir_node *first = loop->children[0];
     if (first->kind == IR_DECLARATION) {
@@ -293,6 +301,7 @@ static bool is_uniform_step(lane_scope *l, const ir_node *node) {
 }
 
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
+    assert(loop->kind == IR_FOR);
     const ir_node *first = loop->children[0], *condition = loop->children[1];
     if (condition->kind == IR_EMPTY || !lane_is_uniform(l, condition) ||
         !is_uniform_step(l, loop->children[2]))

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lookup.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 
@@ -108,10 +110,12 @@ bool has_series(const loop_facts *facts) {
 }
 
 unsigned series_of(const loop_facts *facts, unsigned number) {
+    assert(number < facts->scalar_count && facts->scalars[number].is_series);
     unsigned first = 0;
     while (!facts->scalars[first].is_series ||
            !expression_same(facts->scalars[first].target, facts->scalars[number].target))
         first++;
+    assert(first <= number);
     return first;
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/only_read.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 enum { MOST_DEEP = 8, MOST_ALIKE = 8 };
@@ -91,6 +93,7 @@ static bool only_reads(const ir_function *function, const ir_variable *variable,
 }
 
 bool only_reads_through(const ir_function *function, unsigned number) {
+    assert(function);
     return number < function->parameter_count &&
            only_reads(function, function->parameters[number], 0);
 }

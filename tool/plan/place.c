@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/place.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "plan/macros.h"
@@ -14,6 +15,7 @@ bool is_pragma_of(const ir_directive *d, const char *whose) {
 }
 
 bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {
+    assert(begin <= end);
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *directive = &unit->directives[i];
         if (directive->range.end > begin && directive->range.begin < end &&
@@ -24,6 +26,7 @@ bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragm
 }
 
 bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word) {
+    assert(end <= file->length);
     const size_t length = strlen(word);
     for (uint32_t at = begin; at + length <= end; at++)
         if (memcmp(file->text + at, word, length) == 0)
@@ -129,6 +132,7 @@ bool has_place_in_front(const ir_unit *unit, const ir_function *function) {
 bool place_in_front(const ir_unit *unit, const ir_function *function, uint32_t *place) {
     const char *text = unit->source->text;
     const uint32_t begin = place_of(unit, function);
+    assert(begin <= function->range.begin);
     *place = begin;
     while (*place > 0 && (text[*place - 1] == ' ' || text[*place - 1] == '\t'))
         --*place;

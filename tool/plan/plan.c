@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/plan.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -46,7 +47,6 @@ static void plan_form(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     plan_stand_ins(plan);
     plan_execution(plan);
-    plan->no_lanes = plan_lanes(plan);
     const char *obstacle = plan_outline(plan);
     if (obstacle)
         plan_obstacle(plan, facts->loop->range, "%s", obstacle);
@@ -56,6 +56,7 @@ static void plan_form(loop_plan *plan) {
     else
         plan_bins(plan);
     plan_inner_skips(plan);
+    plan->no_lanes = plan_lanes(plan);
     plan_tiles(plan);
     if (!facts->inspector.exists && !plan->bins) {
         plan_obstacle(plan, facts->loop->range, "%s", plan->no_bins);
@@ -65,6 +66,7 @@ static void plan_form(loop_plan *plan) {
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
                            const loop_facts *facts, const plan_options *options) {
+    assert(options->order <= ORDER_ANY && ir_is_loop(facts->loop));
     loop_plan *plan = ARENA_NEW(a, loop_plan);
     *plan =
         (loop_plan){.arena = a, .whole = whole, .unit = unit, .facts = facts, .options = options};

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/sources.h"
 
+#include <assert.h>
+
 #include "analysis/loop/executed.h"
 #include "ir/ir_syntax.h"
 
@@ -21,6 +23,7 @@ void plan_sources(loop_plan *plan) {
     int *numbers = ARENA_ARRAY(plan->arena, int, facts->source_count + 1);
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *fact = &facts->sources[i];
+        assert(fact->is_subscript || fact->needs_guard);
         numbers[i] = SOURCE_NOT_LOGGED;
         if (!fact->needs_guard && !fact->is_subscript)
             continue;

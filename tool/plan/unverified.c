@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/unverified.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 #include "plan/bins.h"
@@ -467,6 +469,7 @@ unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect,
                               ARENA_ARRAY(plan->arena, bool, plan->unit->variable_count + 1),
                           .in_slice = in_slice,
                           .is_typed = true};
+    assert(is_suspect);
     unverified_spread(&s, plan->facts->counted.body);
     return s;
 }

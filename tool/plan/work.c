@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/work.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "plan/lookup.h"
 
@@ -12,6 +14,7 @@ enum {
 };
 
 int64_t work_constant_trip(const ir_node *loop) {
+    assert(ir_is_loop(loop));
     const ir_variable *counter;
     int64_t first, last;
     if (!counted_constant(loop, &counter, &first, &last))

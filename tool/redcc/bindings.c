@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "redcc/bindings.h"
 
+#include <assert.h>
 #include <string.h>
 
 typedef struct comparison {
@@ -11,6 +12,7 @@ typedef struct comparison {
 /* ---- places -------------------------------------------------------------------------------- */
 
 int written_loop_at(const emit_result *written, uint32_t offset) {
+    assert(offset <= written->length);
     for (unsigned i = 0; i < written->loop_count; i++)
         if (offset >= written->loops[i].begin && offset < written->loops[i].end)
             return (int)i;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "redcc/joined_report.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "redcc/output.h"
@@ -12,6 +13,7 @@ bool joined_report_is_needed(const options *o) {
 
 options joined_report_of_one(const options *o) {
     options of_one = *o;
+    assert(joined_report_is_needed(o));
     of_one.report.file = "-";
     return of_one;
 }

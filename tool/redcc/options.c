@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "redcc/options.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <string.h>
 
@@ -187,6 +188,7 @@ static const char *read_word(arena *a, const char *name, const char *const *word
 static const char *const order_words[] = {"serial", "fixed", "any"};
 
 const char *options_order_word(result_order order) {
+    assert((unsigned)order <= ORDER_ANY);
     return order_words[order];
 }
 

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* realpath, mkstemp */
 #include "redcc/output.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -67,6 +68,7 @@ static const char *write_beside(arena *a, const char *path, const char *target, 
 }
 
 const char *output_write(arena *a, const char *path, const char *text, size_t length) {
+    assert(text || length == 0);
     if (strcmp(path, "-") == 0)
         return write_directly(a, "standard output", STDOUT_FILENO, text, length);
     struct stat state;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "report/facts.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "report/plan.h"
@@ -93,6 +94,7 @@ uint32_t verdict_offset(const loop_verdict *verdict) {
 }
 
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict) {
+    assert(verdict_offset(verdict) <= input->unit->source->length);
     return ir_position_of(input->unit, verdict_offset(verdict));
 }
 
@@ -107,6 +109,7 @@ const lanes_remark *verdict_lanes(const report_input *input, const loop_verdict 
     if (!input->lanes || verdict->kind != VERDICT_TRANSFORM)
         return NULL;
     const lanes_remark *lanes = &input->lanes[verdict - input->analysis->verdicts];
+    assert(lanes < input->lanes + input->analysis->verdict_count);
     return lanes->is_asked ? lanes : NULL;
 }
 

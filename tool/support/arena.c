@@ -123,6 +123,7 @@ char *arena_format(arena *a, const char *format, ...) {
     va_copy(again, arguments);
     int length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
+    assert(length >= 0);
     char *text = arena_allocate(a, length < 0 ? 1 : (size_t)length + 1);
     if (length > 0)
         vsnprintf(text, (size_t)length + 1, format, again);

@@ -48,6 +48,7 @@ void buffer_format(buffer *b, const char *format, ...) {
     va_copy(again, arguments);
     int length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
+    assert(length >= 0);
     if (length >= 0) {
         reserve(b, (size_t)length);
         vsnprintf(b->data + b->length, (size_t)length + 1, format, again);
@@ -77,6 +78,7 @@ void buffer_shorten(buffer *b, size_t count) {
 }
 
 char *buffer_take(arena *a, buffer *b) {
+    assert(!b->data || b->data[b->length] == 0);
     char *text = arena_copy(a, b->length > 0 ? b->data : "", b->length);
     buffer_free(b);
     *b = (buffer){0};

@@ -65,6 +65,7 @@ static void grow(map *m) {
 }
 
 void **map_at(map *m, const void *key, size_t length) {
+    assert(key || length == 0);
     if (2 * m->count >= m->capacity)
         grow(m);
     uint64_t hash = hash_of(key, length);

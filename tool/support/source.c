@@ -82,6 +82,7 @@ source *source_read(arena *a, const char *path, const char **message) {
 }
 
 position source_position(const source *s, uint32_t offset) {
+    assert(offset <= s->length);
     uint32_t low = 0, high = s->line_count; /* line_begin[low] <= offset < line_begin[high] */
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2;
@@ -123,6 +124,7 @@ uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to) {
 }
 
 uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to) {
+    assert(from < to && to <= s->length);
     const char quote = s->text[from++];
     while (from < to && s->text[from] != quote && s->text[from] != '\n')
         from += s->text[from] == '\\' && from + 1 < to ? 2 : 1;
@@ -143,6 +145,7 @@ bool source_ends_with(const char *text, const char *suffix) {
 }
 
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length) {
+    assert(text <= end);
     for (const char *at = text; at < end; at++) {
         const char *word = at;
         while (at < end && source_is_name_byte(*at))

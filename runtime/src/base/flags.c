@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/flags.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 #include "base/wait.h"
 
@@ -14,6 +16,7 @@ void redcc_flag_raise(struct flags *flags, uint32_t flag, unsigned round) {
 }
 
 void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int threads) {
+    assert(threads >= 1);
     atomic_uint *word = &flags->flag[flag];
     unsigned value;
     while ((value = atomic_load_explicit(word, memory_order_acquire)) != round)
@@ -21,6 +24,7 @@ void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int th
 }
 
 void redcc_flag_await_past(struct flags *flags, uint32_t flag, unsigned value, int threads) {
+    assert(threads >= 1);
     atomic_uint *word = &flags->flag[flag];
     unsigned now;
     while (now = atomic_load_explicit(word, memory_order_acquire), (int)(now - value) < 0)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/lines.h"
 
+#include <assert.h>
+
 #include "base/system.h"
 
 #if defined(__linux__)
@@ -21,6 +23,7 @@ static bool refill(struct lines *lines) {
 }
 
 bool redcc_lines_next(struct lines *lines) {
+    assert(lines->at <= lines->held && lines->held <= sizeof lines->buffer);
     size_t length = 0;
     bool some = false;
     while (lines->at < lines->held || refill(lines)) {

@@ -103,6 +103,7 @@ void *redcc_memory_resize(void *block, size_t bytes) {
     void *other = redcc_memory_take(bytes);
     if (other && block) {
         const size_t held = redcc_memory_size(block) - LINE;
+        assert(held > 0);
         memcpy(other, block, held < bytes ? held : bytes);
         redcc_memory_give(block);
     }

@@ -162,6 +162,7 @@ static bool start(struct pool *it, const pthread_attr_t *attributes) {
 }
 
 int redcc_pool_prepare(int threads, size_t stack) {
+    assert(threads >= 1);
     pthread_attr_t attributes;
     threads = threads < MOST ? threads : MOST;
     if (threads <= redcc_pool_threads())

@@ -6,6 +6,7 @@
 #include "base/system.h"
 #include "base/team.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -62,6 +63,7 @@ static void work_in_openmp(void *given) {
 }
 
 void redcc_region_run(int threads, region_work *work, void *shared) {
+    assert(threads >= 1);
     if (threads == 1)
         work(0, 1, shared);
     else if (redcc_region_is_own())

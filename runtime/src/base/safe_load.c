@@ -4,6 +4,7 @@
 #include "base/clock.h"
 #include "base/system.h"
 
+#include <assert.h>
 #include <stdint.h>
 
 #if defined(__linux__)
@@ -21,6 +22,7 @@ bool redcc_is_time_to_load(redcc_word *last) {
 }
 
 int redcc_load(void *to, const char *from, redcc_size bytes) {
+    assert(to && bytes > 0);
 #if defined(__linux__) && defined(SYS_process_vm_readv)
     const struct iovec here = {to, bytes}, there = {(void *)(uintptr_t)from, bytes};
     const long read = redcc_system(SYS_process_vm_readv, redcc_system(SYS_getpid), (uintptr_t)&here,

@@ -4,6 +4,7 @@
 
 #include "base/vdso.h"
 
+#include <assert.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,7 @@ void redcc_system_close(int descriptor) {
 }
 
 void redcc_system_read_text(const char *name, char *text, size_t bytes) {
+    assert(bytes > 0); /* for the final 0 */
     const int file = redcc_system_open(name);
     if (file < 0)
         return;
@@ -73,6 +75,7 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
 static atomic_uint unmapped;
 
 void *redcc_system_map(size_t bytes) {
+    assert(bytes > 0);
     const long place = redcc_system(MAP_CALL, 0, bytes, PROT_READ | PROT_WRITE,
                                     MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     (void)atomic_load_explicit(&unmapped, memory_order_acquire);

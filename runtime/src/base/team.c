@@ -9,6 +9,7 @@
 #include "base/system.h"
 #include "base/wait.h"
 
+#include <assert.h>
 #include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -238,6 +239,7 @@ static int there(void) {
 }
 
 int redcc_team_prepare(int threads, uint64_t before) {
+    assert(threads >= 1);
     if (threads <= there())
         return threads;
     if (is_in_handler(before))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/trace.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -13,6 +14,7 @@ const char *const redcc_trace_names[TRACES] = {
 unsigned redcc_traced;
 
 void redcc_trace(enum trace subject, const redcc_loop *loop, const char *format, ...) {
+    assert(loop && format);
     if (!redcc_traces(subject))
         return;
     char text[512];

@@ -110,6 +110,7 @@ static const struct element_rule *rule_of(const struct binning *binning, uint32_
 }
 
 bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream) {
+    assert(stream->array_count > 0);
     if (stream->exact != REDCC_STREAM_EXACT)
         return false;
     for (uint32_t a = 0; a < stream->array_count; a++) {
@@ -127,6 +128,7 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
         for (uint32_t a = 0; a < stream->array_count; a++) {
             const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
             const size_t bytes = binning->stream[s].window.rows * stream->rows[a];
+            assert(rule && bytes % rule->size == 0); /* redcc_private_possible */
             rule->fill(binner->buffer[s].push.copy[a], bytes / rule->size);
         }
     }
@@ -154,6 +156,7 @@ static struct row_range changed_rows(const struct binning *binning, uint32_t s, 
 }
 
 struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
+    assert(s < binning->loop->stream_count);
     struct row_range rows = redcc_no_rows;
     for (uint32_t a = 0; a < binning->loop->streams[s].array_count; a++)
         for (int t = 0; t < binning->call->threads; t++)

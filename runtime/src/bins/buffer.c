@@ -89,6 +89,7 @@ bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *str
 
 bool redcc_buffer_shape_copies(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
                                struct window window) {
+    assert(window.rows > 0);
     size_t bytes = 0;
     for (uint32_t array = 0; array < stream->array_count; array++)
         bytes += whole_lines(window.rows * stream->rows[array]);
@@ -133,6 +134,7 @@ void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *s
 /* ---- pushing --------------------------------------------------------------------------------- */
 
 void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
+    assert(buffer->outside_count >= 0);
     buffer->outside = redcc_rows_union(buffer->outside, (struct row_range){row, row});
     buffer->outside_count++;
 }
@@ -181,12 +183,14 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece) {
     if (buffer->blocks == 0)
         return;
+    assert(piece >= 0 && buffer->used <= buffer->blocks);
     memcpy(buffer->mark + (size_t)piece * buffer->bins, buffer->push.cursor,
            buffer->bins * sizeof *buffer->mark);
     buffer->marked[piece] = redcc_buffer_count(buffer);
 }
 
 bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records) {
+    assert(records >= 0 && buffer->used <= buffer->blocks);
     const double block = BLOCK;
     return buffer->blocks - buffer->used >= 2 * records / block + 2;
 }
@@ -225,15 +229,18 @@ redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer) {
 }
 
 bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin) {
+    assert(bin < buffer->bins);
     return buffer->push.cursor[bin] != bin * BLOCK + redcc_bin_offset(bin);
 }
 
 struct stretch redcc_bin_all(const struct redcc_bin_buffer *buffer, uint32_t bin) {
+    assert(bin < buffer->bins);
     return (struct stretch){bin * BLOCK + redcc_bin_offset(bin), buffer->push.cursor[bin]};
 }
 
 struct stretch redcc_bin_pieces(const struct redcc_bin_buffer *buffer, uint32_t bin, int first,
                                 int end) {
+    assert(bin < buffer->bins && 0 <= first && first <= end);
     return (struct stretch){buffer->mark[(size_t)first * buffer->bins + bin],
                             buffer->mark[(size_t)end * buffer->bins + bin]};
 }

@@ -5,6 +5,8 @@
  */
 #include "bins/binning.h"
 
+#include <assert.h>
+
 #include "base/aliases.h"
 #include "base/memory.h"
 
@@ -20,6 +22,7 @@ static bool is_used(const struct binning *binning, uint32_t s, uint32_t bin) {
 }
 
 struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s) {
+    assert(s < binning->loop->stream_count);
     struct used_bins used = {0, 0};
     for (uint32_t bin = 0; bin < binning->stream[s].window.bins; bin++)
         if (is_used(binning, s, bin)) {

@@ -19,6 +19,7 @@ void redcc_pieces_cut(struct binning *binning) {
     const struct round *round = &binning->round;
     const int threads = binning->call->threads;
     const redcc_int count = round->end - round->begin;
+    assert(count >= 0 && threads >= 1);
     for (int t = 0; t < threads; t++) {
         struct bins_share *share = &binning->binner[t]->share;
         share->begin = round->begin + redcc_share(count, threads, t);
@@ -91,6 +92,7 @@ bool redcc_pieces_take(struct binning *binning, struct binner *binner) {
 /* ---- in order -------------------------------------------------------------------------------- */
 
 bool redcc_pieces_next_run(const struct binning *binning, struct piece_run *run) {
+    assert(run->share >= 0 && run->piece >= 0);
     run->end = run->first = 0;
     for (; run->share < binning->call->threads; run->share++, run->piece = 0) {
         const struct bins_share *share = &binning->binner[run->share]->share;
@@ -109,6 +111,7 @@ bool redcc_pieces_next_run(const struct binning *binning, struct piece_run *run)
 }
 
 redcc_int redcc_pieces_records(const struct binning *binning, int thread, uint32_t s) {
+    assert(0 <= thread && thread < binning->call->threads && s < binning->loop->stream_count);
     const struct bins_share *share = &binning->binner[thread]->share;
     redcc_int records = 0;
     for (int i = 0; i < piece_count(share); i++) {

@@ -388,6 +388,7 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop) {
 }
 
 void redcc_binner_join(struct binner *binner, int threads) {
+    assert(threads >= 1);
     binner->threads = threads;
     binner->phase = BINS_START;
     binner->begun = false;
@@ -404,6 +405,7 @@ void redcc_bins_begin(struct binning *binning, double may_lose, struct written_w
 }
 
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread) {
+    assert(thread >= 0);
     struct binner *binner = redcc_memory_take_zeroed(1, sizeof *binner);
     if (!binner)
         return NULL;

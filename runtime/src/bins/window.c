@@ -7,6 +7,8 @@
  */
 #include "bins/window.h"
 
+#include <assert.h>
+
 enum { LEAST_BITS = 6, BINS_A_THREAD = 4, RECORDS_A_BIN = 512, MOST_BINS = 1 << 16 };
 
 static const uint64_t most_rows = (uint64_t)1 << 40;
@@ -58,6 +60,7 @@ static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, 
 
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
                            int threads, double rate, double iterations) {
+    assert(threads >= 1 && rate >= 0 && iterations >= 0);
     if (redcc_rows_empty(rows))
         rows = (struct row_range){0, 0};
     const uint64_t span = (uint64_t)rows.highest - (uint64_t)rows.lowest + 1;

@@ -61,6 +61,7 @@ static struct advice skip(struct chooser *chooser, struct decision decision) {
 
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
                        struct advice *advice) {
+    assert(threads >= 1);
     struct decision decision;
     if (!redcc_is_left_alone(&chooser->state, trip, threads, &decision))
         return false;
@@ -108,6 +109,7 @@ static void note_subscripts(struct chooser *chooser, const redcc_loop *loop,
 
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds) {
+    assert(trip >= 0);
     const double most = LEARN_SHARE * seconds;
     if (!chooser->sampled[0]) /* the loop had no state when this execution began */
         note_sampled(chooser, redcc_reuse_sample(loop, known));
@@ -156,6 +158,7 @@ bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const 
 
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
     const int came = chooser->asked == threads && chooser->came > 0 ? chooser->came : threads;
+    assert(threads >= 1 && came <= threads);
     const struct request *request = &reuse->call->request;
     struct situation now = situation_of(chooser, request->loop, request->trip, threads);
     unsigned fits, changed;
@@ -410,6 +413,7 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
 
 const struct method *redcc_advise_swept(const struct chooser *chooser,
                                         const struct inspection *inspection, bool reusable) {
+    assert(!redcc_is_logged(inspection));
     const struct method *named = inspection->call->method;
     if (!named && inspection->route == ROUTE_DIRECT)
         return redcc_may_be_tiled(inspection) ? &redcc_method_tiles
@@ -504,6 +508,7 @@ void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum rea
 }
 
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started) {
+    assert(asked >= 1 && started >= 0);
     chooser->asked = asked;
     chooser->came = came;
     redcc_note_waking(seconds, started);
@@ -514,6 +519,7 @@ enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip) {
 }
 
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations) {
+    assert(threads >= 1 && iterations >= 0);
     const double each = iterations > 0 ? seconds / (double)iterations : 0;
     return trip < SMALL_TRIP && each * (double)trip < LEARN_WAKES * redcc_wake_seconds() ? 1
                                                                                          : threads;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/cost_model.h"
 
+#include <assert.h>
+
 /* Time by owners, relative to the original loop. Irregular rows that are prefetched take 0.42 to
  * 0.57. With lanes one thread takes 0.3 to 0.9: worth a plan construction from the credit, but not
  * an overdraft. */
@@ -60,6 +62,7 @@ static void by_bins(const struct findings *it, struct arm *arm) {
 }
 
 void redcc_estimate_arms(const struct findings *findings, struct arm *arm) {
+    assert(findings->trip > 0 && findings->threads >= 1);
     const double trip = (double)findings->trip;
     const double checked = findings->checked * LEARN_BYTE / 3 / findings->threads / trip;
     for (enum way way = 0; way < WAY_COUNT; way++)

@@ -7,6 +7,7 @@
 #include "base/team.h"
 #include "learn/constants.h"
 
+#include <assert.h>
 #include <stdatomic.h>
 
 /* Smoothed measurements over all loops; 0: none yet. If other programs use the cores, new threads
@@ -27,6 +28,7 @@ double redcc_wake_seconds(void) {
 static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
+    assert(missing >= 0);
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
     if (missing == 0)
         return first_region;

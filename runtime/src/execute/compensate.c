@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/compensate.h"
 
+#include <assert.h>
 #include <math.h>
 
 static size_t share_begin(const struct plan *plan, const struct lost *lost, int thread) {
@@ -8,6 +9,7 @@ static size_t share_begin(const struct plan *plan, const struct lost *lost, int 
 }
 
 void redcc_lost_clear(const struct plan *plan, int thread, void *const *bases) {
+    assert(0 <= thread && thread < plan->threads);
     for (uint32_t group = 0; group < plan->array_count; group++) {
         struct lost *lost = &plan->lost[group];
         const size_t end = share_begin(plan, lost, thread + 1);
@@ -27,6 +29,7 @@ static void bring_double(double *element, double lost) {
 }
 
 void redcc_lost_bring(const struct plan *plan, int thread) {
+    assert(0 <= thread && thread < plan->threads);
     for (uint32_t group = 0; group < plan->array_count; group++) {
         const struct lost *lost = &plan->lost[group];
         const size_t end = share_begin(plan, lost, thread + 1);
@@ -48,6 +51,7 @@ static size_t number_of(const struct lost *lost, const void *address) {
 
 void redcc_lost_begin(const struct lost *lost, void *address, size_t count) {
     double *before = lost->before + number_of(lost, address);
+    assert(number_of(lost, address) + count <= lost->count);
     if (lost->type == REDCC_FLOAT)
         for (size_t i = 0; i < count; i++) {
             before[i] = (double)((float *)address)[i];
@@ -81,6 +85,7 @@ static double add_to_double(double *element, double before) {
 
 void redcc_lost_end(const struct lost *lost, void *address, size_t count) {
     const size_t first = number_of(lost, address);
+    assert(first + count <= lost->count);
     for (size_t i = 0; i < count; i++) {
         const double before = lost->before[first + i];
         lost->value[first + i] += lost->type == REDCC_FLOAT

@@ -194,16 +194,19 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
 }
 
 void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end) {
+    assert(0 <= begin && begin <= end);
     go_in_order(worker, STEP_REST, begin, end);
 }
 
 void redcc_run_rest(redcc_worker *worker, redcc_int from) {
     const struct runner *runner = worker->execution;
+    assert(from <= runner->run->call->request.trip);
     redcc_run_stretch(worker, from, runner->run->call->request.trip);
 }
 
 void redcc_run_check(redcc_worker *worker, redcc_int end) {
     struct runner *runner = worker->execution;
+    assert(0 <= end && end <= runner->run->call->request.trip);
     runner->run->executed = redcc_seconds();
     redcc_validation_swap(&runner->run->validation);
     go_in_order(worker, STEP_CHECK, 0, end);
@@ -459,6 +462,7 @@ static int next_chunk(redcc_worker *worker) {
  * iterations fail in both ways in several threads, the kept error may be another than the
  * sequential one. */
 void redcc_note_error(struct run *run, redcc_int end) {
+    assert(end >= 0);
     const int error = errno;
     if (error != EDOM && error != ERANGE)
         return;

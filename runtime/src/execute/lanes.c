@@ -4,6 +4,7 @@
 #include "base/processor.h"
 #include "redcc/runtime.h"
 
+#include <assert.h>
 #include <stdbool.h>
 
 const char *redcc_lanes_slug(enum lanes_reason reason) {
@@ -16,6 +17,7 @@ const char *redcc_lanes_slug(enum lanes_reason reason) {
 }
 
 int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_reason *reason) {
+    assert(setting == LANES_OFF || setting == LANES_AUTO);
     const int width = (int)(flags / REDCC_LANES_UNIT) & 7;
     const bool can = flags & REDCC_LANES_ANYWHERE || redcc_has_avx2();
     *reason = width == 0             ? LANES_NOT_WRITTEN

@@ -29,6 +29,7 @@ void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations) {
 }
 
 bool redcc_parts_turn(struct parts *it) {
+    assert(it->left >= 0);
     if (it->left > 0)
         return false;
     redcc_parts_end(it);
@@ -39,11 +40,13 @@ bool redcc_parts_turn(struct parts *it) {
 void redcc_parts_end(struct parts *it) {
     if (it->count == 0)
         return;
+    assert(it->number < it->count);
     it->part[it->number].seconds = redcc_seconds() - it->began;
     it->part[it->number].iterations = given(it) - it->left;
 }
 
 void redcc_parts_add(const struct parts *it, double *seconds, double *iterations) {
+    assert(it->count <= VARIANT_PARTS);
     for (unsigned number = 0; number < it->count; number++) {
         if (it->part[number].iterations == 0)
             continue;

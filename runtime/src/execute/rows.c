@@ -4,6 +4,7 @@
 #include "plan/elements.h"
 #include "redcc/entry.h"
 
+#include <assert.h>
 #include <string.h>
 
 static const struct element_rule *rule_of(const redcc_array *array) {
@@ -12,6 +13,7 @@ static const struct element_rule *rule_of(const redcc_array *array) {
 
 void redcc_rows_fill(const redcc_array *array, void *values, redcc_size bytes) {
     const struct element_rule *rule = rule_of(array);
+    assert(!rule || bytes % rule->size == 0);
     if (rule)
         rule->fill(values, bytes / rule->size);
     else
@@ -22,6 +24,7 @@ void redcc_rows_settle(redcc_worker *worker, const struct redcc_kept_row *kept, 
     const redcc_array *arrays = worker->call->loop->arrays;
     for (int n = 0; n < count; n++) {
         const struct redcc_kept_row *it = &kept[n];
+        assert((redcc_u32)it->array < worker->call->loop->array_count);
         const struct element_rule *rule = rule_of(&arrays[it->array]);
         if (!rule)
             worker->call->calls->misuse(worker, "redcc_row is not for elements of this type");

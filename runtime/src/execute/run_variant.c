@@ -2,6 +2,8 @@
 /** Chooses the variant of an execution from the settings, the loop's forms and earlier results. */
 #include "execute/run.h"
 
+#include <assert.h>
+
 void redcc_run_choose_variant(struct run *run, const struct variants *known) {
     const struct call *call = run->call;
     const unsigned flags = call->request.loop->flags;
@@ -20,6 +22,7 @@ static bool is_open_with(const struct run *run, const struct plan *plan) {
 }
 
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
+    assert(plan->threads >= 1);
     return redcc_variant_parts(run->variant.known, is_open_with(run, plan) && !plan->method->tiles,
                                plan->executed / plan->threads);
 }
@@ -34,6 +37,7 @@ redcc_variant redcc_run_variant(const struct run *run, const struct plan *plan, 
 void redcc_run_note_variant(const struct run *run, struct variants *known, const double *seconds,
                             const double *iterations) {
     const unsigned parts = redcc_run_parts(run, run->plan);
+    assert(parts <= VARIANT_PARTS);
     double each[VARIANT_PARTS];
     for (unsigned part = 0; part < parts; part++)
         each[part] = iterations[part] > 0 ? seconds[part] / iterations[part] : 0;

@@ -6,6 +6,7 @@
 enum { SKIPPED = -1, PLAIN = 0, CHECKED = 1 };
 
 void redcc_selection_begin(struct selection *selection, redcc_worker *worker, redcc_int trip) {
+    assert(trip >= 0);
     selection->trip = trip;
     selection->idle_begin = selection->idle_end = 0;
     selection->executed = 0;

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/tiles.h"
 
+#include <assert.h>
+
 void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid) {
+    assert(grid.trip > 0 && grid.side > 0);
     *walk = (struct tile_walk){.grid = grid};
 }
 
@@ -62,6 +65,7 @@ const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *pl
     if (!walk->has_band && !take_band(walk, claimed))
         return NULL;
     await_tile_above(walk, plan);
+    assert(walk->band < grid->bands && walk->block < grid->bands);
     const redcc_int row = (redcc_int)walk->band * grid->side;
     const redcc_int column = (redcc_int)walk->block * grid->side;
     walk->tile =

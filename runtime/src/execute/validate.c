@@ -7,6 +7,7 @@
 #include "plan/elements.h"
 #include "plan/plan.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h> /* HUGE_VAL; the library is linked to libc alone */
 #include <stdio.h>
@@ -79,6 +80,7 @@ void redcc_validation_begin(struct validation *validation, const struct plan *pl
 
 void redcc_validation_grow(struct validation *validation, uint32_t count, uint32_t array,
                            struct range written) {
+    assert(array < count);
     if (validation->gave_up || written.first >= written.end)
         return;
     if (!validation->began)
@@ -211,6 +213,7 @@ static bool compare(const struct held *held, const redcc_array *array, const voi
 
 void redcc_validation_end(struct validation *validation, const redcc_loop *loop, void *const *bases,
                           struct validated *validated) {
+    assert(validation->count <= loop->array_count);
     bool kept = true;
     struct validated now = {.largest = 0};
     for (uint32_t i = 0; i < validation->count; i++) {

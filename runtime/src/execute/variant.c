@@ -15,9 +15,11 @@ static bool is_trial(const struct variants *it, bool open) {
 }
 
 unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations) {
+    assert(iterations >= 0);
     if (!is_trial(it, open))
         return 0;
     const int lacking = VARIANT_PARTS - it->turns.timed;
+    assert(lacking > 0); /* else the trial is over */
     const redcc_int possible = iterations / LEAST_PART;
     return possible < 1 ? 1 : possible < lacking ? (unsigned)possible : (unsigned)lacking;
 }

@@ -36,6 +36,7 @@ static void begin_run(const struct inspection *inspection, struct inspector *ins
 }
 
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector) {
+    assert(inspection->call->request.loop->flags & REDCC_DRY_RUN);
     const uint32_t arrays = inspection->partition.array_count;
     const uint32_t sources = inspection->call->request.loop->source_count;
     struct dry_run *run = &inspector->dry_run;
@@ -78,6 +79,7 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
         begin_run(inspection, inspector);
     }
     const redcc_int first = inspector->next;
+    assert(0 <= first && first <= trip);
     if (!run->stands || first == trip)
         return false;
     inspector->late = will_be_late(inspection, inspector);
@@ -201,6 +203,7 @@ bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *ins
         end_run(inspection, inspector, worker, (struct overlap){0, 0});
         return true;
     }
+    assert(source < inspection->call->request.loop->source_count);
     if (!redcc_source_meets_arrays(inspection->call->request.loop, source))
         return false;
     struct gap gap = gap_around(range_read(inspection, inspector, source));

@@ -11,6 +11,7 @@ enum { LEAST_TRIP_TO_STEAL = 4096 };
 
 void redcc_inspection_set_owners(struct inspection *inspection) {
     const struct call *call = inspection->call;
+    assert(call->planned >= 1);
     const uint32_t each = 1 + inspection->stealable;
     inspection->partition.stealable = inspection->stealable;
     inspection->partition.owners = call->method && call->method->owners
@@ -48,6 +49,7 @@ static bool begin_partition(struct inspection *inspection, bool is_direct) {
 bool redcc_inspection_begin(struct inspection *inspection, bool is_direct) {
     const struct call *call = inspection->call;
     const size_t threads = (size_t)call->threads;
+    assert(threads >= 1 && call->request.trip > 0);
     const bool cuts_blocks = call->method ? call->method->steals
                                           : !is_direct && call->request.trip >= LEAST_TRIP_TO_STEAL;
     inspection->stealable = cuts_blocks ? REDCC_STEALABLE : 0;
@@ -101,6 +103,7 @@ bool redcc_inspection_failed(const struct inspection *inspection) {
 }
 
 redcc_int redcc_own_begin(const struct inspection *inspection, const struct inspector *inspector) {
+    assert(0 <= inspector->thread && inspector->thread < inspector->threads);
     return redcc_share(inspection->call->request.trip, inspector->threads, inspector->thread);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* Approximate touches of leading or of further groups per iteration, according to the sample. */
@@ -75,6 +76,7 @@ bool redcc_log_start(const struct inspection *inspection, struct inspector *insp
     const struct divide *divide = &inspection->divide;
     const size_t expected[] = {expected_touches(inspection, inspector, true),
                                expected_touches(inspection, inspector, false)};
+    assert(redcc_is_logged(inspection));
     struct access_log *logged = &divide->logged[inspector->thread];
     redcc_access_log_end(logged);
     return redcc_access_log_begin(logged, &divide->units, divide->partition, inspector->seen,
@@ -95,6 +97,7 @@ enum divide_result redcc_log_finish(const struct inspection *inspection) {
 
 void redcc_partition_share(struct inspection *inspection, struct inspector *inspector,
                            bool joined) {
+    assert(inspection->route == ROUTE_GRAPH);
     struct divide *divide = &inspection->divide;
     const int thread = inspector->thread;
     const enum divide_result result = joined ? redcc_divide_join(divide, thread, inspector->seen)
@@ -105,6 +108,7 @@ void redcc_partition_share(struct inspection *inspection, struct inspector *insp
 }
 
 bool redcc_partition_levels(struct inspection *inspection) {
+    assert(redcc_is_logged(inspection));
     return redcc_levels_begin(&inspection->levels, inspection->divide.logged,
                               inspection->call->threads,
                               inspection->call->request.loop->flags & REDCC_EVERY_ITERATION);

@@ -2,6 +2,8 @@
 /** The sample of the iterations, which decides how the arrays are cut among the owners. */
 #include "inspect/inspection.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 #include "base/share.h"
 #include "ownership/cuts.h"
@@ -92,6 +94,7 @@ void redcc_sample_start(const struct inspection *inspection, struct inspector *i
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker) {
     const redcc_int stride = sample_stride(inspection), first = inspector->at;
+    assert(stride >= 1 && first >= 0);
     const redcc_int end = redcc_own_end(inspection, inspector);
     if (inspector->failed || first >= end || inspection->partition.share > 0)
         return false;

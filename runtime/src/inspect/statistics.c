@@ -2,6 +2,8 @@
 /** Statistics of the whole loop from the access summaries. */
 #include "inspect/inspection.h"
 
+#include <assert.h>
+
 double redcc_count_runs(const struct inspection *inspection) {
     size_t runs = 0;
     for (int thread = 0; thread < inspection->call->threads; thread++)
@@ -33,6 +35,7 @@ redcc_int redcc_executed_joined(const struct inspection *inspection) {
 
 double redcc_largest_share(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
+    assert(partition->owners >= 1);
     redcc_int most = 0;
     for (uint32_t owner = 0; owner < partition->owners; owner++) {
         const redcc_int executed = executed_by(inspection, owner);

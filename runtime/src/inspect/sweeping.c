@@ -46,6 +46,7 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
                           redcc_worker *worker) {
     const redcc_int end = redcc_own_end(inspection, inspector), first = inspector->next;
+    assert(first <= end);
     if (inspector->failed || !inspector->recorded_all || first == end)
         return false;
     inspector->late = redcc_inspection_is_late(inspection);
@@ -96,6 +97,7 @@ double redcc_sweep_close(const struct inspection *inspection, struct inspector *
 }
 
 double redcc_sweep_done(const struct inspection *inspection) {
+    assert(inspection->call->request.trip > 0);
     double done = 0;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
         const struct inspector *inspector = inspection->inspector[thread];

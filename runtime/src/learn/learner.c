@@ -444,6 +444,7 @@ static struct size_state *size_of(struct choice_state *state, long long trip) {
 
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
                          struct decision *decision) {
+    assert(threads >= 1);
     struct size_state *size = size_of(state, trip);
     if (!is_resting(size) || size->threads != threads || size->calls + 2 >= size->rest.until)
         return false;
@@ -463,6 +464,7 @@ static struct decision take_call(const struct choice *c) {
 }
 
 struct decision redcc_decide(struct choice_state *state, const struct situation *now) {
+    assert(now->trip >= 0 && now->threads >= 1);
     return take_call(&(struct choice){&state->ledger, size_of(state, now->trip), now});
 }
 
@@ -490,6 +492,7 @@ static bool no_plan_is_faster(const struct choice *c, enum way than) {
 
 void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
                      double spent) {
+    assert(trip >= 0);
     struct size_state *size = size_of(state, trip);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         struct arm *known = &size->arm[way], before = *known;
@@ -506,6 +509,7 @@ void redcc_note_arms(struct choice_state *state, long long trip, const struct ar
 
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct arm *arm, double spent) {
+    assert(spent >= 0);
     struct size_state *size = size_of(state, now->trip);
     struct situation here = *now;
     here.spent = spent;

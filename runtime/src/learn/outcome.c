@@ -6,6 +6,7 @@
 #include <assert.h>
 
 const struct size_state *redcc_size_of(const struct choice_state *state, long long trip) {
+    assert(trip >= 0);
     const int logarithm = 63 - __builtin_clzll((unsigned long long)trip | 1);
     return &state->size[logarithm < REDCC_SIZES ? logarithm : REDCC_SIZES - 1];
 }
@@ -51,6 +52,7 @@ double redcc_factor(const struct set_ups *it) {
 }
 
 double redcc_expected(const struct size_state *size, enum way way) {
+    assert(way > WAY_SEQUENTIAL && way < WAY_COUNT);
     const struct arm *it = &size->arm[way];
     return it->timed.count > 0    ? redcc_typical(&it->timed)
            : size->looked_at <= 0 ? it->execution
@@ -58,10 +60,12 @@ double redcc_expected(const struct size_state *size, enum way way) {
 }
 
 bool redcc_is_better(const struct size_state *size, enum way way, double current) {
+    assert(way > WAY_SEQUENTIAL && way < WAY_COUNT);
     return size->arm[way].possible && redcc_expected(size, way) < LEARN_BETTER * current;
 }
 
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent) {
+    assert(contender != incumbent && contender < WAY_COUNT && incumbent < WAY_COUNT);
     const bool proven = size->stand == STAND_PARALLEL && size->way == contender;
     size->comparison = (struct comparison){contender, incumbent, proven, {0}};
     size->stand = STAND_COMPARING;
@@ -299,6 +303,7 @@ static void observe_loss(struct size_state *size, const struct outcome *outcome)
 }
 
 void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
+    assert(outcome->way < WAY_COUNT);
     struct size_state *size = (struct size_state *)redcc_size_of(state, outcome->trip);
     bool failed = false;
     if (outcome->result == RESULT_SEQUENTIAL) {

@@ -3,9 +3,11 @@
 
 #include "learn/constants.h"
 
+#include <assert.h>
 #include <stdbool.h>
 
 int redcc_turn_of(int timed) {
+    assert(timed >= 0);
     return timed % TURN_ARMS;
 }
 

@@ -221,6 +221,7 @@ static bool are_cut(const struct partition *partition) {
 
 bool redcc_choose_cuts(struct partition *partition, const struct sample *const *sample,
                        int threads) {
+    assert(threads >= 1 && partition->owners <= partition->room);
     size_t points = 1, iterations = 1;
     for (int thread = 0; thread < threads; thread++) {
         points += sample[thread]->count;

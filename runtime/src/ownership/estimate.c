@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ownership/estimate.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 #include "ownership/owner_map.h"
 
@@ -88,6 +90,7 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
                     int threads, struct estimate *estimate) {
     const size_t owners = partition->owners, shares = owners / (1 + partition->stealable);
     struct part *part = redcc_memory_take_zeroed(owners + shares, sizeof *part);
+    assert(threads >= 1 && shares >= 1 && owners % shares == 0);
     if (!part)
         return false;
     const struct parts parts = {part, part + owners};

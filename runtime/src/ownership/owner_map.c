@@ -73,6 +73,7 @@ static uint32_t unit_at(const struct partition *partition, uint32_t group, uintp
 }
 
 uint32_t redcc_mapped_owner(const struct partition *partition, uint32_t group, uintptr_t address) {
+    assert(partition->map.owner && group < partition->array_count);
     return partition->map.owner[unit_at(partition, group, address)];
 }
 
@@ -152,6 +153,7 @@ static void end_poll(struct poll *poll) {
 
 void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
                           const struct sample *const *samples, int threads) {
+    assert(partition->owners % (1 + partition->stealable) == 0 && threads >= 1);
     struct owner_map *map = &partition->map;
     struct poll poll = {.owners = partition->owners / (1 + partition->stealable)};
     size_t all = 0;
@@ -196,6 +198,7 @@ static void copy_owners(const struct partition *partition, struct owner_map *wid
 }
 
 void redcc_owner_map_extend(struct partition *partition, const struct range *touched) {
+    assert(partition->map.owner && partition->map.of);
     const uint32_t groups = partition->array_count;
     struct owner_map wider = {.of = redcc_memory_take(groups * sizeof *wider.of)};
     uint32_t count = 0;

@@ -8,6 +8,7 @@
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners) {
     const uint32_t count = loop->array_count;
+    assert(count > 0 && owners >= 1);
     *partition = (struct partition){
         .arrays = loop->arrays, .array_count = count, .room = owners, .owners = owners};
     partition->base = redcc_memory_take(count * sizeof *partition->base);
@@ -23,6 +24,7 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
 }
 
 void redcc_partition_move(struct partition *partition, void *const *bases) {
+    assert(partition->owners <= partition->room);
     for (uint32_t array = 0; array < partition->array_count; array++) {
         uintptr_t *cut = redcc_cuts(partition, array);
         for (uint32_t owner = 1; owner < partition->owners; owner++)
@@ -33,6 +35,7 @@ void redcc_partition_move(struct partition *partition, void *const *bases) {
 }
 
 void redcc_partition_in_one(struct partition *partition) {
+    assert(partition->room >= 1);
     partition->owners = 1;
     partition->stealable = 0;
     for (uint32_t group = 0; group < partition->array_count; group++) {

@@ -7,7 +7,9 @@
 #define REDCC_PARTITION_H
 
 #include "base/range.h"
+
 #include "redcc/runtime.h"
+#include <assert.h>
 
 /** Is the array scattered, with elements at arbitrary addresses? Memory between them may belong to
  *  others, or be unmapped: only touched bytes may be read or written. */
@@ -59,6 +61,7 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
                                           uint64_t amount) {
     static const uint64_t per_thousand[1 + REDCC_STEALABLE] = {0, 840, 940};
     const uint32_t each = 1 + stealable, shares = owners / each;
+    assert(owners % each == 0 && owner <= owners && stealable <= REDCC_STEALABLE);
     return (amount * (owner / each) + amount * per_thousand[owner % each] / 1000) / shares;
 }
 
@@ -93,11 +96,13 @@ void redcc_partition_end(struct partition *partition);
 
 /** The beginnings of the owners of group g: [owners + 1] addresses, ascending. */
 static inline uintptr_t *redcc_cuts(const struct partition *partition, uint32_t group) {
+    assert(group < partition->array_count);
     return partition->cut + (size_t)group * (partition->owners + 1);
 }
 
 /** Is this array the one that identifies its group? */
 static inline bool redcc_leads_group(const struct partition *partition, uint32_t array) {
+    assert(array < partition->array_count);
     return partition->group_of[array] == array;
 }
 
@@ -122,6 +127,7 @@ static inline uint32_t redcc_owner_of(const struct partition *partition, uint32_
         else
             high = middle;
     }
+    assert(cut[low] <= address || low == 0);
     return low;
 }
 

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ownership/sample.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 
 bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first) {
+    assert(capacity > 0);
     *sample = (struct sample){.capacity = capacity, .keep_each = 1, .first = first};
     sample->item = redcc_memory_take(capacity * sizeof *sample->item);
     return sample->item != NULL;
@@ -39,6 +42,7 @@ static bool stays(const struct sample *sample, const struct sampled *item, uint6
 }
 
 size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
+    assert(keep_each >= sample->keep_each); /* what was dropped does not return */
     size_t count = 0;
     if (keep_each == sample->keep_each)
         return sample->count;
@@ -48,6 +52,7 @@ size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
 }
 
 void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
+    assert(keep_each >= sample->keep_each && (keep_each & (keep_each - 1)) == 0);
     size_t kept = 0;
     if (keep_each == sample->keep_each)
         return; /* they were selected in this way already */
@@ -69,6 +74,7 @@ static void add_one(struct sample *sample, struct sampled item) {
 
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, uint32_t count,
                       uint32_t step) {
+    assert(sample->count <= sample->capacity);
     const uint64_t iteration = sample->first + sample->iterations;
     const uint32_t before = sample->touches;
     sample->touches += count;

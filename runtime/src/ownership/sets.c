@@ -65,6 +65,7 @@ static bool room_for_slot(struct sets *sets) {
 }
 
 bool redcc_sets_begin(struct sets *sets, uint32_t owners) {
+    assert(owners >= 1);
     *sets = (struct sets){.owners = owners, .capacity = owners + 64, .slots = 128};
     sets->member_capacity = (size_t)owners + 256;
     sets->start = redcc_memory_take(((size_t)sets->capacity + 1) * sizeof *sets->start);
@@ -93,6 +94,7 @@ bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t coun
     for (uint32_t m = 0; m < count; m++)
         assert(members[m] < sets->owners && (m == 0 || members[m - 1] < members[m]));
     const size_t bytes = count * sizeof *members;
+    assert(sets->count <= sets->capacity && (sets->slots & (sets->slots - 1)) == 0);
     uint64_t at = hash(members, count) & (sets->slots - 1);
     for (uint32_t known; (known = sets->slot[at]) != 0; at = (at + 1) & (sets->slots - 1))
         if (redcc_set_size(sets, known) == count &&

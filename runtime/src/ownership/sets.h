@@ -6,6 +6,7 @@
 #ifndef REDCC_SETS_H
 #define REDCC_SETS_H
 
+#include <assert.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -32,14 +33,17 @@ void redcc_sets_end(struct sets *sets);
 bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t count, uint32_t *set);
 
 static inline uint32_t redcc_set_size(const struct sets *sets, uint32_t set) {
+    assert(set < sets->count);
     return (uint32_t)(sets->start[set + 1] - sets->start[set]);
 }
 
 static inline uint32_t redcc_set_minimum(const struct sets *sets, uint32_t set) {
+    assert(redcc_set_size(sets, set) > 0);
     return sets->member[sets->start[set]];
 }
 
 static inline uint32_t redcc_set_maximum(const struct sets *sets, uint32_t set) {
+    assert(redcc_set_size(sets, set) > 0);
     return sets->member[sets->start[set + 1] - 1];
 }
 

@@ -6,6 +6,7 @@
 #include <assert.h>
 
 bool redcc_summary_begin(struct summary *summary, uint32_t owners) {
+    assert(owners >= 1);
     *summary = (struct summary){.span_capacity = 512, .block_capacity = 4};
     summary->span = redcc_memory_take(summary->span_capacity * sizeof *summary->span);
     summary->block = redcc_memory_take(summary->block_capacity * sizeof *summary->block);
@@ -20,6 +21,7 @@ void redcc_summary_end(struct summary *summary) {
 }
 
 bool redcc_summary_open_block(struct summary *summary, redcc_int origin) {
+    assert(origin >= 0 && summary->block_count <= summary->block_capacity);
     if (summary->block_count == summary->block_capacity) {
         const size_t more = summary->block_capacity * 2;
         struct block *block = redcc_memory_resize(summary->block, more * sizeof *block);

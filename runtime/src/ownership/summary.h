@@ -7,7 +7,9 @@
 #define REDCC_SUMMARY_H
 
 #include "ownership/partition.h"
+
 #include "ownership/sets.h"
+#include <assert.h>
 
 /** Iterations from `begin` (relative to the block's origin) to the next span's. */
 struct span {
@@ -49,7 +51,9 @@ bool redcc_summary_add(struct summary *summary, uint32_t set, redcc_int count);
 
 static inline redcc_int redcc_span_count(const struct summary *summary, const struct block *block,
                                          size_t span) {
+    assert(block->span_begin <= span && span < block->span_end);
     const redcc_int end = span + 1 < block->span_end ? summary->span[span + 1].begin : block->count;
+    assert(end > summary->span[span].begin);
     return end - summary->span[span].begin;
 }
 

@@ -7,6 +7,7 @@
 
 bool redcc_sweep_begin(struct sweep *sweep, const struct partition *partition, struct range *seen) {
     const uint32_t owners = partition->owners;
+    assert(owners >= 1 && seen);
     *sweep = (struct sweep){.partition = partition, .seen = seen};
     sweep->window = redcc_memory_take_zeroed(partition->array_count, sizeof *sweep->window);
     sweep->stamp = redcc_memory_take_zeroed(owners, sizeof *sweep->stamp);
@@ -112,6 +113,7 @@ static void add_iterations(struct sweep *sweep, uint32_t set, redcc_int count) {
 }
 
 void redcc_sweep_end_iteration(struct sweep *sweep) {
+    assert(!sweep->mixed || sweep->listed >= 2);
     uint32_t set = sweep->touched ? 1 + sweep->current : 0;
     if (sweep->mixed) {
         sort_list(sweep);
@@ -123,6 +125,7 @@ void redcc_sweep_end_iteration(struct sweep *sweep) {
 }
 
 void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
+    assert(origin >= 0 && (sweep->failed || sweep->current < sweep->partition->owners));
     sweep->done = sweep->in_last_set = 0;
     sweep->touched = sweep->mixed = false;
     look_at_owner(sweep, sweep->current);
@@ -131,6 +134,7 @@ void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
 }
 
 void redcc_sweep_take_window(struct sweep *sweep, redcc_int alike, bool inside) {
+    assert(alike >= 0);
     if (sweep->failed)
         return;
     if (alike > 0)
@@ -141,6 +145,8 @@ void redcc_sweep_take_window(struct sweep *sweep, redcc_int alike, bool inside) 
 
 void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end) {
     for (const redcc_entry *entry = first; entry != end && !sweep->failed; entry++) {
+        assert(entry->array < sweep->partition->array_count ||
+               entry->array == REDCC_END_OF_ITERATION);
         if (entry->array == REDCC_END_OF_ITERATION) {
             redcc_sweep_end_iteration(sweep);
             continue;
@@ -186,6 +192,7 @@ static uint32_t count_joined(const struct sets *sets, uint32_t set, uint32_t eac
 }
 
 redcc_int redcc_sweep_executed(const struct sweep *sweep, uint32_t each) {
+    assert(each >= 1 && sweep->partition->owners % each == 0);
     const struct summary *summary = &sweep->summary;
     redcc_int executed = 0;
     for (size_t b = 0; b < summary->block_count; b++) {

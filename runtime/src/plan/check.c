@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/check.h"
 
+#include <assert.h>
+
 #include "ownership/graph/levels.h"
 
 /* Iterates over a schedule, piece by piece, in the order of execution. */
@@ -178,6 +180,7 @@ static bool each_is_there_once(const struct plan *plan, const struct evidence *e
 }
 
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence) {
+    assert(plan->trip == evidence->trip);
     const struct method *method = plan->method;
     if (redcc_goes_without_schedules(method)) {
         for (uint32_t s = 0; s < plan->schedules; s++)

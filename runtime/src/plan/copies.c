@@ -30,6 +30,7 @@ static int copies_needed(const struct plan *plan) {
 bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays) {
     struct copies *copies = &plan->copies;
     const int count = copies_needed(plan);
+    assert(count >= 0);
     *copies = (struct copies){.count = count, .array_count = plan->array_count, .arrays = arrays};
     if (count == 0)
         return true;
@@ -83,6 +84,7 @@ size_t redcc_copy_bytes(const struct partition *partition, const struct range *t
 }
 
 int redcc_copy_of(const struct plan *plan, int thread) {
+    assert(0 <= thread && thread < plan->threads);
     switch (plan->method->copies) {
     case COPY_WHOLE:
     case COPY_TOUCHED:
@@ -138,8 +140,10 @@ static bool take_copy(struct plan *plan, struct copy *copy, const struct range *
 
 bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
                        const uintptr_t *base) {
+    assert(0 <= thread && thread < plan->threads);
     int first, end;
     copies_begun_by(plan, thread, &first, &end);
+    assert(0 <= first && end <= plan->copies.count);
     for (int c = first; c < end; c++)
         if (!take_copy(plan, &plan->copies.copy[c], seen, base))
             return false;
@@ -217,11 +221,13 @@ static void merge_element_by_element(const struct plan *plan, uint32_t group,
 }
 
 void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases) {
+    assert(0 <= thread && thread < plan->threads);
     for (uint32_t group = 0; group < plan->array_count; group++) {
         const struct offsets touched = plan->touched[group];
         if (plan->group_of[group] != group || touched.first >= touched.end)
             continue;
         const struct element_rule *rule = rule_of(&plan->copies.arrays[group]);
+        assert(rule); /* redcc_copies_possible */
         size_t first, end;
         share((size_t)(touched.end - touched.first) / rule->size, thread, plan->threads, &first,
               &end);

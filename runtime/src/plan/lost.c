@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/lost.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 #include "plan/plan.h"
 
@@ -28,6 +30,7 @@ static bool is_compensated(const struct plan *plan, const redcc_array *arrays, u
 }
 
 bool redcc_lost_new(struct plan *plan, const redcc_array *arrays) {
+    assert(!plan->lost);
     plan->lost = redcc_memory_take_zeroed(plan->array_count, sizeof *plan->lost);
     if (!plan->lost)
         return false;

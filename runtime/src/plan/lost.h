@@ -5,6 +5,7 @@
 
 #include "redcc/runtime.h"
 
+#include <assert.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -22,6 +23,7 @@ struct lost {
 
 /** Bytes of an element. */
 static inline size_t redcc_lost_element(redcc_type type) {
+    assert(type == REDCC_FLOAT || type == REDCC_DOUBLE);
     return type == REDCC_FLOAT ? sizeof(float) : sizeof(double);
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* A packed run is a word of 16 bits,
@@ -42,6 +43,7 @@ static size_t pack_chunk(const struct schedule *schedule, const struct chunk *ch
 }
 
 void redcc_runs_pack(struct schedule *schedule) {
+    assert(!schedule->packed);
     size_t words = 0, at = 0;
     if (schedule->run_count < PACK_LEAST)
         return;
@@ -65,6 +67,7 @@ void redcc_runs_pack(struct schedule *schedule) {
 }
 
 struct run_reader redcc_runs_of(const struct schedule *schedule, const struct chunk *chunk) {
+    assert(chunk->run_begin <= chunk->run_end);
     if (schedule->packed)
         return (struct run_reader){.word = schedule->packed + chunk->run_begin,
                                    .word_end = schedule->packed + chunk->run_end};
@@ -156,6 +159,7 @@ static redcc_iterations read_run(struct run_reader *reader) {
 }
 
 size_t redcc_runs_read(struct run_reader *reader, redcc_iterations *to, size_t room) {
+    assert(room >= 1);
     size_t count = 0;
     if (!reader->word)
         return copy_runs(reader, to, room);
@@ -192,6 +196,7 @@ static redcc_iterations split(struct run_reader *reader, redcc_iterations run, r
 
 size_t redcc_runs_read_part(struct run_reader *reader, redcc_iterations *to, size_t room,
                             redcc_int *iterations) {
+    assert(room >= 1 && *iterations > 0);
     size_t count = 0;
     redcc_iterations run;
     while (count<room && * iterations> 0 && read_next(reader, &run)) {

@@ -10,6 +10,7 @@
 #include <assert.h>
 
 int redcc_team_of(int threads, int teams, int thread) {
+    assert(1 <= teams && teams <= threads && 0 <= thread && thread < threads);
     int team = (int)((long)thread * teams / threads);
     while (thread >= redcc_team_first(threads, teams, team + 1))
         team++;
@@ -108,6 +109,7 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
 
 void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
                            const struct range *touched) {
+    assert(!plan->map.owner);
     if (!partition->map.owner)
         return;
     redcc_owner_map_extend(partition, touched);
@@ -116,6 +118,7 @@ void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
 }
 
 void redcc_plan_keep_owners(struct plan *plan, struct partition *partition) {
+    assert(plan->trip > 0 && plan->array_count == partition->array_count);
     const double share = (double)plan->length / (double)plan->trip;
     bool stands = partition->share == 0 || share <= partition->share + partition->share / 16;
     for (uint32_t array = 0; array < partition->array_count; array++)
@@ -235,6 +238,7 @@ size_t redcc_plan_bytes(const struct plan *plan) {
 }
 
 uint32_t redcc_plan_stages(const struct plan *plan) {
+    assert(plan->teams.count >= 1);
     uint32_t most = 0;
     for (int team = 0; team < plan->teams.count; team++)
         most = plan->teams.stages[team] > most ? plan->teams.stages[team] : most;

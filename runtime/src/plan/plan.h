@@ -8,11 +8,13 @@
 #define REDCC_PLAN_H
 
 #include "base/barrier.h"
+
 #include "base/flags.h"
 #include "ownership/partition.h"
 #include "plan/copies.h"
 #include "plan/method.h"
 #include "plan/schedule.h"
+#include <assert.h>
 
 struct divide;
 struct lost;
@@ -51,6 +53,7 @@ struct plan {
 
 /** The schedule that a thread begins with; it also fills the stealable ones after it, if any. */
 static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
+    assert(0 <= thread && thread < plan->threads);
     return (uint32_t)thread * (plan->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
@@ -65,6 +68,7 @@ static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_
 
 /** The first thread of a team; team == teams: the number of threads. */
 static inline int redcc_team_first(int threads, int teams, int team) {
+    assert(0 <= team && team <= teams && teams <= threads);
     return (int)((long)threads * team / teams);
 }
 

@@ -97,6 +97,7 @@ bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int beg
 
 bool redcc_schedule_append(struct schedule *schedule, const struct schedule *other,
                            uint32_t stage) {
+    assert(!other->packed);
     for (size_t c = 0; c < other->chunk_count; c++) {
         const struct chunk *chunk = &other->chunk[c];
         for (size_t r = chunk->run_begin; r < chunk->run_end; r++) {
@@ -110,6 +111,7 @@ bool redcc_schedule_append(struct schedule *schedule, const struct schedule *oth
 }
 
 bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, uint32_t count) {
+    assert(wait || count == 0);
     if (schedule->wait_capacity - schedule->wait_count < count) {
         const uint32_t more = 2 * schedule->wait_capacity + count + 64;
         uint32_t *longer = redcc_memory_resize(schedule->wait, more * sizeof *longer);
@@ -137,6 +139,8 @@ void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy) {
 }
 
 void redcc_schedule_finish(struct schedule *schedule) {
+    assert(schedule->run_count <= schedule->run_capacity &&
+           schedule->waited <= schedule->wait_count);
     redcc_runs_pack(schedule);
     if (schedule->run_capacity - schedule->run_count >= 64 && !schedule->packed) {
         const size_t count = schedule->run_count;

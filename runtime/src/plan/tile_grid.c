@@ -12,6 +12,7 @@ enum {
 redcc_int redcc_tile_side;
 
 struct tile_grid redcc_tile_grid(redcc_int trip, int threads, bool below) {
+    assert(threads >= 1);
     redcc_int side = trip / ((redcc_int)BANDS_OF_A_THREAD * threads);
     const redcc_int least = (trip + TILES_MOST_BANDS - 1) / TILES_MOST_BANDS;
     assert(trip > 0 && redcc_can_be_tiled(trip));

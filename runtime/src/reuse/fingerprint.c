@@ -4,6 +4,7 @@
 #include "base/spin.h"
 #include "reuse/fingerprint_wide.h"
 
+#include <assert.h>
 #include <string.h>
 
 enum { LANES = 8, STRIPE = LANES * 8 };
@@ -83,6 +84,7 @@ static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t byte
 }
 
 struct fingerprint redcc_fingerprint(const char *data, size_t bytes) {
+    assert(data || bytes == 0);
     uint64_t lane[LANES];
     make_key();
     for (int i = 0; i < LANES; i++)
@@ -103,6 +105,7 @@ struct fingerprint redcc_fingerprint(const char *data, size_t bytes) {
 }
 
 struct fingerprint redcc_fingerprint_join(const struct fingerprint *parts, int count) {
+    assert(count >= 0);
     struct fingerprint result = {{FIRST, SECOND}};
     for (int i = 0; i < count; i++) {
         result.word[0] = mix(result.word[0] * FIRST + parts[i].word[0]);

@@ -39,6 +39,7 @@ static void hash_up_to(struct partial_hash *partial, const struct hasher *hasher
 }
 
 struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading reading) {
+    assert(0 <= hasher->thread && hasher->thread < hasher->threads);
     struct partial_hash partial = {.reading = reading};
     hash_up_to(&partial, hasher, 1);
     return partial.so_far;
@@ -68,6 +69,7 @@ size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
 }
 
 void redcc_hash_some(struct hasher *hasher, const redcc_loop *loop, double part) {
+    assert(0 <= part && part <= 1);
     for (uint32_t s = 0; s < loop->source_count; s++)
         if (!redcc_range_empty(hasher->partial[s].reading.range))
             hash_up_to(&hasher->partial[s], hasher, part);
@@ -95,6 +97,7 @@ void redcc_hash_rest(struct hasher *hasher, const struct request *request,
 
 struct fingerprint redcc_hash_joined(struct hasher *const *hasher, int threads, uint32_t source,
                                      struct reading reading) {
+    assert(threads >= 1);
     enum { AT_ONCE = 64 };
     struct fingerprint part[AT_ONCE + 1] = {{{reading.beside, reading.distance}}};
     int count = 1;

@@ -139,6 +139,7 @@ static unsigned bit_of(const struct kept_plan *kept) {
 }
 
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, unsigned *changed) {
+    assert(threads >= 1 && reuse->changed_source < 0);
     struct kept_plan *newest = NULL; /* the most recently used */
     *fits_now = *changed = 0;
     for (int p = 0; p < REDCC_PLANS; p++) {
@@ -263,6 +264,7 @@ static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32
 }
 
 bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
+    assert(reuse->found && hasher->threads == reuse->call->threads);
     const redcc_loop *loop = reuse->call->request.loop;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT))
@@ -353,6 +355,7 @@ static struct kept_plan *record(const struct reuse *reuse) {
 bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan) {
     struct plan_cache *cache = reuse->cache;
     assert(!reuse->found && plan->threads == reuse->call->threads);
+    assert(plan->trip == reuse->call->request.trip);
     struct kept_plan *kept = record(reuse);
     if (!kept)
         return false;

@@ -4,10 +4,12 @@
 #include "base/system.h"
 #include "reuse/pages/watch.h"
 
+#include <assert.h>
 #include <stdatomic.h>
 
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source) {
+    assert(source < loop->source_count);
     const struct range it = sources[source];
     const bool has_gaps = known[source].end == NULL;
     for (uint32_t s = 0; s < source; s++) {

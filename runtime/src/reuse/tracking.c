@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "reuse/tracking.h"
 
+#include <assert.h>
+
 #include "reuse/pages/watch.h"
 
 enum {
@@ -75,10 +77,12 @@ void redcc_tracking_ask(struct tracking *tracking, struct reading reading, struc
 }
 
 bool redcc_tracking_unchanged(const struct tracking *tracking, struct reading reading) {
+    assert(tracking->version != 0);
     return redcc_fingerprint_equal(redcc_reading_ends(reading), tracking->ends);
 }
 
 void redcc_tracking_stable(struct tracking *tracking, struct reading reading, long skipped_calls) {
+    assert(skipped_calls >= 0);
     const uint64_t stable = tracking->stable_count + 1 + (uint64_t)skipped_calls;
     tracking->stable_count = stable < UINT32_MAX ? (uint32_t)stable : UINT32_MAX;
     if (!tracking->begun)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/counted.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted_bound.h"
 #include "analysis/base/counted_condition.h"
 #include "analysis/base/counted_start.h"
@@ -427,6 +429,7 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
     *counter = r.loop.counter;
     *first = is_up ? lower : bound;
     *last = is_up ? bound : lower;
+    assert(*first <= *last);
     return true;
 }
 

@@ -7,6 +7,8 @@
  */
 #include "analysis/base/counted_condition.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 /* The type of the number that a bare `n--` is compared with. */
@@ -57,6 +59,7 @@ bool counted_split_stepping(const ir_node *condition, counted_loop *counted) {
 }
 
 bool counted_stepping_wraps(const counted_loop *counted) {
+    assert(counted->counter && counted->bound);
     const ir_type *counter = counted->counter->type;
     const ir_type *bound = counted->bound->type;
     int64_t constant;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/counted_wraps.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 static const ir_node *strip_casts(const ir_node *node) {
@@ -31,6 +33,7 @@ static int64_t type_maximum(const ir_type *type) {
  * loop is undefined in C; if the computed trip count is zero or less, the original loop runs.
  */
 bool counted_wraps(const counted_loop *loop) {
+    assert(loop->step != 0);
     const ir_type *counter = loop->counter->type;
     const ir_type *bound = loop->bound->type;
     int64_t constant = 0;
@@ -70,6 +73,7 @@ bool counted_wraps(const counted_loop *loop) {
 }
 
 bool counted_wrap_is_seen(const counted_loop *loop) {
+    assert(loop->step != 0);
     const ir_type *counter = loop->counter->type;
     return !counter->is_signed && counter->size >= 4 && loop->bound->type->size <= counter->size &&
            loop->comparison == IR_OP_LESS && (loop->stride || loop->step > 1);

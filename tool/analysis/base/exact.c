@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/exact.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 enum {
@@ -27,6 +29,7 @@ bool exact_is_operation(const ir_node *node) {
 }
 
 bool exact_needs_settled(const ir_node *node, const ir_node *operand) {
+    assert(node->type && operand->type);
     return operand->type->size < node->type->size;
 }
 

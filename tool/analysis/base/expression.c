@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/expression.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "ir/ir_c.h"
@@ -55,6 +56,7 @@ bool expression_same(const ir_node *a, const ir_node *b) {
 }
 
 unsigned expression_occurrences(const ir_node *node, const ir_node *part) {
+    assert(part);
     if (expression_same(node, part))
         return 1;
     unsigned count = 0;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/library.h"
 
+#include <assert.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -139,6 +140,7 @@ const library_function *library_find(const ir_unit *unit, const ir_function *fun
 }
 
 bool library_plain_name(const char *name, char plain[LIBRARY_NAME_SIZE]) {
+    assert(name && plain);
     static const char builtin[] = "__builtin_", suffix[] = "_chk";
     if (strncmp(name, builtin, sizeof builtin - 1) == 0)
         name += sizeof builtin - 1;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/loop_exits.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -227,6 +228,7 @@ static void exchange(ir_node *parent, const ir_node *old, ir_node *new) {
 void loop_exits_take_out(const loop_exits *exits) {
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const loop_exit *it = &exits->items[i];
+        assert(it->parent && it->rest && it->statement->parent == it->parent);
         exchange(it->parent, it->statement, it->rest);
         it->statement->parent = NULL;
         ((ir_node *)it->condition)->parent = it->rest;
@@ -236,6 +238,7 @@ void loop_exits_take_out(const loop_exits *exits) {
 void loop_exits_put_back(const loop_exits *exits) {
     for (unsigned i = 0; exits && i < exits->count; i++) {
         const loop_exit *it = &exits->items[i];
+        assert(it->rest->parent == it->parent);
         exchange(it->parent, it->rest, it->statement);
         it->statement->parent = it->parent;
         ((ir_node *)it->condition)->parent = it->holder;
@@ -244,6 +247,7 @@ void loop_exits_put_back(const loop_exits *exits) {
 
 void loop_exits_hide(const loop_exits *exits, bool are_hidden) {
     for (unsigned i = 0; exits && i < exits->count; i++) {
+        assert(exits->items[i].rest->kind == (are_hidden ? IR_IF : IR_BLOCK));
         exits->items[i].rest->kind = are_hidden ? IR_BLOCK : IR_IF;
         exits->items[i].rest->child_count = are_hidden ? 0 : 2;
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/loop_text.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/openmp_directive.h"
@@ -14,6 +15,8 @@ unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset) {
         else
             high = middle;
     }
+    assert(low == unit->directive_count || unit->directives[low].range.begin >= offset);
+    assert(low == 0 || unit->directives[low - 1].range.begin < offset);
     return low;
 }
 
@@ -70,6 +73,7 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
         next = first;
         begin = unit->directives[first].range.begin;
     }
+    assert(begin <= loop->range.begin);
     return begin;
 }
 
@@ -181,6 +185,7 @@ const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range) {
     if (!unit->text.pragma_macros || !unit->source || range.end <= range.begin)
         return NULL;
     const char *text = unit->source->text;
+    assert(range.end <= unit->source->length);
     for (uint32_t at = range.begin; at < range.end; at++)
         if (at > range.begin && splits_a_name(text, at))
             return "\\";

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/openmp_directive.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <string.h>
 
@@ -252,6 +253,7 @@ static openmp_construct construct_of(const char *text, const char **rest) {
 }
 
 openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *d) {
+    assert(d->text);
     reader r = {.memory = a};
     openmp_directive result = {.construct = OPENMP_OTHER};
     const char *text = openmp_plain_text(a, d->text);

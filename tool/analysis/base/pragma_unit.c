@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The pragmas of a unit, and the loops that follow them. */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/pragma.h"
@@ -104,6 +105,7 @@ user_pragmas pragmas_of_unit(arena *a, const ir_unit *unit) {
 }
 
 const user_pragma *pragma_above(const user_pragmas *all, const ir_node *loop, pragma_word word) {
+    assert(ir_is_loop(loop));
     for (unsigned i = 0; i < all->count; i++)
         if (all->items[i].loop == loop && all->items[i].word == word)
             return &all->items[i];

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/reason.h"
 
+#include <assert.h>
+
 #include "analysis/base/stateful.h"
 
 typedef struct reason_entry {
@@ -78,14 +80,17 @@ static const char *const advices[REASON_COUNT] = {
 };
 
 const char *reason_code(reason_id id) {
+    assert(id < REASON_COUNT);
     return reasons[id].code;
 }
 
 const char *reason_slug(reason_id id) {
+    assert(id < REASON_COUNT);
     return reasons[id].slug;
 }
 
 reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
+    assert(id > REASON_NONE && id < REASON_COUNT && name);
     reason r = {id, NULL, range, advices[id]};
     /* The format is one of reasons.def, each with exactly one %s (a test counts them). */
     const char *format = reasons[id].message;

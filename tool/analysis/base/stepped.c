@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/stepped.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
@@ -64,6 +66,7 @@ static bool are_apart(const loop_span *span) {
 }
 
 bool span_recognise(ir_node *loop, loop_span *span) {
+    assert(ir_is_loop(loop));
     *span = (loop_span){.loop = loop};
     if (loop->kind != IR_FOR)
         return false;

@@ -581,6 +581,7 @@ slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_to
                 .touch_count = touch_count,
                 .touches = touches,
                 .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
+    assert(j->counted.body && (touches || touch_count == 0));
     for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
         need_touch(&s, &touches[i]);
     unsigned before = 0;

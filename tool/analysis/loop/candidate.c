@@ -6,6 +6,8 @@
  */
 #include "analysis/loop/candidate.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/library.h"
 #include "support/vector.h"
@@ -118,6 +120,7 @@ static void visit(dependence *d, const ir_node *node, bool is_dependent) {
 }
 
 bool candidate_varies(const analyser *an, const ir_node *loop) {
+    assert(ir_is_loop(loop));
     counted_result counted = counted_recognise_analysed((ir_node *)loop);
     if (!counted.is_counted)
         return true;

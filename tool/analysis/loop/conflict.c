@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/loop/conflict.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/loop/variation.h"
@@ -280,6 +282,7 @@ static terms terms_of(question *q, const ir_node *lvalue) {
 
 conflict_kind conflict_of(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
     question q = {facts, loop, lvalue, 0};
+    assert(ir_is_loop(loop) && expression_is_lvalue(lvalue));
     if (variation_is_irregular(facts, loop, lvalue))
         return CONFLICT_SHARED;
     if (lvalue->kind == IR_VARIABLE || !is_varying(&q, lvalue))

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/loop/executed.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
@@ -89,6 +91,7 @@ static void take_jumps_above(const loop_analysis *j, limit_list *list, const ir_
 
 unsigned executed_limits(const loop_analysis *j, const ir_node *node,
                          const counter_limit **limits) {
+    assert(ir_contains(j->loop, node));
     limit_list list = {0};
     for (const ir_node *below = node; below->parent && below->parent != j->loop;
          below = below->parent) {

@@ -2,6 +2,7 @@
 /* Obstacles to rewriting a loop's text, or to counting its iterations, for any computation. */
 #include "analysis/loop/gate.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -123,6 +124,7 @@ static bool has_macro(const ir_node *node) {
 reason check_text(const loop_analysis *j) {
     const source *s = j->an->unit->source;
     const ir_node *loop = j->loop;
+    assert(ir_is_loop(loop) && j->function->body);
     if (j->an->unit->dialect.refusing_option)
         return analysis_reason(j, REASON_OPTION, loop, j->an->unit->dialect.refusing_option);
     if (j->function->has_errors)

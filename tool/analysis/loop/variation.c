@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/loop/variation.h"
 
+#include <assert.h>
+
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 
@@ -15,6 +17,7 @@ static bool is_of_callee(variable_facts *facts, const ir_node *loop, const ir_va
 }
 
 bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir_node *expression) {
+    assert(ir_is_expression(expression));
     if (expression->kind == IR_CALL || expression->kind == IR_OPAQUE ||
         expression->kind == IR_ASSIGN || expression_written(expression))
         return false;
@@ -90,6 +93,7 @@ static affine_form affine_of_binary(const ir_node *node, affine_form a, affine_f
 
 affine_form variation_affine(variable_facts *facts, const ir_node *loop, const ir_variable *counter,
                              const ir_node *expression) {
+    assert(counter && ir_is_expression(expression));
     affine_form none = {0};
     if (expression->kind == IR_VARIABLE && expression->variable == counter)
         return (affine_form){true, true, 1};

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/callee_loops.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 /* ---- leaving a loop -------------------------------------------------------------------------- */
@@ -73,6 +75,7 @@ static void take_loop(callee_loops *loops, ir_node *loop) {
 callee_loops callee_loops_around(const ir_function *function, const ir_node *node) {
     callee_loops loops = {.body = function->body, .are_known = true};
     const ir_node *child = node;
+    assert(function->body && ir_contains(function->body, node));
     for (ir_node *outer = node->parent; outer; child = outer, outer = outer->parent)
         if (outer->kind == IR_FOR && ir_loop_body(outer) == child)
             take_loop(&loops, outer);

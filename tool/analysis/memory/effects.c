@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* One summary per function, bottom-up: its accesses other than to local variables. */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -120,6 +121,7 @@ const access_list *effects_of(effects *all, const ir_function *function) {
         access_list result = {0};
         summarise(all, function, &result);
         s->list = result;
+        assert(s->state == SUMMARY_IN_PROGRESS);
         s->state = SUMMARY_DONE;
     }
     return s->state == SUMMARY_DONE ? &s->list : NULL;
@@ -309,6 +311,7 @@ static void walk_library_call(access_walk *w, const ir_node *call, const library
 }
 
 void access_walk_call(access_walk *w, const ir_node *call) {
+    assert(call->kind == IR_CALL);
     const ir_node *callee = call->children[0];
     for (unsigned i = 1; i < call->child_count; i++)
         access_walk_node(w, call->children[i]);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/exported.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/loop_text.h"
@@ -9,6 +10,7 @@
 #include "analysis/memory/location.h"
 
 const char *exported_word(exported_kind kind) {
+    assert(kind <= EXPORTED_PURE);
     static const char *const words[] = {[EXPORTED_CONST] = "const",
                                         [EXPORTED_ARGUMENTS] = "pure of its arguments",
                                         [EXPORTED_PURE] = "pure"};

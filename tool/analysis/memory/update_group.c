@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/update_group.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 
 /* Statements number `from` to `to` of a block. */
@@ -135,6 +137,7 @@ bool update_group_of(variable_facts *facts, const ir_node *assignment, update_gr
 
 bool update_group_has(const update_group *group, const ir_node *node) {
     const ir_node *block = group->first->parent;
+    assert(group->last->parent == block && group->first->id <= group->last->id);
     while (node && node->parent != block)
         node = node->parent;
     return node && node->id >= group->first->id && node->id <= group->last->id;

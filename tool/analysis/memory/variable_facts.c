@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/variable_facts.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -94,6 +95,7 @@ const ir_unit *variable_facts_unit(const variable_facts *facts) {
 }
 
 const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *variable) {
+    assert(facts->unit->variables[variable->id] == variable);
     return &facts->facts[variable->id];
 }
 
@@ -146,6 +148,7 @@ bool variable_may_change_in(variable_facts *facts, const ir_node *node,
 
 const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(facts, variable);
+    assert(fact->write_count > 0 || !fact->definition);
     if (variable->storage != IR_LOCAL || fact->write_count != 1 || !fact->definition)
         return NULL;
     if (variable->type->kind != IR_ARRAY && variable->address_taken)

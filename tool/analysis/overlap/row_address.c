@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/overlap/row_address.h"
 
+#include <assert.h>
+
 static bool is_array(const ir_node *node) {
     return node->type && node->type->kind == IR_ARRAY;
 }
@@ -72,6 +74,7 @@ static bool take_pointer(row_address *sum, const ir_node *node) {
 }
 
 bool row_address_of(const ir_node *row, row_address *address) {
+    assert(ir_is_expression(row));
     *address = (row_address){0};
     return row->type && row->type->size > 0 && take_object(address, row);
 }

@@ -7,6 +7,8 @@
  */
 #include "analysis/private/induction.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted_stride.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
@@ -67,6 +69,7 @@ static bool is_taken(const loop_analysis *j, const ir_variable *variable) {
 
 bool induction_take(loop_analysis *j, const ir_variable *variable) {
     const loop_start *start = analysis_start_of(j, variable);
+    assert(variable != j->counted.counter);
     private_variable item = {.variable = (ir_variable *)variable,
                              .entry = start ? start->value : NULL,
                              .is_declared_in_header = start && start->is_declared,

@@ -7,6 +7,8 @@
  */
 #include "analysis/private/live.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
@@ -212,6 +214,7 @@ static ways ways_behind(const search *s, const ir_node *node, ways all) {
 
 bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
+    assert(ir_is_loop(loop));
     const search s = {variable, loop};
     const ir_unit *unit = variable_facts_unit(facts);
     if (variable->function && openmp_keeps_value(unit->arena, unit, loop, variable))

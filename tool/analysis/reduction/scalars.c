@@ -9,6 +9,8 @@
  */
 #include "analysis/reduction/scalars.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/reduction/scalar_extremum.h"
 #include "analysis/reduction/scalar_target.h"
@@ -161,6 +163,7 @@ static void join_series(loop_analysis *j, scalar_update *found) {
 }
 
 bool scalar_take_update(loop_analysis *j, loop_access *write) {
+    assert(write->access.kind != ACCESS_READ);
     const ir_node *target = write->access.lvalue;
     if (write->access.callee || !target || !target->parent)
         return false;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/reduction/update_array.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/loop/bases.h"
 #include "analysis/loop/variation.h"
@@ -81,6 +83,7 @@ static bool is_updated_besides(const loop_analysis *j, const loop_access *update
 }
 
 bool update_check_base(loop_analysis *j, const loop_access *update, const char *name) {
+    assert(name);
     const ir_node *target = update->access.form.target;
     const location *where = &update->where;
     if (where->is_punned)
@@ -258,6 +261,7 @@ static const ir_node *row_of(const loop_analysis *j, const loop_access *update,
 
 void update_array_add(loop_analysis *j, loop_access *update, update_kind kind,
                       const ir_node *statement, const ir_node *target, unsigned number) {
+    assert(number < j->arrays.count && ir_contains(j->loop, statement));
     update->class = CLASS_REDUCTION;
     update->array = number;
     update->op = kind.op;

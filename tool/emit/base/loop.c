@@ -34,6 +34,7 @@ const char *loop_operand(loop_text *loop, const ir_node *expression) {
 }
 
 const char *loop_line_directive(loop_text *loop, uint32_t offset) {
+    assert(offset <= loop->unit->source->length);
     const ir_position place = ir_position_of(loop->unit, offset);
     return arena_format(loop->arena, "#line %u %s", place.line,
                         text_quoted(loop->arena, place.file));

@@ -235,6 +235,7 @@ static const char *place_text(loop_text *loop, const reduction_update *update, c
 
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name) {
+    assert(loop->bins && update->array < loop->facts->array_count);
     const bins_record *record = record_of(loop->bins, update);
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const char *macro = loop->facts->arrays[update->array].is_scattered       ? "UPDATE_BEHIND"
@@ -474,6 +475,7 @@ static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) 
 
 void write_bins(loop_text *loop, writer *out) {
     const bins_plan *bins = loop->bins;
+    assert(bins && bins->stream_count > 0);
     for (unsigned i = 0; i < bins->record_count; i++)
         if (bins->records[i].span) {
             write_span_record(loop, &bins->records[i], out);
@@ -538,6 +540,7 @@ static const char *stream_text(loop_text *loop, unsigned stream) {
 }
 
 unsigned bins_stream_count(const loop_text *loop) {
+    assert(loop->bins);
     return loop->bins->stream_count;
 }
 
@@ -558,6 +561,7 @@ static bool are_all_exact(const loop_text *loop) {
 }
 
 const char *bins_phase(loop_text *loop) {
+    assert(loop->bins);
     return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
                         loop->bins->guarded_sources, are_all_exact(loop));
 }

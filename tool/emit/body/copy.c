@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/body/copy.h"
 
+#include <assert.h>
+
 #include "emit/base/forward.h"
 #include "emit/base/names.h"
 #include "emit/base/own.h"
@@ -38,6 +40,7 @@ static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end
 
 void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text) {
     loop_text *loop = copy->loop;
+    assert(begin <= end && end <= loop->unit->source->length);
     text = arena_format(loop->arena, "%s%s", text, line_ends(loop, begin, end));
     edit_replace(loop->arena, &copy->edits, begin, end, text);
 }

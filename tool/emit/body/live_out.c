@@ -7,6 +7,8 @@
  */
 #include "emit/body/live_out.h"
 
+#include <assert.h>
+
 #include "emit/text/origin.h"
 #include "plan/lookup.h"
 
@@ -24,6 +26,7 @@ void declare_conditional_live_outs(loop_text *loop, writer *out) {
 }
 
 void write_note(loop_text *loop, writer *out, unsigned number) {
+    assert(loop->facts->variables.privates[number].is_last_sought);
     writer_line(out, "if (redcc__k >= *redcc__when_%u) {", number);
     writer_line(out, "    *redcc__when_%u = redcc__k;", number);
     writer_line(out, "    *redcc__noted_%u = %s;", number,

@@ -6,10 +6,13 @@
  */
 #include "emit/body/own.h"
 
+#include <assert.h>
+
 #include "emit/body/scalars.h"
 #include "emit/text/origin.h"
 
 const char *kept_own_type(const loop_text *loop, unsigned number) {
+    assert(number < loop->facts->variables.own_count);
     return origin_type(loop->arena, loop->facts->variables.own[number].element->type);
 }
 
@@ -18,6 +21,7 @@ const char *kept_own_name(loop_text *loop, unsigned number) {
 }
 
 unsigned kept_own_number(const loop_text *loop, unsigned number) {
+    assert(number < loop->facts->variables.own_count);
     return kept_operand_number(loop, loop->facts->scalar_count, false) + number;
 }
 

@@ -8,6 +8,8 @@
  */
 #include "emit/body/scalars.h"
 
+#include <assert.h>
+
 #include "emit/base/names.h"
 #include "emit/body/own.h"
 #include "emit/body/series.h"
@@ -49,6 +51,7 @@ static char sign_of(ir_operator op) {
 }
 
 const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made) {
+    assert(number < loop->facts->scalar_count);
     const scalar_update *update = &loop->facts->scalars[number];
     if (update->is_series)
         return NULL;
@@ -62,6 +65,7 @@ const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made) {
 }
 
 unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made) {
+    assert(number <= loop->facts->scalar_count);
     unsigned count = is_made ? 1 : 0;
     for (unsigned i = 0; i < number; i++)
         if (!loop->facts->scalars[i].is_series)
@@ -143,6 +147,7 @@ void note_no_operands(loop_text *loop, writer *out) {
 }
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
+    assert(number < loop->facts->scalar_count && value);
     const scalar_update *update = &loop->facts->scalars[number];
     const char *operand = arena_format(loop->arena, "(%s)", value);
     if (update->is_series) {

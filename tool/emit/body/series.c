@@ -8,6 +8,8 @@
  */
 #include "emit/body/series.h"
 
+#include <assert.h>
+
 #include "emit/base/names.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
@@ -58,6 +60,7 @@ void declare_series(loop_text *loop, writer *out) {
 }
 
 bool is_kept_scalar(const loop_text *loop, unsigned number) {
+    assert(number < loop->facts->scalar_count);
     const ir_node *target = loop->facts->scalars[number].target;
     return target->kind == IR_VARIABLE && target->variable->storage != IR_GLOBAL &&
            target->variable->storage != IR_STATIC;
@@ -175,6 +178,7 @@ void leave_series(loop_text *loop, writer *out) {
 
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const scalar_update *update = &loop->facts->scalars[number];
+    assert(update->is_series);
     const unsigned first = series_of(loop->facts, number);
     const char *type = operand_type_of(update);
     writer_line(out,

@@ -2,6 +2,8 @@
 /** The loop over columns, clipped to a tile (plan/tiles.h). */
 #include "plan/tiles.h"
 
+#include <assert.h>
+
 #include "emit/body/copy.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
@@ -16,6 +18,7 @@ void clip_columns(body_copy *copy) {
     const tile_plan *tiles = loop->tiles;
     if (!tiles)
         return;
+    assert(!tiles->declined && tiles->lower && tiles->bound);
     const ir_node *const inner = tiles->inner;
     const char *type = origin_type(loop->arena, span_of(loop->facts, inner)->counted.counter->type);
     const char *lower = text_operand(loop->arena, tiles->lower, local_name, loop);

@@ -3,9 +3,12 @@
  * Inner loops in vector code: their iterations are the same for all lanes.
  */
 #include "emit/lanes/vectoriser.h"
+
 #include "plan/unroll.h"
+#include <assert.h>
 
 void lane_for(vectoriser *l, const ir_node *node) {
+    assert(node->kind == IR_FOR);
     arena *a = l->loop->arena;
     const ir_node *first = node->children[0], *condition = node->children[1],
                   *step = node->children[2];

@@ -4,8 +4,10 @@
  * in active lanes, and inactive lanes keep a variable's old value by a select.
  */
 #include "emit/lanes/vectoriser.h"
+
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
+#include <assert.h>
 
 const char *lane_masked(vectoriser *l, const ir_node *node, const char *text) {
     if (!l->mask || lane_is_safe(&l->in, node))
@@ -79,6 +81,7 @@ static void write_branch(vectoriser *l, const ir_node *branch, const char *mask)
 }
 
 void lane_masked_if(vectoriser *l, const ir_node *node) {
+    assert(node->kind == IR_IF);
     const char *mask = lane_new_mask(l, lane_mask(l, node->children[0]));
     write_branch(l, node->children[1], mask);
     if (node->child_count > 2)

@@ -5,7 +5,10 @@
  */
 #include "emit/lanes/vectoriser.h"
 
+#include <assert.h>
+
 const lane_words *lane_words_of(const ir_type *type) {
+    assert(lane_is_real(type));
     static const lane_words of_doubles = {.vector = "redcc_vector",
                                           .gather = "REDCC_GATHER",
                                           .same = "redcc_same",

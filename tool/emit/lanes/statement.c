@@ -3,6 +3,7 @@
  * Statements that compute, for all lanes, and the functions that they call. Control flow must be
  * the same for all lanes: loops and conditions on uniform values.
  */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/counted.h"
@@ -241,6 +242,7 @@ static const char *clone_of(vectoriser *l, const ir_function *function, const la
 }
 
 const char *lane_call(vectoriser *l, const ir_node *call) {
+    assert(call->kind == IR_CALL && call->children[0]->kind == IR_FUNCTION);
     arena *a = l->loop->arena;
     const ir_function *function = call->children[0]->function;
     if (!lane_can_be_called(function, call, l->depth)) {

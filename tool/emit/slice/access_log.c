@@ -3,6 +3,8 @@
  * function; and the same as probes. */
 #include "emit/slice/access_log.h"
 
+#include <assert.h>
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
@@ -219,6 +221,7 @@ static void log_leader(inspector *self, const ir_node *row) {
 
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base) {
+    assert(number < (is_update ? self->loop->facts->array_count : self->loop->plan->source_count));
     if (is_update)
         log_leader(self, row);
     log_address(self, row, is_update, number, base);

@@ -2,8 +2,10 @@
 /** The inspector's copies of loops in called functions, around their reads: `for (; redcc__each_0 <
  *  4; redcc__each_0++)`. */
 #include "analysis/base/expression.h"
+
 #include "emit/slice/slice.h"
 #include "ir/ir_words.h"
+#include <assert.h>
 
 const char *source_loop_counter(arena *a, unsigned depth) {
     return arena_format(a, "redcc__each_%u", depth);
@@ -21,6 +23,7 @@ static bool is_asked_for(const loop_source *read, unsigned depth) {
 
 const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
                                const char *counter, const char *bound, bool is_span) {
+    assert(depth < read->loop_count);
     const source_loop *loop = &read->loops[depth];
     const char *condition =
         arena_format(a, "%s %s %s", counter, ir_operator_spelling(loop->comparison), bound);

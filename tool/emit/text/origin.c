@@ -87,6 +87,7 @@ static bool read_mark(const char *at, const char *end, mark_text *read) {
 }
 
 const char *origin_skip(const char *at, const char *end) {
+    assert(at <= end);
     mark_text read;
     if (!read_mark(at, end, &read))
         return at;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ownership/graph/access_log.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 
 /* How far back an iteration's units are searched for duplicates. */
@@ -13,6 +15,7 @@ static bool list_begin(struct unit_list *list, size_t capacity) {
 }
 
 bool redcc_unit_list_add(struct unit_list *list, const uint32_t *item, size_t count) {
+    assert(list->count <= list->capacity);
     if (list->capacity - list->count < count) {
         const size_t more = 2 * list->capacity + count + 256;
         uint32_t *longer = redcc_memory_resize(list->item, more * sizeof *item);
@@ -34,6 +37,7 @@ void redcc_unit_list_end(struct unit_list *list) {
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most) {
+    assert(units->array_count == partition->array_count && begin >= 0);
     *logged = (struct access_log){.units = units->count, .begin = begin, .most = most};
     logged->of = redcc_memory_take(partition->array_count * sizeof *logged->of);
     for (uint32_t array = 0; logged->of && array < partition->array_count; array++) {
@@ -125,6 +129,7 @@ static inline void take_touch(struct access_log *logged, const redcc_entry *entr
 
 void redcc_access_log_take(struct access_log *logged, const redcc_entry *first,
                            const redcc_entry *end) {
+    assert(first <= end && !logged->failed);
     for (const redcc_entry *entry = first; entry != end; entry++) {
         if (entry->array != REDCC_END_OF_ITERATION) {
             if (entry->bytes)

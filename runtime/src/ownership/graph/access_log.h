@@ -9,6 +9,8 @@
 
 #include "ownership/graph/units.h"
 
+#include <assert.h>
+
 /** In a list: marks the iteration's last unit; REDCC_NO_UNIT represents an iteration without
  *  units. */
 #define REDCC_LAST 0x80000000u
@@ -30,6 +32,7 @@ void redcc_unit_list_end(struct unit_list *list);
 /** The number of units of the iteration that begins at item `at`. */
 static inline size_t redcc_iteration_length(const struct unit_list *list, size_t at) {
     size_t last = at;
+    assert(at < list->count);
     while (!(list->item[last] & REDCC_LAST))
         last++;
     return last + 1 - at;

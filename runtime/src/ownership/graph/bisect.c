@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "ownership/partition.h"
 
+#include <assert.h>
 #include <string.h>
 
 struct division {
@@ -65,6 +66,7 @@ static uint32_t best_part(const struct gains *gains, uint32_t here, uint64_t wei
 void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
                   unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,
                   const uint64_t *most, int rounds) {
+    assert(low < high && high <= REDCC_PARTS_MOST && count <= graph->count);
     struct gains gains = {.count = 0};
     for (int round = 0; round < rounds; round++) {
         uint32_t moved = 0;
@@ -189,6 +191,7 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
 
 bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stealable,
                         unsigned char *part) {
+    assert(0 < parts && parts <= REDCC_PARTS_MOST && parts % (1 + stealable) == 0);
     const size_t count = graph->count;
     struct division division = {
         .graph = graph, .part = part, .parts = parts, .stealable = stealable};

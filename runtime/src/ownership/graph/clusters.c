@@ -24,6 +24,7 @@ static uint32_t node_of(uint32_t rank) {
 
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
                           const struct access_log *logged, int threads) {
+    assert(most > 0 && threads >= 1);
     const size_t bytes = units * sizeof(uint32_t);
     *clusters = (struct clusters){.units = units, .most = most, .count = units, .threads = threads};
     assert(node_of(rank_of(1234567)) == 1234567);
@@ -87,6 +88,7 @@ static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, c
 }
 
 void redcc_clusters_choose(struct clusters *clusters, int thread) {
+    assert(0 <= thread && thread < clusters->threads && clusters->rounds == 0);
     struct cluster_share *share = &clusters->share[thread];
     const struct unit_list *logged = share->logged;
     memset(share->choice, 0xff, clusters->units * sizeof *share->choice);
@@ -98,6 +100,7 @@ void redcc_clusters_choose(struct clusters *clusters, int thread) {
 }
 
 void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end) {
+    assert(first <= end && end <= clusters->count);
     const struct cluster_share *all = &clusters->share[0];
     for (int thread = 1; thread < clusters->threads; thread++) {
         const uint32_t *choice = clusters->share[thread].choice;
@@ -187,6 +190,7 @@ bool redcc_clusters_join(struct clusters *clusters) {
 }
 
 void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t end) {
+    assert(first <= end && end <= clusters->units && clusters->rounds > 0);
     for (uint32_t unit = first; unit < end; unit++) {
         const uint32_t node = clusters->rounds == 1 ? unit : clusters->of[unit];
         clusters->of[unit] = node < clusters->nodes && clusters->into[node] != NOTHING
@@ -207,6 +211,7 @@ static inline bool map_iteration(const uint32_t *into, const uint32_t *node, siz
 }
 
 void redcc_clusters_retell(struct clusters *clusters, int thread) {
+    assert(0 <= thread && thread < clusters->threads && clusters->rounds > 0);
     struct cluster_share *share = &clusters->share[thread];
     const bool first = clusters->rounds == 1;
     const struct unit_list from = first ? *share->logged : share->list;

@@ -124,6 +124,7 @@ static bool make(struct levelling *it, struct levels *levels, const struct acces
 
 bool redcc_levels_begin(struct levels *levels, const struct access_log *logged, int threads,
                         bool every) {
+    assert(threads >= 1);
     *levels = (struct levels){0};
     struct levelling it = {.units = logged->units};
     for (int thread = 0; thread < threads; thread++)
@@ -144,6 +145,7 @@ void redcc_levels_end(struct levels *levels) {
 
 void redcc_levels_share(const struct levels *levels, uint32_t stage, int threads, int thread,
                         uint32_t *first, uint32_t *end) {
+    assert(stage < levels->stages && 0 <= thread && thread < threads);
     const uint32_t begin = levels->stage[stage].begin;
     const uint32_t count = levels->stage[stage + 1].begin - begin;
     if (levels->stage[stage].alone) {
@@ -156,6 +158,7 @@ void redcc_levels_share(const struct levels *levels, uint32_t stage, int threads
 }
 
 double redcc_levels_length(const struct levels *levels, int threads) {
+    assert(threads >= 1);
     double length = 0;
     for (uint32_t s = 0; s < levels->stages; s++) {
         const uint32_t count = levels->stage[s + 1].begin - levels->stage[s].begin;

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* An iteration of up to CLIQUE units connects each pair of them; one of more connects each with the
@@ -33,6 +34,7 @@ static bool is_in(const struct graph *graph, uint32_t node, uint32_t first, uint
 
 void redcc_graph_count(struct graph *graph, const struct unit_list *const *list, int lists,
                        uint32_t first, uint32_t end) {
+    assert(first <= end && end <= graph->count && lists >= 0);
     uint32_t *degree =
         graph->start + 2; /* start[n + 2] is the degree of node n until all are known */
     memset(graph->weight + first, 0, (size_t)(end - first) * sizeof *graph->weight);
@@ -74,6 +76,7 @@ static void join(const struct graph *graph, uint32_t unit, uint32_t other) {
 
 void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, int lists,
                       uint32_t first, uint32_t end) {
+    assert(first <= end && end <= graph->count && graph->neighbour);
     for (int l = 0; l < lists; l++)
         for (size_t at = 0, size; at < list[l]->count; at += size) {
             size = redcc_iteration_length(list[l], at);
@@ -115,6 +118,7 @@ static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, 
 }
 
 bool redcc_graph_merge(struct graph *graph) {
+    assert(graph->neighbour && !graph->strength);
     const uint32_t edges = graph->start[graph->count];
     uint32_t *place = redcc_memory_take_zeroed(graph->count, sizeof *place);
     graph->strength = redcc_memory_take(edges * sizeof *graph->strength);

@@ -13,6 +13,8 @@
 
 #include "ownership/graph/access_log.h"
 
+#include <assert.h>
+
 struct graph {
     uint32_t count;
     uint32_t *start; /* [count + 1] */
@@ -30,6 +32,7 @@ void redcc_graph_end(struct graph *graph);
 
 /** The work that an iteration with `units` units contributes to each. */
 static inline uint32_t redcc_work_of(size_t units) {
+    assert(units > 0);
     enum { WORK = 60 };
     return units < WORK ? WORK / (uint32_t)units : 1;
 }

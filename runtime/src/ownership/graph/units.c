@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ownership/graph/units.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 
 /* Units of at least two bytes, and offsets below REDCC_UNITS_MOST of them. */
@@ -28,6 +30,7 @@ static bool number_group(struct group_units *group, const struct partition *part
 bool redcc_units_begin(struct units *units, const struct partition *partition,
                        const struct range *touched) {
     const uint32_t arrays = partition->array_count, leader = partition->leader;
+    assert(leader < arrays && redcc_leads_group(partition, leader));
     *units = (struct units){.array_count = arrays};
     units->of = redcc_memory_take_zeroed(arrays, sizeof *units->of);
     if (!units->of)

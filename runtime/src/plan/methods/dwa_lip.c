@@ -16,6 +16,8 @@
  */
 #include "plan/methods/dwa_lip.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 
 /* The number of (deltaB, stage) in the order of figure 10. */
@@ -45,6 +47,7 @@ bool redcc_visit_pairs(const struct summary *summary, redcc_pair_taker *take, vo
                 continue;
             const uint32_t lowest = redcc_set_minimum(sets, span.set);
             const uint32_t delta = redcc_set_maximum(sets, span.set) - lowest;
+            assert(lowest + delta < sets->owners);
             if (!take(context, lowest, delta, block->origin + span.begin,
                       redcc_span_count(summary, block, s)))
                 return false;
@@ -79,6 +82,7 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
     const int team = redcc_team_of(plan->threads, plan->teams.count, thread);
     const int first = redcc_team_first(plan->threads, plan->teams.count, team);
     const int end = redcc_team_first(plan->threads, plan->teams.count, team + 1);
+    assert(first <= thread && thread < end);
     struct pairs pairs = {.blocks = plan->owners,
                           .members = (uint32_t)(end - first),
                           .member = (uint32_t)(thread - first)};

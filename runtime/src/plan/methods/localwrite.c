@@ -8,6 +8,8 @@
  */
 #include "plan/methods/localwrite.h"
 
+#include <assert.h>
+
 #include "base/memory.h"
 
 enum { SKIP, PLAIN, CHECKED };
@@ -69,6 +71,7 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
 
 bool redcc_localwrite_select(struct plan *plan, const struct evidence *evidence, uint32_t owner,
                              int idle_of) {
+    assert(owner < plan->schedules && idle_of < evidence->threads);
     struct schedule *schedule = &plan->schedule[owner];
     for (int from = 0; from < evidence->threads; from++)
         if (!select_from(schedule, evidence->summary[from], owner,

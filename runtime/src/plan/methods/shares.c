@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/methods/shares.h"
 
+#include <assert.h>
+
 uint32_t redcc_one_owner(int threads, int parameter) {
     (void)threads;
     (void)parameter;
@@ -8,6 +10,7 @@ uint32_t redcc_one_owner(int threads, int parameter) {
 }
 
 bool redcc_shares_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    assert(0 <= thread && thread < evidence->threads);
     const redcc_int first = redcc_share(evidence->trip, evidence->threads, thread);
     const redcc_int end = redcc_share(evidence->trip, evidence->threads, thread + 1);
     return redcc_schedule_add(&plan->schedule[thread], 0, first, end - first, false);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/external.h"
@@ -192,6 +193,7 @@ const call_summary *summarise_call(must_write *prover, const ir_function *functi
                                    bool is_open, unsigned count, const value *arguments,
                                    unsigned depth) {
     call_summary *summary = find_summary(prover, function, size, is_open, count, arguments);
+    assert(count <= MOST_ARGUMENTS && function);
     if (summary == NULL) {
         const char *obstacle = find_obstacle(function, count, arguments, depth);
         summary = ARENA_NEW(prover->arena, call_summary);
@@ -273,6 +275,7 @@ static bool evaluate_arguments(run *r, state *s, const ir_node *node, value *arg
 }
 
 value run_call(run *r, state *s, const ir_node *node) {
+    assert(node->kind == IR_CALL);
     const unsigned count = node->child_count - 1;
     const ir_function *function = called_function(node);
     value arguments[MOST_ARGUMENTS];
@@ -299,6 +302,7 @@ value run_call(run *r, state *s, const ir_node *node) {
 }
 
 bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argument, int64_t size) {
+    assert(call->kind == IR_CALL);
     const ir_function *function = called_function(call);
     const unsigned count = call->child_count - 1;
     value arguments[MOST_ARGUMENTS] = {{VALUE_OTHER, false, 0}};

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/memory/must_write/must_write_run.h"
@@ -6,6 +7,7 @@
 const value value_other = {VALUE_OTHER, false, 0};
 
 value run_give_up(run *r, const ir_node *node, const char *why) {
+    assert(why);
     if (r->unknown == NULL) {
         r->unknown = why;
         r->unknown_node = node;
@@ -313,6 +315,7 @@ void run_evaluate_closed(run *r, state *s, const ir_node *node) {
 void run_initialise(run *r, state *s, const ir_node *declarator) {
     ir_variable *variable = declarator->variable;
     const ir_node *initial = ir_child(declarator, 0);
+    assert(declarator->kind == IR_DECLARATOR);
     value v = value_other;
     if (!run_step(r, declarator, 1))
         return;

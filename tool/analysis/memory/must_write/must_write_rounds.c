@@ -2,8 +2,10 @@
 /* Loops whose trip counts are known though their bounds are not: for (i = x - 1; i <= x + 1;
  * i++). */
 #include "analysis/base/counted.h"
+
 #include "analysis/base/expression.h"
 #include "analysis/memory/must_write/must_write_run.h"
+#include <assert.h>
 
 /* variable + number */
 typedef struct offset_value {
@@ -46,6 +48,7 @@ static bool stays(run *r, const ir_node *loop, const ir_variable *variable) {
 }
 
 int64_t run_known_rounds(run *r, const ir_node *loop) {
+    assert(ir_is_loop(loop));
     const counted_result found = counted_recognise((ir_node *)loop);
     const counted_loop *it = &found.loop;
     offset_value first, bound;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/must_write/must_write_run.h"
 
+#include <assert.h>
+
 /* Is the number a value of the type, so that no conversion changes it? */
 static bool number_fits(int64_t number, const ir_type *type) {
     if (type->kind == IR_BOOLEAN)
@@ -88,6 +90,7 @@ bool value_compute(ir_operator op, int64_t a, int64_t b, int64_t *result) {
 }
 
 int64_t value_pointee_size(const ir_type *type) {
+    assert(type->kind == IR_POINTER || type->kind == IR_ARRAY);
     const ir_type *target = type->target;
     if (target == NULL)
         return -1;
