@@ -7,7 +7,6 @@
 #include "emit/text/origin.h"
 
 void edit_replace(arena *a, edit_list *list, uint32_t begin, uint32_t end, const char *text) {
-    assert(begin <= end);
     assert(text);
     const edit item = {begin, end, text, list->edits.count};
     VECTOR_PUSH(a, &list->edits, item);
