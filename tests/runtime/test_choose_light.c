@@ -212,10 +212,10 @@ static void stops_say_nothing_of_a_plan(void **unused) {
                  {0.1, 0, 0, 1.04, 1.1},
                  {0.02, 200, 400, 1.03, 1.2},
                  {0.02, 0, 200, 1.04, 1.1}};
-    enum { DRAWS = 100 };
+    const unsigned draws = 100;
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
         double sum = 0, worst = 0;
-        for (unsigned seed = 1; seed <= DRAWS; seed++) {
+        for (unsigned seed = 1; seed <= draws; seed++) {
             struct trace *trace =
                 stopped_at_times(seed, asked[i].often, asked[i].begin, asked[i].end);
             const struct simulated it = simulate(trace);
@@ -225,8 +225,8 @@ static void stops_say_nothing_of_a_plan(void **unused) {
         }
         if (getenv("CHOOSE_SHOW"))
             printf("stopped, %g, %d to %d: total/best %.3f at most, %.3f on average\n",
-                   asked[i].often, asked[i].begin, asked[i].end, worst, sum / DRAWS);
-        assert_true(sum / DRAWS <= asked[i].mean && worst <= asked[i].worst);
+                   asked[i].often, asked[i].begin, asked[i].end, worst, sum / draws);
+        assert_true(sum / draws <= asked[i].mean && worst <= asked[i].worst);
     }
 }
 
