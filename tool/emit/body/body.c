@@ -23,6 +23,7 @@
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
+#include "emit/body/tile_rows.h"
 #include "emit/text/edit.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
@@ -77,7 +78,11 @@ static bool needs_braces(const reduction_update *update) {
 /** The text before an update. */
 static const char *guard_text(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
-        return needs_braces(update) ? "{ { " : "{ ";
+        return tiles_begin_with(loop->tiles, update->statement)
+                   ? arena_format(loop->arena, "{ if (redcc__tile->is_first) { %s",
+                                  needs_braces(update) ? "{ " : "")
+               : needs_braces(update) ? "{ { "
+                                      : "{ ";
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
     if (!target) {
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
@@ -91,7 +96,9 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 
-static const char *guard_end(const reduction_update *update) {
+static const char *guard_end(const loop_text *loop, const reduction_update *update) {
+    if (loop->tiles && tiles_begin_with(loop->tiles, update->statement))
+        return needs_braces(update) ? "} } }" : "} }";
     return needs_braces(update) ? "} }" : "}";
 }
 
@@ -105,7 +112,12 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     const char *text = value ? text_expression(loop->arena, value, local_name, loop) : "1";
     if (!text)
         loop_obstacle(loop, statement->range, "an operand cannot be spelled a second time");
+    const bool is_once = loop->tiles && tiles_begin_with(loop->tiles, statement);
+    if (is_once)
+        writer_line(copy->printer.out, "{ if (redcc__tile->is_first)");
     write_operand(loop, copy->printer.out, (unsigned)number, text ? text : "0");
+    if (is_once)
+        writer_line(copy->printer.out, "}");
     return true;
 }
 
@@ -120,7 +132,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     write_forward(loop, out, store, local_name, loop);
     writer_line(out, "%s", guard_text(loop, update));
     write_forwarded_store(loop, out, store, local_name, loop);
-    writer_line(out, "%s", guard_end(update));
+    writer_line(out, "%s", guard_end(loop, update));
     return true;
 }
 
@@ -170,7 +182,7 @@ static bool print_guard(printer *p, const ir_node *statement) {
     copy->within = statement;
     print_statement(p, statement);
     copy->within = NULL;
-    writer_line(p->out, "%s", guard_end(update));
+    writer_line(p->out, "%s", guard_end(copy->loop, update));
     return true;
 }
 
@@ -458,8 +470,27 @@ static void guard_updates(body_copy *copy) {
             continue;
         edit_insert(loop->arena, &copy->edits, first->range.begin, guard_text(loop, update));
         edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last),
-                    arena_format(loop->arena, " %s", guard_end(update)));
+                    arena_format(loop->arena, " %s", guard_end(loop, update)));
     }
+}
+
+/** What stands behind the node in its block is executed in the last tile of a row. */
+static void finish_rows(body_copy *copy, const ir_node *node) {
+    loop_text *loop = copy->loop;
+    const ir_node *block = node->parent, *last = block->children[block->child_count - 1];
+    if (last == node)
+        return;
+    unsigned next = 1;
+    while (block->children[next - 1] != node)
+        next++;
+    const ir_node *first = block->children[next];
+    if (syntax_editable_statement(first, loop->facts->counted.body) != first ||
+        syntax_editable_statement(last, loop->facts->counted.body) != last) {
+        loop_obstacle(loop, first->range, "the end of a row cannot be enclosed");
+        return;
+    }
+    edit_insert(loop->arena, &copy->edits, first->range.begin, "if (redcc__tile->is_last) { ");
+    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last), " }");
 }
 
 /** The loop over columns is clipped to those of the tile. */
@@ -480,13 +511,16 @@ static void clip_columns(body_copy *copy) {
     edit_insert(loop->arena, &copy->edits, inner->range.begin,
                 arena_format(loop->arena,
                              "{ const %s redcc__column = REDCC_TILE_FROM(%s, %s), "
-                             "redcc__column_end = REDCC_TILE_%s(%s, %s); ",
+                             "redcc__column_end = REDCC_TILE_%s(%s, %s); %s",
                              type, type, macro_argument(loop->arena, lower),
                              tiles->is_inclusive ? "UP_TO" : "TO", type,
-                             macro_argument(loop->arena, bound)));
+                             macro_argument(loop->arena, bound), take_tile_row(loop)));
     replace_bytes(copy, tiles->lower->range.begin, tiles->lower->range.end, "redcc__column");
     replace_bytes(copy, tiles->bound->range.begin, tiles->bound->range.end, "redcc__column_end");
-    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner), " }");
+    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner),
+                arena_format(loop->arena, " %s}", keep_tile_row(loop)));
+    for (const ir_node *node = inner; node != loop->facts->counted.body; node = node->parent)
+        finish_rows(copy, node);
 }
 
 /* ---- the copy ------------------------------------------------------------------------------ */
