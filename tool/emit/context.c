@@ -8,6 +8,7 @@
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
+#include "emit/body/tile_rows.h"
 #include "emit/text/origin.h"
 #include "plan/lookup.h"
 
@@ -168,6 +169,8 @@ void for_each_extra(loop_text *loop, const char *text,
         offer_own(&self, i);
     if (has_series(loop->facts))
         for_each_series_value(loop, offer_to, &self);
+    if (has_tile_rows(loop))
+        offer(&self, tile_rows_value(loop));
 }
 
 /* ---- the struct ---------------------------------------------------------------------------- */
@@ -245,5 +248,6 @@ void take_context(loop_text *loop, writer *out) {
                             loop, type, arena_format(loop->arena, "redcc__of_thread_noted_%u", i)));
         }
     declare_thread_series(loop, out);
+    declare_tile_rows(loop, out);
     for_each_extra(loop, loop->outline.text, take_extra, &to);
 }

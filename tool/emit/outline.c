@@ -10,6 +10,7 @@
 #include "emit/bins/bins.h"
 #include "emit/body/body.h"
 #include "emit/body/series.h"
+#include "emit/body/tile_rows.h"
 #include "emit/call.h"
 #include "emit/context.h"
 #include "emit/lanes/lanes.h"
@@ -274,6 +275,7 @@ static void write_tile_body(loop_text *loop, writer *out) {
         return;
     }
     remember_text(loop, text);
+    declare_tile_row(loop, out);
     loop->outline.tile_call =
         arena_format(loop->arena, "%s(REDCC_TILE_ARGUMENTS, %s%s)", outlined_name(loop, "tile"),
                      loop_counter_value(loop), arguments);

@@ -17,11 +17,29 @@ typedef struct pairs {
 
 /* ---- the nest -------------------------------------------------------------------------------- */
 
-/** The inner loop: all of the body, or the last of its statements. */
-static const ir_node *find_inner(const ir_node *body) {
-    while (body->kind == IR_BLOCK && body->child_count > 0)
-        body = body->children[body->child_count - 1];
-    return body->kind == IR_FOR ? body : NULL;
+static bool holds_update(const loop_facts *facts, const ir_node *node) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (ir_contains(node, facts->updates[i].statement))
+            return true;
+    return false;
+}
+
+static bool is_of_constants(const ir_node *loop) {
+    const ir_variable *counter;
+    int64_t first, last;
+    return counted_constant(loop, &counter, &first, &last);
+}
+
+/** The inner loop: all of the body, or one of its statements. */
+static const ir_node *find_inner(const loop_facts *facts, const ir_node *node) {
+    if (node->kind == IR_FOR)
+        return is_of_constants(node) || !holds_update(facts, node) ? NULL : node;
+    for (unsigned i = node->child_count; node->kind == IR_BLOCK && i-- > 0;) {
+        const ir_node *found = find_inner(facts, node->children[i]);
+        if (found)
+            return found;
+    }
+    return NULL;
 }
 
 static bool is_number_of(const ir_type *type) {
@@ -86,11 +104,16 @@ static bool may_leave(const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Only variables of the iteration: it is repeated in each tile. (Updates: look_at_updates.) */
+/** Only variables of the iteration, but for updates and sums of the row, each in one statement. */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
-    if (scalar_update_at(p->facts, node) >= 0 || node->kind == IR_CONTINUE ||
-        (written && !expression_object(written)))
+    const reduction_update *update = loop_update_at(p->facts, node);
+    if (update)
+        return !update->last && update->statement->kind != IR_DECLARATOR;
+    if (scalar_update_at(p->facts, node) >= 0)
+        return true;
+    if (node->kind == IR_CONTINUE || (written && !expression_object(written)) ||
+        (ir_is_loop(node) && !is_of_constants(node)))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (!only_computes(p, node->children[i]))
@@ -98,13 +121,23 @@ static bool only_computes(const pairs *p, const ir_node *node) {
     return true;
 }
 
-/** Everything before the inner loop, in the blocks around it. */
+/** Everything before and behind the inner loop, in the blocks around it. */
 static bool row_only_computes(const pairs *p) {
     for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
-        for (unsigned i = 0; node->parent->children[i] != node; i++)
-            if (!only_computes(p, node->parent->children[i]))
+        for (unsigned i = 0; i < node->parent->child_count; i++)
+            if (node->parent->children[i] != node && !only_computes(p, node->parent->children[i]))
                 return false;
     return true;
+}
+
+/** Does what stands behind the inner loop read the value that the variable has there? */
+static bool is_read_behind(const pairs *p, const ir_variable *variable) {
+    for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
+        for (unsigned i = node->parent->child_count; node->parent->children[--i] != node;)
+            if (expression_mentions(node->parent->children[i], variable) &&
+                !is_fresh_in(node->parent->children[i], variable))
+                return true;
+    return false;
 }
 
 static bool is_written_in(const ir_node *node, const ir_variable *variable) {
@@ -117,19 +150,46 @@ static bool is_written_in(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** Does no turn see what an earlier turn of its row has left in the iteration's variables? Those
- *  that are declared in the inner loop are new in each turn. */
-static bool turns_are_apart(const pairs *p) {
+/** Does what stands before the inner loop assign it, perhaps? */
+static bool is_set_before(const pairs *p, const ir_variable *variable) {
+    for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
+        for (unsigned i = 0; node->parent->children[i] != node; i++) {
+            const ir_node *before = node->parent->children[i];
+            const ir_node *declarator = ir_declarator_in(before, variable);
+            if (is_written_in(before, variable) || (declarator && declarator->child_count > 0))
+                return true;
+        }
+    return false;
+}
+
+/** Keeps a variable from tile to tile. */
+static bool keep(const pairs *p, tile_plan *tiles, const ir_variable *variable) {
+    enum { MOST_BYTES = 128 };
+    const ir_type *type = variable->type;
+    if (variable->address_taken || variable->has_other_name || !type->spelling || type->size <= 0 ||
+        type->size > MOST_BYTES || type->kind == IR_POINTER || type->kind == IR_BOOLEAN ||
+        (variable->storage != IR_LOCAL && variable->storage != IR_PARAMETER) ||
+        tiles->kept_count == TILES_MOST_KEPT)
+        return false;
+    tiles->kept[tiles->kept_count++] = (kept_value){variable, !is_set_before(p, variable)};
+    return true;
+}
+
+/** Finds what turns leave in the iteration's variables for later turns, or for what stands behind
+ *  the inner loop. Those that are declared in the inner loop are new in each turn. */
+static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
     const ir_node *const body = ir_loop_body(p->span->loop);
     for (unsigned i = 0; i < variables->private_count; i++) {
         const ir_variable *variable = variables->privates[i].variable;
-        if (variable == p->column || ir_declarator_in(p->span->loop, variable) ||
-            !expression_mentions(body, variable))
+        if (ir_declarator_in(p->span->loop, variable) ||
+            !expression_mentions(p->span->loop, variable))
             continue;
-        if (variable->address_taken)
+        const bool is_read = is_read_behind(p, variable);
+        if (variable == p->column ? is_read : variable->address_taken)
             return false;
-        if (is_written_in(body, variable) && !is_fresh_in(body, variable))
+        if (variable != p->column && is_written_in(body, variable) &&
+            (is_read || !is_fresh_in(body, variable)) && !keep(p, tiles, variable))
             return false;
     }
     return true;
@@ -145,10 +205,11 @@ static bool has_other_results(const loop_facts *facts) {
            facts->slice.may_abort;
 }
 
-static bool sums_are_in_turns(const pairs *p) {
+static bool sums_are_in_order(const pairs *p) {
     for (unsigned i = 0; i < p->facts->scalar_count; i++) {
         const scalar_update *scalar = &p->facts->scalars[i];
-        if (scalar->is_extremum || !(scalar->is_series || scalar->is_repeated))
+        const bool is_in_turn = ir_contains(p->span->loop, scalar->statement);
+        if (scalar->is_extremum || (is_in_turn && !(scalar->is_series || scalar->is_repeated)))
             return false;
     }
     return true;
@@ -235,7 +296,8 @@ static bool has_elements(const pairs *p, unsigned array) {
         element e;
         if (update->array != array)
             continue;
-        if (!find_element(p, update, &e) || (e.by_row != 0) == (e.by_column != 0))
+        if (!find_element(p, update, &e) || (e.by_row != 0) == (e.by_column != 0) ||
+            (e.by_column != 0 && !ir_contains(p->span->loop, update->statement)))
             return false;
         const int64_t by = e.by_row + e.by_column;
         if (by <= 0 || (stride > 0 && by != stride))
@@ -248,9 +310,6 @@ static bool has_elements(const pairs *p, unsigned array) {
 }
 
 static const char *look_at_updates(const pairs *p) {
-    for (unsigned i = 0; i < p->facts->update_count; i++)
-        if (!ir_contains(p->span->loop, p->facts->updates[i].statement))
-            return "it updates elements outside of the inner loop";
     for (unsigned i = 0; i < p->facts->array_count; i++)
         if (p->facts->arrays[i].is_scattered || !has_elements(p, i))
             return "an update is not of the element of its row or of its column";
@@ -262,7 +321,7 @@ static const char *look_at_updates(const pairs *p) {
 static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
     const loop_facts *facts = plan->facts;
     pairs p = {.plan = plan, .facts = facts, .row = facts->counted.counter};
-    tiles->inner = find_inner(facts->counted.body);
+    tiles->inner = find_inner(facts, facts->counted.body);
     p.span = tiles->inner ? span_of(facts, tiles->inner) : NULL;
     if (!p.span || p.span->other_count > 0)
         return "it is no loop over pairs";
@@ -276,12 +335,12 @@ static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
         return "its subscripts must be checked in order before";
     if (may_leave(facts->counted.body, false) || may_leave(ir_loop_body(tiles->inner), false))
         return "its inner loop may end early";
-    if (has_other_results(facts) || !sums_are_in_turns(&p))
-        return "it has other results than updates and sums in its inner loop";
+    if (has_other_results(facts) || !sums_are_in_order(&p))
+        return "it has other results than updates and sums";
     if (!row_only_computes(&p))
-        return "it does more than to compute values before its inner loop";
-    if (!turns_are_apart(&p))
-        return "a turn of the inner loop may see values of the turn before";
+        return "a row does more than to compute values and update its element";
+    if (!keep_values(&p, tiles))
+        return "what turns of the inner loop leave cannot be kept";
     return look_at_updates(&p);
 }
 

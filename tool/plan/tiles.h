@@ -5,6 +5,12 @@
  *     for (i = 0; i < n; i++)
  *         for (j = i + 1; j < n; j++) { ... f[i] += e; f[j] -= e; }
  *
+ *     for (i = 0; i < n; i++) {
+ *         double sum = 0;
+ *         for (j = i + 1; j < n; j++) { ... sum += e; f[j] -= e; }
+ *         f[i] += sum;
+ *     }
+ *
  * A tile executes rows i of a band, and of each row the columns j of a block, in the order of the
  * loop, after the tiles above it and to its left.
  *
@@ -19,8 +25,14 @@
  * precedes it. With columns below their rows, j <= i, turns (e, c) come first, by ascending c, and
  * then (r, e) by ascending r; again neither row nor column ever falls.
  *
- * What an iteration does before the inner loop is done again in each tile of its row: it computes
- * variables of its own, and has no other effect. The sums of scalars are kept by row, and each
+ * What an iteration does before the inner loop and after it belongs to its row. Updates there are
+ * of element i, made in the first tile of the row and in the last. So they keep their places in the
+ * element's sequence: before all turns (i, c), or after them, with the turns (r, e) of other rows
+ * on the same side as without tiles. All else only computes variables of the iteration, without
+ * other effects: what stands before the loop is computed again in each tile, what stands behind it
+ * in the last one. Variables that turns change and that later turns or statements read (sums of a
+ * row) are kept from tile to tile: one thread executes the tiles of a row, one after the other, so
+ * that turns of a row may even depend on each other. The sums of scalars are kept by row, and each
  * row's operands in the order of its tiles (emit/body/series.h).
  */
 #ifndef PLAN_TILES_H
@@ -28,16 +40,31 @@
 
 #include "plan/plan.h"
 
+enum { TILES_MOST_KEPT = 16 };
+
+/** A variable that is kept from tile to tile of a row. */
+typedef struct kept_value {
+    const ir_variable *variable;
+    bool is_unset; /* it has no value in front of the loop over columns */
+} kept_value;
+
 typedef struct tile_plan {
     const char *declined;         /* why there are no tiles; NULL: there are */
     const ir_node *inner;         /* the loop over columns, a statement of the body or all of it */
     const ir_node *lower, *bound; /* expressions of its header, */
     bool is_inclusive;            /* counter <= bound, not counter < bound */
     bool is_below;                /* columns are below their rows */
+    unsigned kept_count;
+    kept_value kept[TILES_MOST_KEPT];
 } tile_plan;
 
 /** Sets tiles. */
 void plan_tiles(loop_plan *plan);
+
+/** Does the statement stand before the loop over columns, in the first tile of a row? */
+static inline bool tiles_begin_with(const tile_plan *tiles, const ir_node *statement) {
+    return statement->id < tiles->inner->id;
+}
 
 /** The plan's tiles; NULL: none. */
 static inline const tile_plan *tiles_of(const loop_plan *plan) {

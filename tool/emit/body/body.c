@@ -22,6 +22,7 @@
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
+#include "emit/body/tile_rows.h"
 #include "emit/text/edit.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
@@ -43,7 +44,11 @@ static bool needs_braces(const reduction_update *update) {
 /** The text before an update. */
 static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
-        return needs_braces(update) ? "{ { " : "{ ";
+        return tiles_begin_with(loop->tiles, update->statement)
+                   ? arena_format(loop->arena, "{ if (redcc__tile->is_first) { %s",
+                                  needs_braces(update) ? "{ " : "")
+               : needs_braces(update) ? "{ { "
+                                      : "{ ";
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
     if (!target) {
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
@@ -57,7 +62,9 @@ static const char *owner_check(loop_text *loop, const reduction_update *update) 
     return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address, brace);
 }
 
-static const char *owner_check_end(const reduction_update *update) {
+static const char *owner_check_end(const loop_text *loop, const reduction_update *update) {
+    if (loop->tiles && tiles_begin_with(loop->tiles, update->statement))
+        return needs_braces(update) ? "} } }" : "} }";
     return needs_braces(update) ? "} }" : "}";
 }
 
@@ -71,7 +78,12 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     const char *text = value ? text_expression(loop->arena, value, local_name, loop) : "1";
     if (!text)
         loop_obstacle(loop, statement->range, "an operand cannot be spelled a second time");
+    const bool is_once = loop->tiles && tiles_begin_with(loop->tiles, statement);
+    if (is_once)
+        writer_line(copy->printer.out, "{ if (redcc__tile->is_first)");
     write_operand(loop, copy->printer.out, (unsigned)number, text ? text : "0");
+    if (is_once)
+        writer_line(copy->printer.out, "}");
     return true;
 }
 
@@ -86,7 +98,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     write_forward(loop, out, store, local_name, loop);
     writer_line(out, "%s", owner_check(loop, update));
     write_forwarded_store(loop, out, store, local_name, loop);
-    writer_line(out, "%s", owner_check_end(update));
+    writer_line(out, "%s", owner_check_end(loop, update));
     return true;
 }
 
@@ -136,7 +148,7 @@ static bool print_checked(printer *p, const ir_node *statement) {
     copy->within = statement;
     print_statement(p, statement);
     copy->within = NULL;
-    writer_line(p->out, "%s", owner_check_end(update));
+    writer_line(p->out, "%s", owner_check_end(copy->loop, update));
     return true;
 }
 
@@ -290,7 +302,7 @@ static void check_owners(body_copy *copy) {
             continue;
         edit_insert(loop->arena, &copy->edits, first->range.begin, owner_check(loop, update));
         edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last),
-                    arena_format(loop->arena, " %s", owner_check_end(update)));
+                    arena_format(loop->arena, " %s", owner_check_end(loop, update)));
     }
 }
 

@@ -5,12 +5,32 @@
 #include <assert.h>
 
 #include "emit/body/copy.h"
+#include "emit/body/tile_rows.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
 bool is_clipped(const loop_text *loop, const ir_node *node) {
     return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
+}
+
+/** What stands behind the node in its block is executed in the last tile of a row. */
+static void finish_rows(body_copy *copy, const ir_node *node) {
+    loop_text *loop = copy->loop;
+    const ir_node *block = node->parent, *last = block->children[block->child_count - 1];
+    if (last == node)
+        return;
+    unsigned next = 1;
+    while (block->children[next - 1] != node)
+        next++;
+    const ir_node *first = block->children[next];
+    if (syntax_editable_statement(first, loop->facts->counted.body) != first ||
+        syntax_editable_statement(last, loop->facts->counted.body) != last) {
+        loop_obstacle(loop, first->range, "the end of a row cannot be enclosed");
+        return;
+    }
+    edit_insert(loop->arena, &copy->edits, first->range.begin, "if (redcc__tile->is_last) { ");
+    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last), " }");
 }
 
 void clip_columns(body_copy *copy) {
@@ -31,11 +51,14 @@ void clip_columns(body_copy *copy) {
     edit_insert(loop->arena, &copy->edits, inner->range.begin,
                 arena_format(loop->arena,
                              "{ const %s redcc__column = REDCC_TILE_FROM(%s, %s), "
-                             "redcc__column_end = REDCC_TILE_%s(%s, %s); ",
+                             "redcc__column_end = REDCC_TILE_%s(%s, %s); %s",
                              type, type, macro_argument(loop->arena, lower),
                              tiles->is_inclusive ? "UP_TO" : "TO", type,
-                             macro_argument(loop->arena, bound)));
+                             macro_argument(loop->arena, bound), take_tile_row(loop)));
     replace_bytes(copy, tiles->lower->range.begin, tiles->lower->range.end, "redcc__column");
     replace_bytes(copy, tiles->bound->range.begin, tiles->bound->range.end, "redcc__column_end");
-    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner), " }");
+    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner),
+                arena_format(loop->arena, " %s}", keep_tile_row(loop)));
+    for (const ir_node *node = inner; node != loop->facts->counted.body; node = node->parent)
+        finish_rows(copy, node);
 }
