@@ -254,6 +254,11 @@ static void account_execution(struct execution *execution, double now) {
     trace_execution(execution, now);
     if (!execution->call.method)
         tell_auto(execution, now);
+    if (execution->call.request.sections) {
+        execution->run.plan->copies.is_neutral = true;
+        redcc_sections_timed(&execution->state->sections, plan->trip, execution->call.threads,
+                             now - execution->call.entered);
+    }
 }
 
 /* Also if the loop continued sequentially after some batches. */

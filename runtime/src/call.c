@@ -119,7 +119,8 @@ int redcc_is_alone(redcc_loop *loop) {
  * an inspection. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
-    return statistics->in_loops == 0 || (!execution->call.in_bins && !execution->reuse.found) ||
+    const bool is_inspected = !execution->call.in_bins && !execution->call.request.sections;
+    return statistics->in_loops == 0 || (is_inspected && !execution->reuse.found) ||
            statistics->execute_seconds * (double)execution->call.request.trip >
                1e-3 * (double)statistics->in_loops;
 }
@@ -140,6 +141,24 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->known, known, loop->source_count * sizeof *known);
     if (loop->key_count)
         memcpy(request->key, key, loop->key_count * sizeof *key);
+}
+
+/* The settings for a loop that is executed by shares and its sections (choose/sections.h): as if
+ * the method were named. */
+static struct settings settings_of_sections(const struct settings *settings, int shares) {
+    struct settings own = *settings;
+    own.method = &redcc_method_sections;
+    own.parameter = shares;
+    return own;
+}
+
+/* The number of its shares; below 2: the order is that of the loop. */
+static int section_shares(const redcc_loop *loop, const struct settings *settings, redcc_int trip,
+                          void *const *bases, const redcc_extent *sections) {
+    if (!sections || order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
+        settings->compensated || loop->flags & REDCC_ORDER_NEEDED)
+        return 0;
+    return redcc_sections_shares(loop, trip, bases, sections, settings->memory_limit);
 }
 
 static void take_settings(struct call *call, const struct settings *settings, int error_before) {
@@ -169,7 +188,8 @@ static struct advice advice_for(struct execution *execution, int threads) {
     execution->reuse.sampled = 0;
     execution->reuse.changed_source = -1;
     if (execution->call.method)
-        return (struct advice){.action = ACTION_REUSE};
+        return (struct advice){.action = ACTION_REUSE,
+                               .alone = execution->call.request.sections && threads == 1};
     const struct advice advice = redcc_advise_entry(&state->chooser, &execution->reuse, threads);
     redcc_note_rule(&state->reported.statistics, advice.rule);
     return advice;
@@ -196,6 +216,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->planned = threads;
     call->started = alone ? 0 : redcc_team_missing(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
+    if (call->request.sections && threads < 1) /* the bits do not depend on it */
+        threads = 1;
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (!alone && threads < (call->one_will_do || call->in_bins ? 1 : 2))
         return false;
@@ -381,13 +403,18 @@ static enum reason reason_at_once(struct loop_state *state, const redcc_loop *lo
 }
 
 static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
-                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+                 const redcc_extent *known, const redcc_word *key, const redcc_extent *sections,
+                 int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
     const bool forked = redcc_is_forked(); /* before any memory of the parent is used */
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
+    const int shares = section_shares(loop, settings, trip, bases, sections);
+    const struct settings own =
+        shares > 1 ? settings_of_sections(settings, shares) : (struct settings){0};
+    settings = shares > 1 ? &own : settings;
     const bool may_gain = !nested && (threads > 1 || one_will_do(loop, settings));
     if (trip > 0 && goes_without_state(settings, loop, trip, known, may_gain))
         return 0;
@@ -411,6 +438,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     if (asks_auto && rests(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
     take_settings(&execution->call, settings, error_before);
+    execution->call.request.sections = shares > 1 ? sections : NULL;
     if (redcc_float_traps(execution->call.float_control)) {
         redcc_loop_release(held);
         return serially(state, REASON_TRAPS);
@@ -421,7 +449,8 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         return serially(state, reason);
     if (is_kept_out(held, always))
         return serially(state, REASON_ALLOCATOR);
-    threads = threads_to_ask_for(held, settings, trip, threads);
+    threads = shares > 1 ? redcc_sections_threads(&held->sections, trip, threads)
+                         : threads_to_ask_for(held, settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
         const bool timed = asks_auto && execution->advice.timed;
@@ -436,8 +465,14 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
 /* The loop sees the errno of before, whoever executes it. */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    return redcc_enter_sectioned(call, loop, trip, bases, known, key, NULL, threads, nested);
+}
+
+int redcc_enter_sectioned(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                          const redcc_extent *known, const redcc_word *key,
+                          const redcc_extent *sections, int threads, int nested) {
     const int error = errno;
-    const int parallel = enter(call, loop, trip, bases, known, key, threads, nested);
+    const int parallel = enter(call, loop, trip, bases, known, key, sections, threads, nested);
     errno = error;
     return parallel;
 }
@@ -460,8 +495,9 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     if (number == 0) {
         redcc_team_came(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
-        if (!execution->advice.alone || is_dry) /* a sample is too short for a user to wait for its
-                                                 * end */
+        if (!execution->advice.alone || execution->call.request.sections ||
+            is_dry) /* a sample is too short for a user to wait for its
+                     * end */
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
     }

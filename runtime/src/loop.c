@@ -13,6 +13,7 @@ static void state_free(struct loop_state *state) {
     struct execution *execution = &state->execution;
     struct request *request = &execution->call.request;
     redcc_cache_drop_all(&state->cache);
+    redcc_sections_end(&state->sections);
     redcc_threads_end(state);
     redcc_memory_give(request->bases);
     redcc_memory_give(request->known);

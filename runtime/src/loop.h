@@ -12,6 +12,7 @@
 #include "base/within.h"
 #include "bins/binning.h"
 #include "choose/advice.h"
+#include "choose/sections.h"
 #include "execute/run.h"
 #include "inspect/inspection.h"
 #include "pipeline.h"
@@ -62,6 +63,7 @@ struct loop_state {
     struct chooser chooser;
     struct variants variants;
     struct plan_cache cache;
+    struct sections sections;
     struct execution execution;
     struct binning binning;
     struct thread_state **thread; /* [thread_count] */
@@ -96,6 +98,12 @@ bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int 
 
 /** Frees all of them. */
 void redcc_threads_end(struct loop_state *state);
+
+/** As redcc_enter. sections [array_count]: the attempt's, of a loop with REDCC_SECTIONED; else
+ *  NULL. */
+int redcc_enter_sectioned(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                          const redcc_extent *known, const redcc_word *key,
+                          const redcc_extent *sections, int threads, int nested);
 
 /** An execution is over: adds it to the report, and informs auto. Returns whether the loop is
  *  done. */

@@ -67,7 +67,8 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (!attempt)
         return 0;
     redcc_loop *loop = &site->binned.loop;
-    if (loop->flags & REDCC_SHORT && !redcc_is_worth_entering(attempt->trip))
+    if (loop->flags & REDCC_SHORT && !(loop->flags & REDCC_SECTIONED) &&
+        !redcc_is_worth_entering(attempt->trip))
         return 0;
     const redcc_linkage *const linkage = attempt->linkage;
     if (linkage && !redcc_are_linked(linkage->called, linkage->count, linkage->expected,
@@ -80,8 +81,10 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (redcc_settings()->validate && loop->flags & REDCC_BY_HAND)
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
     struct shared shared = {.attempt = attempt, .member = member, .context = context};
-    if (redcc_enter(&shared.call, loop, attempt->trip, attempt->bases, attempt->known, attempt->key,
-                    threads_of(loop, attempt), redcc_region_is_nested()))
+    const redcc_extent *const sections = loop->flags & REDCC_SECTIONED ? attempt->sections : NULL;
+    if (redcc_enter_sectioned(&shared.call, loop, attempt->trip, attempt->bases, attempt->known,
+                              attempt->key, sections, threads_of(loop, attempt),
+                              redcc_region_is_nested()))
         redcc_region_run(shared.call.threads, work, &shared);
     if (!redcc_leave(&shared.call)) {
         redcc_operands_give_all(attempt);

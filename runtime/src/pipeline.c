@@ -25,6 +25,10 @@ void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
     reuse->found = NULL;
+    if (execution->call.request.sections)
+        execution->run.plan = redcc_sections_plan(&execution->state->sections, &execution->call);
+    if (execution->call.request.sections)
+        return;
     const bool is_kept =
         !redcc_goes_directly(advice) || execution->call.request.loop->flags & REDCC_TILES;
     if (!execution->call.in_bins && is_kept &&
@@ -48,6 +52,8 @@ static enum progress verify(struct thread_state *thread, redcc_worker *worker) {
     (void)worker;
     struct execution *execution = thread->execution;
     struct reuse *reuse = &execution->reuse;
+    if (execution->call.request.sections)
+        return execution->run.plan ? PROGRESS_PASS : PROGRESS_MEET;
     if (!reuse->found || !redcc_reuse_verify(reuse, &thread->hasher))
         return PROGRESS_MEET;
     thread->runner.plan = reuse->found->plan;
@@ -60,6 +66,8 @@ static enum stage begin_inspection(struct execution *execution) {
     const bool named = execution->call.method != NULL;
     const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
     redcc_reuse_drop_found(&execution->reuse);
+    if (execution->call.request.sections)
+        return refuse(execution, REASON_NO_MEMORY);
     const bool is_direct = redcc_goes_directly(&execution->advice);
     if (!named && !is_direct && !execution->call.in_bins &&
         execution->advice.action == ACTION_REUSE) /* the cost of another plan counts from 0 */

@@ -176,6 +176,34 @@ static void neutral_elements_change_nothing(void **unused) {
         }
 }
 
+/* By pieces, and copy after copy: what merging them one after the other gives; they are neutral
+ * afterwards. Doubles of which no two orders give the same sum. */
+static void drained_copies_are_merged_in_order(void **unused) {
+    (void)unused;
+    enum { ELEMENTS = 2500, COPIES = 3 };
+    static double array[ELEMENTS], expected[ELEMENTS], copy[COPIES][ELEMENTS];
+    static double neutral[ELEMENTS];
+    for (int operation = REDCC_SUM; operation <= REDCC_MAXIMUM; operation++) {
+        const struct element_rule *rule =
+            redcc_element_rule((redcc_operator)operation, REDCC_DOUBLE);
+        void *const copies[] = {copy[0], copy[1], copy[2]};
+        unsigned long random = 9;
+        rule->fill(neutral, ELEMENTS);
+        for (int i = 0; i < ELEMENTS; i++)
+            array[i] = expected[i] = i % 7 ? (double)next_random(&random) / 3 : -0.0;
+        for (int c = 0; c < COPIES; c++) {
+            rule->fill(copy[c], ELEMENTS);
+            for (int i = c; i < ELEMENTS; i += 2)
+                copy[c][i] = (double)next_random(&random) * 1e-3;
+            rule->merge(expected, copy[c], ELEMENTS, 0);
+        }
+        rule->drain(array, copies, COPIES, ELEMENTS, 0);
+        assert_memory_equal(array, expected, sizeof array);
+        for (int c = 0; c < COPIES; c++)
+            assert_memory_equal(copy[c], neutral, sizeof neutral);
+    }
+}
+
 /* From each value that an element may have, by two threads that update it up to so many times. */
 #define STOPS_AT(NAME, T, TYPE, LOWEST, HIGHEST)                                                   \
     static void NAME##_stops_at(T limit) {                                                         \
@@ -265,6 +293,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
 #define TEST(NAME, T, OPERATION, TYPE, UPDATE, VALUE) cmocka_unit_test(NAME),
         ALL(TEST) cmocka_unit_test(neutral_elements_change_nothing),
+        cmocka_unit_test(drained_copies_are_merged_in_order),
         cmocka_unit_test(what_has_no_rule),
         cmocka_unit_test(counters_stop_at_their_limit),
         cmocka_unit_test(signed_zeros),

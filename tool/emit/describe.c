@@ -5,6 +5,7 @@
 #include "emit/base/names.h"
 #include "emit/bins/bins.h"
 #include "emit/call.h"
+#include "emit/sections.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
@@ -173,7 +174,7 @@ static bool leaves_out(const loop_plan *plan) {
     return false;
 }
 
-static const char *flags_text(const loop_text *loop) {
+static const char *flags_text(loop_text *loop) {
     const bool prefetches = loop->plan->prefetch.ahead > 0;
     const struct {
         bool is_set;
@@ -196,6 +197,7 @@ static const char *flags_text(const loop_text *loop) {
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},
                  {loop->facts->variables.openmp != NULL, "REDCC_TEAM"},
+                 {is_sectioned(loop), "REDCC_SECTIONED"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
@@ -214,8 +216,7 @@ static void write_loop_object(loop_text *loop, writer *out) {
     writer_line(out, "static redcc_site %s = {", outlined_name(loop, "site"));
     out->depth++;
     writer_line(out, "{{__FILE__, %u, %s, %s,", place.line,
-                text_quoted(loop->arena, loop->facts->function->name),
-                orders[loop->options->order]);
+                text_quoted(loop->arena, loop->facts->function->name), orders[order_of_loop(loop)]);
     writer_line(out, "  %s,", flags_text(loop));
     writer_line(out, "  %u, %s,", loop->facts->array_count, outlined_name(loop, "arrays"));
     writer_line(out, "  %u, %s,", loop->plan->source_count,

@@ -19,6 +19,7 @@
 #include "emit/distribution.h"
 #include "emit/macro_names.h"
 #include "emit/outline.h"
+#include "emit/sections.h"
 #include "emit/sequential_copy.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
@@ -38,6 +39,7 @@ static void write_attempt(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
                 facts->array_count, loop->plan->source_count, loop->plan->execution.key_count);
     write_team(loop, out);
+    write_sections(loop, out);
     if (loop->plan->prefetch.ahead > 0)
         writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
     if (loop->options->linked)
@@ -127,7 +129,7 @@ static void open_block(loop_text *loop, writer *out) {
         begin_as_compiled(loop, &out->out);
         buffer_text(&out->out, "#ifdef redcc__as_compiled\n");
     }
-    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
+    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[order_of_loop(loop)],
                 heading(loop));
     buffer_text(&out->out, has_branches(loop) ? "#endif\n" : "");
     write_no_lanes(loop, out);

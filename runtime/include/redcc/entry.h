@@ -29,8 +29,9 @@ typedef struct redcc_attempt {
     void **operands; /* [operand_count], set before any thread begins; if the loop is done, the
                       * caller frees them (series->give) */
     redcc_u32 series_count;
-    redcc_series **series; /* [series_count], of redcc/series.h; likewise */
-    int threads;           /* REDCC_TEAM: that the program asks for; 0: it does not say */
+    redcc_series **series;        /* [series_count], of redcc/series.h; likewise */
+    int threads;                  /* REDCC_TEAM: that the program asks for; 0: it does not say */
+    const redcc_extent *sections; /* REDCC_SECTIONED: [array_count] */
 } redcc_attempt;
 
 /** What each thread does: it inspects and executes the chunks that it is handed. */

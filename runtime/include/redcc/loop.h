@@ -65,7 +65,7 @@ REDCC_INLINE int redcc_is_there(void *context) {
 /** Describes one execution: bases, address ranges of sources, key; and the loop's context. */
 #define REDCC_ATTEMPT(redcc_context, redcc_arrays, redcc_sources, redcc_keys)                      \
     struct redcc_context redcc__context;                                                           \
-    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                           \
+    redcc_attempt redcc__attempt = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};                        \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
@@ -179,6 +179,21 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
      (int)__builtin_expect(redcc_run(REDCC_INTERFACE, &(redcc_site), &redcc__attempt,              \
                                      redcc_member, &redcc__context),                               \
                            0))
+
+/** REDCC_SECTIONED: room for the sections, and that of array redcc_i: from element redcc_lower of
+ *  redcc_array on, redcc_length elements. */
+#define REDCC_SECTIONS(redcc_arrays)                                                               \
+    redcc_extent redcc__sections[redcc_arrays];                                                    \
+    redcc__attempt.sections = redcc__sections
+#define REDCC_SECTION(redcc_i, redcc_array, redcc_lower, redcc_length)                             \
+    do {                                                                                           \
+        redcc__sections[redcc_i].first =                                                           \
+            (const char *)(redcc_array) +                                                          \
+            (redcc_int)(redcc_lower) * (redcc_int)sizeof *(redcc_array);                           \
+        redcc__sections[redcc_i].end =                                                             \
+            redcc__sections[redcc_i].first +                                                       \
+            (redcc_int)(redcc_length) * (redcc_int)sizeof *(redcc_array);                          \
+    } while (0)
 
 /** The runtime keeps operands of each iteration, for `redcc_count` updates
  *  (redcc__operand_bytes). */

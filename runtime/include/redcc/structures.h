@@ -182,7 +182,10 @@ enum {
     /** or below it. */
     REDCC_TILES_BELOW = 4194304,
     /** REDCC_BINNED: the slice records no updates, so that no plan can be made. */
-    REDCC_NO_INSPECTOR = 8388608
+    REDCC_NO_INSPECTOR = 8388608,
+    /** The attempt has the section of each array that OpenMP's clause `reduction` names: all
+     * updates lie in it. */
+    REDCC_SECTIONED = 16777216
 };
 
 enum {

@@ -15,9 +15,11 @@ struct method;
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
-    void **bases;        /* [array_count] */
-    redcc_extent *known; /* [source_count] */
-    redcc_word *key;     /* [key_count] */
+    void **bases;                 /* [array_count] */
+    redcc_extent *known;          /* [source_count] */
+    redcc_word *key;              /* [key_count] */
+    const redcc_extent *sections; /* [array_count] the caller's: by shares, without an inspection
+                                   * (choose/sections.h); NULL: otherwise */
 };
 
 struct call {

@@ -296,6 +296,14 @@ static void pass_on(const struct plan *plan, const struct chunk *chunk) {
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
+/* A single thread has one copy for all later shares: it is merged before the next one begins. */
+static void turn_to_share(struct runner *runner, uint32_t share) {
+    const struct plan *plan = runner->plan;
+    if (plan->method->copies == COPY_LATER && plan->threads == 1 && share > 1)
+        redcc_copies_merge(plan, runner->thread, runner->run->call->request.bases);
+    place_bases(runner, redcc_copy_of_share(plan, share));
+}
+
 /* Waits for the predecessors of `chunk`, and switches to the copy that it writes to. */
 static void get_ready(struct runner *runner, const struct chunk *chunk) {
     const struct plan *plan = runner->plan;
@@ -303,8 +311,8 @@ static void get_ready(struct runner *runner, const struct chunk *chunk) {
     reach_stage(runner, chunk->stage);
     for (uint32_t w = chunk->wait_begin; w < chunk->wait_end; w++)
         redcc_flag_await(plan->flags, wait[w], plan->round, runner->threads);
-    if (plan->method->copies == COPY_SHARE)
-        place_bases(runner, (int)chunk->copy);
+    if (plan->method->copies == COPY_SHARE || plan->method->copies == COPY_LATER)
+        turn_to_share(runner, chunk->copy);
 }
 
 /* If the current part is done, begins the next one, in its variant. */

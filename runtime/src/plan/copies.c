@@ -21,6 +21,8 @@ static int copies_needed(const struct plan *plan) {
         return plan->teams.count - 1;
     case COPY_SHARE:
         return plan->parameter;
+    case COPY_LATER:
+        return plan->threads == 1 ? 1 : plan->parameter - 1;
     case COPY_NONE:
         break;
     }
@@ -92,10 +94,17 @@ int redcc_copy_of(const struct plan *plan, int thread) {
     case COPY_TEAM:
         return redcc_team_of(plan->threads, plan->teams.count, thread) - 1;
     case COPY_SHARE:
+    case COPY_LATER:
     case COPY_NONE:
         break;
     }
     return -1;
+}
+
+int redcc_copy_of_share(const struct plan *plan, uint32_t share) {
+    if (plan->method->copies == COPY_SHARE || share == 0)
+        return plan->method->copies == COPY_SHARE ? (int)share : -1;
+    return plan->threads == 1 ? 0 : (int)share - 1;
 }
 
 /* The copies for which `thread` is the first user: [*first, *end). */
@@ -104,6 +113,14 @@ static void copies_begun_by(const struct plan *plan, int thread, int *first, int
         const uint32_t count = (uint32_t)plan->copies.count;
         *first = (int)redcc_part_first(count, plan->threads, thread);
         *end = (int)redcc_part_first(count, plan->threads, thread + 1);
+        return;
+    }
+    if (plan->method->copies == COPY_LATER) { /* the thread's shares, but for the first one */
+        const uint32_t shares = (uint32_t)plan->parameter;
+        const uint32_t begin = redcc_part_first(shares, plan->threads, thread);
+        *first = plan->threads == 1 || begin == 0 ? 0 : (int)begin - 1;
+        *end =
+            plan->threads == 1 ? 1 : (int)redcc_part_first(shares, plan->threads, thread + 1) - 1;
         return;
     }
     *first = redcc_copy_of(plan, thread);
@@ -170,6 +187,8 @@ static void fill_copy(const struct plan *plan, const struct copy *copy, int part
 }
 
 void redcc_copies_fill(const struct plan *plan, int thread) {
+    if (plan->copies.is_neutral)
+        return;
     if (plan->method->copies == COPY_TEAM) { /* all threads of the team fill it together */
         const int team = redcc_team_of(plan->threads, plan->teams.count, thread);
         const int first = redcc_team_first(plan->threads, plan->teams.count, team);
@@ -200,13 +219,13 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
     }
 }
 
-/* Figure 9 (a): element after element, each from all copies. All of them contain the whole
- * group. */
+/* Figure 9 (a): element after element, each from all copies, in their order. All of them contain
+ * the whole group. */
 static void merge_element_by_element(const struct plan *plan, uint32_t group,
                                      const struct element_rule *rule, char *base,
                                      struct offsets block) {
     enum { AT_ONCE = 64 };
-    const void *from[AT_ONCE];
+    void *from[AT_ONCE];
     for (int begin = 0; begin < plan->copies.count; begin += AT_ONCE) {
         int count = 0;
         for (; count < AT_ONCE && begin + count < plan->copies.count; count++) {
@@ -214,9 +233,13 @@ static void merge_element_by_element(const struct plan *plan, uint32_t group,
             assert(copy->held[group].first <= block.first && block.end <= copy->held[group].end);
             from[count] = copy->memory[group] + (block.first - copy->held[group].first);
         }
-        rule->merge_all(base + block.first, from, (size_t)count,
-                        (size_t)(block.end - block.first) / rule->size,
-                        plan->copies.arrays[group].limit);
+        const size_t elements = (size_t)(block.end - block.first) / rule->size;
+        const redcc_word limit = plan->copies.arrays[group].limit;
+        if (plan->method->copies == COPY_LATER)
+            rule->drain(base + block.first, from, (size_t)count, elements, limit);
+        else
+            rule->merge_all(base + block.first, (const void *const *)from, (size_t)count, elements,
+                            limit);
     }
 }
 
@@ -235,7 +258,8 @@ void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases)
                                       touched.first + (ptrdiff_t)(end * rule->size)};
         if (first == end)
             continue;
-        if (plan->method->copies == COPY_WHOLE && plan->parameter == 'a')
+        if (plan->method->copies == COPY_LATER ||
+            (plan->method->copies == COPY_WHOLE && plan->parameter == 'a'))
             merge_element_by_element(plan, group, rule, bases[group], block);
         else
             merge_copy_by_copy(plan, group, rule, bases[group], block);

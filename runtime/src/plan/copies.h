@@ -21,6 +21,7 @@ struct copies {
     uint32_t array_count;
     struct copy *copy; /* [count] */
     const redcc_array *arrays;
+    bool is_neutral; /* COPY_LATER: all elements are, since the last merge */
 };
 
 /** As many copies as the plan's method needs, without memory for elements yet. False: no memory. */
@@ -43,14 +44,18 @@ size_t redcc_copy_bytes(const struct partition *partition, const struct range *t
 bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
                        const uintptr_t *base);
 
-/** The number of the copy that `thread` writes to; -1: it writes in place or, with COPY_SHARE, to
- *  the copies that its chunks name. */
+/** The number of the copy that `thread` writes to; -1: it writes in place or, with COPY_SHARE and
+ *  COPY_LATER, to the copies of the shares that its chunks name. */
 int redcc_copy_of(const struct plan *plan, int thread);
+
+/** The number of the copy of a share; -1: it is in place. */
+int redcc_copy_of_share(const struct plan *plan, uint32_t share);
 
 /** Sets this thread's share of its copy to the neutral element. */
 void redcc_copies_fill(const struct plan *plan, int thread);
 
-/** Merges this thread's share of the elements from all copies into the arrays at `bases`. */
+/** Merges this thread's share of the elements from all copies into the arrays at `bases`. With
+ *  COPY_LATER it leaves neutral elements in them. */
 void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases);
 
 #endif

@@ -7,6 +7,17 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* At -O2 gcc vectorises few loops. */
+#if defined(__clang__)
+#define VECTORISED
+#else
+#define VECTORISED __attribute__((__optimize__("tree-vectorize", "vect-cost-model=dynamic")))
+#endif
+
+enum {
+    PIECE = 1024
+}; /* elements that stay in the first cache while all copies are added to them */
+
 #define ALWAYS_INLINE static inline __attribute__((__always_inline__))
 
 /* NAME, stored type, neutral element, is `x` neutral (then the element is not written, since
@@ -82,6 +93,24 @@
         for (size_t i = 0; i < count; i++)                                                         \
             for (size_t copy = 0; copy < copies; copy++)                                           \
                 bring_##NAME(&element[i], ((const TYPE *)from[copy])[i], limit);                   \
+    }                                                                                              \
+    /* One copy of one piece. */                                                                   \
+    VECTORISED static void drain_piece_##NAME(TYPE *restrict to, TYPE *restrict from,              \
+                                              size_t count, redcc_word limit) {                    \
+        (void)limit;                                                                               \
+        for (size_t i = 0; i < count; i++) {                                                       \
+            const TYPE b = to[i], x = from[i];                                                     \
+            to[i] = COMBINED;                                                                      \
+            from[i] = NEUTRAL;                                                                     \
+        }                                                                                          \
+    }                                                                                              \
+    static void drain_##NAME(void *to, void *const *from, size_t copies, size_t count,             \
+                             redcc_word limit) {                                                   \
+        for (size_t begin = 0; begin < count; begin += PIECE) {                                    \
+            const size_t piece = count - begin < PIECE ? count - begin : PIECE;                    \
+            for (size_t copy = 0; copy < copies; copy++)                                           \
+                drain_piece_##NAME((TYPE *)to + begin, (TYPE *)from[copy] + begin, piece, limit);  \
+        }                                                                                          \
     }
 #define DEFINE_APPLY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                    \
     ALWAYS_INLINE void apply_rows_##NAME(const redcc_applied *applied, size_t count) {             \
@@ -140,9 +169,10 @@ enum {
 };
 
 #define ENTRY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                           \
-    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME, apply_##NAME},
+    [PAIR_##NAME] = {sizeof(TYPE),     fill_##NAME,  merge_##NAME,                                 \
+                     merge_all_##NAME, drain_##NAME, apply_##NAME},
 #define COUNTER_ENTRY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                   \
-    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME, NULL},
+    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME, drain_##NAME, NULL},
 static const struct element_rule rules[NUMBERED] = {ALL_RULES(ENTRY)
                                                         ALL_INTEGERS(COUNTER_RULES, COUNTER_ENTRY)};
 

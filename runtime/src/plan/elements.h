@@ -23,6 +23,9 @@ struct element_rule {
     /** to[i] = to[i] op from[0][i] op from[1][i] ...: figure 9 (a), element by element. */
     void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count,
                       redcc_word limit);
+    /** As merge_all, where every element is the array's: none is skipped, and the copies are
+     * neutral again afterwards. */
+    void (*drain)(void *to, void *const *from, size_t copies, size_t count, redcc_word limit);
     /** Applies records of `count` elements each to rows of the same length, in order; NULL: such
      *  updates have no records. */
     void (*apply)(const redcc_applied *applied, size_t count);

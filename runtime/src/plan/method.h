@@ -35,7 +35,9 @@ enum copy_kind {
     COPY_WHOLE,   /* each thread has a copy of everything touched */
     COPY_TOUCHED, /* each thread has a copy of the range that its iterations touch */
     COPY_TEAM,    /* each team but the first, which writes in place, has a copy of everything */
-    COPY_SHARE    /* each of `parameter` equal shares of the iterations has a copy of everything */
+    COPY_SHARE,   /* each of `parameter` equal shares of the iterations has a copy of everything */
+    COPY_LATER /* the same, but the first share writes in place. What lies between touched elements
+                * belongs to the arrays, too. A single thread has one copy for all later shares */
 };
 
 struct method {
@@ -101,6 +103,9 @@ static inline enum way redcc_way_of(const struct method *method) {
 #define METHOD(name) extern const struct method redcc_method_##name;
 #include "plan/methods.def"
 #undef METHOD
+
+/** Not for REDCC_METHOD, since few loops have sections (choose/sections.h). */
+extern const struct method redcc_method_sections;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];

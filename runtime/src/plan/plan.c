@@ -194,7 +194,9 @@ static void number_stages(struct plan *plan, int team) {
 /* Do the copies, flags and stages that a schedule refers to exist? */
 static bool names_what_is_there(const struct plan *plan, const struct schedule *schedule) {
     const uint32_t flags = plan->flags ? plan->method->flags(plan->owners) : 0;
-    const uint32_t copies = plan->method->copies == COPY_SHARE ? (uint32_t)plan->copies.count : 1;
+    const uint32_t copies = plan->method->copies == COPY_SHARE   ? (uint32_t)plan->copies.count
+                            : plan->method->copies == COPY_LATER ? (uint32_t)plan->parameter
+                                                                 : 1;
     for (size_t c = 0; c < schedule->chunk_count; c++) {
         const struct chunk *chunk = &schedule->chunk[c];
         if (chunk->run_begin > chunk->run_end || chunk->flag > flags || chunk->copy >= copies ||

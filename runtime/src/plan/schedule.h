@@ -19,7 +19,7 @@ struct chunk {
     size_t run_begin;
     size_t run_end;
     uint32_t stage;
-    uint32_t copy;       /* COPY_SHARE: the copy that it writes to */
+    uint32_t copy;       /* COPY_SHARE, COPY_LATER: its share */
     uint32_t wait_begin; /* before it: wait for flags wait[wait_begin] ... wait[wait_end - 1] */
     uint32_t wait_end;
     uint32_t flag; /* after it: raise this flag, counted from 1; 0: none */

@@ -96,12 +96,18 @@ static void read_list(reader *r, openmp_clause_kind kind, reduction_operator op,
             r->kept = "a list of names that is not understood";
             return;
         }
-        add(r, (openmp_item){kind, op, arena_copy(r->memory, name, length)});
+        openmp_item item = {kind, op, arena_copy(r->memory, name, length), NULL};
         at = openmp_token(name + length, &length);
         while (at && *at == '[') {
+            const char *inside = at + 1;
             at = after_brackets(at);
+            if (at)
+                item.section =
+                    arena_format(r->memory, "%s%s%.*s", item.section ? item.section : "",
+                                 item.section ? "][" : "", (int)(at - inside) - 1, inside);
             at = at ? openmp_token(at, &length) : NULL;
         }
+        add(r, item);
         if (at && length == 0)
             return;
         if (!at || *at != ',') {
@@ -151,7 +157,7 @@ static void read_expression(reader *r, openmp_clause_kind kind, const char *insi
     if (strpbrk(inside, "\"'{};#\\") || assigns(inside) ||
         (strchr(inside, ':') && !strchr(inside, '?')))
         r->kept = "a clause with an expression that is not understood";
-    add(r, (openmp_item){kind, REDUCTION_NONE, inside});
+    add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL});
 }
 
 static bool is_of(const char *at, size_t length, const char *const *words) {

@@ -27,6 +27,7 @@ typedef struct openmp_item {
     openmp_clause_kind kind;
     reduction_operator op; /* OPENMP_REDUCTION */
     const char *text;      /* the name, without its section; or the expression */
+    const char *section;   /* what its brackets enclose, "][" between two; NULL: there are none */
 } openmp_item;
 
 typedef struct openmp_directive {

@@ -15,3 +15,17 @@ bool redcc_shares_prepare(struct plan *plan, const struct evidence *evidence, in
     const redcc_int end = redcc_share(evidence->trip, evidence->threads, thread + 1);
     return redcc_schedule_add(&plan->schedule[thread], 0, first, end - first, false);
 }
+
+bool redcc_fixed_shares_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    const uint32_t shares = (uint32_t)plan->parameter;
+    const uint32_t end = redcc_part_first(shares, evidence->threads, thread + 1);
+    uint32_t share = redcc_part_first(shares, evidence->threads, thread);
+    bool enough = true;
+    for (; enough && share < end; share++) {
+        const redcc_int from = redcc_share(evidence->trip, (int)shares, (int)share);
+        const redcc_int to = redcc_share(evidence->trip, (int)shares, (int)share + 1);
+        redcc_schedule_into_copy(&plan->schedule[thread], share);
+        enough = redcc_schedule_add(&plan->schedule[thread], 0, from, to - from, false);
+    }
+    return enough;
+}

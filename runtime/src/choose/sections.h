@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Loops whose arrays OpenMP's clause `reduction` names with their sections. The clause permits any
+ * order, and says what is touched. So without an inspection N shares of the iterations add to a
+ * copy each, and the copies are merged in order. N follows from the trip count and the size of the
+ * sections alone, never from threads, time or free memory: all executions give the same bits. Only
+ * how many threads execute the shares is learned.
+ */
+#ifndef REDCC_CHOOSE_SECTIONS_H
+#define REDCC_CHOOSE_SECTIONS_H
+
+#include "base/call.h"
+#include "learn/turns.h"
+#include "plan/plan.h"
+
+enum { SECTION_SIZES = 16 };
+
+/** Of a loop; initially zero. */
+struct sections {
+    struct plan *plan[2];             /* the last one of one thread, and of several */
+    struct turns pace[SECTION_SIZES]; /* of several threads (arm 0), and of one; by trip count */
+    unsigned rest[SECTION_SIZES];     /* calls until the two are compared again */
+};
+
+/** The number of shares; below 2: the order is that of the loop. */
+int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *bases,
+                          const redcc_extent *sections, size_t memory_limit);
+
+/** How many threads execute the shares: `threads`, or one where they take too little time. */
+int redcc_sections_threads(struct sections *it, redcc_int trip, int threads);
+
+/** They took so long. */
+void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, double seconds);
+
+/** The plan for call->threads threads and call->parameter shares; NULL: no memory. */
+struct plan *redcc_sections_plan(struct sections *it, const struct call *call);
+
+/** Frees the plans. */
+void redcc_sections_end(struct sections *it);
+
+#endif
