@@ -22,7 +22,6 @@
 #include "emit/body/own.h"
 #include "emit/body/scalars.h"
 #include "emit/body/series.h"
-#include "emit/body/tile_rows.h"
 #include "emit/text/edit.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
