@@ -107,7 +107,7 @@ int redcc_sections_threads(struct sections *it, redcc_int trip, int threads) {
     if (threads < 2)
         return 1;
     const int winner = redcc_turns_winner(pace);
-    if (pace->count[0] > 0 && pace->least[0] * (double)trip > WORTH_WAKING)
+    if (pace->timed > 0 && pace->least[0] * (double)trip > WORTH_WAKING)
         return threads;
     if (winner < 0)
         return redcc_turn_of(pace->timed) == 0 ? threads : 1;
