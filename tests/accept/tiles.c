@@ -186,11 +186,11 @@ static void vectors(int n, const double *x, double *f) {
                 d[k] = x[3 * i + k] - x[3 * j + k];
                 rr += d[k] * d[k];
             }
-            if (rr > 1.5)
-                continue;
-            for (k = 0; k < 3; k++) {
-                f[3 * i + k] += d[k] / rr;
-                f[k + j * 3] -= d[k] / rr;
+            if (rr < 1.5) {
+                for (k = 0; k < 3; k++) {
+                    f[3 * i + k] += d[k] / rr;
+                    f[k + j * 3] -= d[k] / rr;
+                }
             }
         }
 } // TILED: 182

@@ -433,6 +433,19 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
     return true;
 }
 
+bool counted_constant_sets(const ir_node *node, const ir_variable *variable) {
+    const ir_variable *counter;
+    int64_t first, last;
+    if (counted_constant(node, &counter, &first, &last) && counter == variable)
+        return true;
+    if (node->kind == IR_OPAQUE || node->kind == IR_GOTO || expression_is_variable(node, variable))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!counted_constant_sets(node->children[i], variable))
+            return false;
+    return true;
+}
+
 static bool counter_range(const ir_node *node, int64_t *low, int64_t *high) {
     const ir_node *child = node;
     for (const ir_node *loop = node->parent; loop; child = loop, loop = loop->parent) {

@@ -36,6 +36,10 @@ bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
                       int64_t *last);
 
+/** Does a loop over constants set the variable wherever the tree names it? Then it may have any
+ * value elsewhere. */
+bool counted_constant_sets(const ir_node *node, const ir_variable *variable);
+
 /** The possible values of an integer expression at its place, from constants and the counters of
  *  the constant loops around it. */
 bool counted_range(const ir_node *expression, int64_t *low, int64_t *high);

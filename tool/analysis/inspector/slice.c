@@ -107,11 +107,13 @@ static bool is_declared_in(const slicer *s, const ir_variable *variable, const i
 }
 
 /* Keeps everything around a kept node, up to the loop's body. A condition around the block that
- * declares the variable does not affect its value there: the node that needs the value is in that
- * block as well, and has its conditions kept, or is safe without them. */
+ * declares the variable, or around the loop over constants that sets it wherever it is named, does
+ * not affect its value there: the node that needs the value is in that block or loop as well, and
+ * has its conditions kept, or is safe without them. */
 static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
     for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
-        if (outer->kind != IR_IF || !of || !is_declared_in(s, of, outer))
+        if (outer->kind != IR_IF || !of ||
+            (!is_declared_in(s, of, outer) && !counted_constant_sets(s->j->counted.body, of)))
             keep_control(s, outer);
 }
 
@@ -390,22 +392,6 @@ static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope)
     return true;
 }
 
-/* Does a loop over constants set the counter wherever the body names it? Then it may be set to any
- * value in between. */
-static bool is_set_by_loops(const ir_node *node, const ir_variable *variable) {
-    const ir_variable *counter;
-    int64_t first, last;
-    if (node->kind == IR_FOR && counted_constant(node, &counter, &first, &last) &&
-        counter == variable)
-        return true;
-    if (node->kind == IR_OPAQUE || node->kind == IR_GOTO || expression_is_variable(node, variable))
-        return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_set_by_loops(node->children[i], variable))
-            return false;
-    return true;
-}
-
 /* May the slice execute the kept parts of this statement when the program does not? */
 static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node *scope) {
     const ir_variable *counter;
@@ -422,7 +408,7 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
         return !has_own_condition(node) ||
                (counted_constant(node, &counter, &first, &last) &&
                 ((stays_in(s, node->children[0], scope) && stays_in(s, node->children[2], scope)) ||
-                 is_set_by_loops(s->j->counted.body, counter)));
+                 counted_constant_sets(s->j->counted.body, counter)));
     }
 }
 

@@ -52,10 +52,27 @@ static bool is_stepped_below(const loop_analysis *j, const loop_span *span, cons
     return false;
 }
 
+/* Is it in the slice for its counter alone, which other loops use again? */
+static bool is_idle(const loop_analysis *j, const ir_node *loop) {
+    const ir_variable *counter;
+    int64_t first, last;
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (ir_contains(loop, j->updates.items[i].statement))
+            return false;
+    for (unsigned i = 0; i < j->sources.count; i++)
+        if (j->sources.items[i].extent == EXTENT_TOUCHED && j->sources.items[i].place &&
+            ir_contains(loop, j->sources.items[i].place))
+            return false;
+    return counted_constant(loop, &counter, &first, &last) &&
+           counted_constant_sets(j->counted.body, counter);
+}
+
 /* Below, the slice has only spans, and no jumps. */
 static bool is_left_out(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];
+    if (holds && node->kind == IR_FOR && is_idle(j, node))
+        return is_left_out(j, span, node->children[3]);
     if (holds && node->kind == IR_FOR)
         return is_span(j, node, &inner) && stays_in(span, &inner);
     if ((holds && node->kind != IR_BLOCK) || node->kind == IR_BREAK)
