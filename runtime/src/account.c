@@ -8,24 +8,25 @@
 #include "base/trace.h"
 #include "plan/lost.h"
 
+/* Records the mode of the last call; thread-safe. */
+static void note_mode(struct statistics *statistics, enum mode mode) {
+    assert(mode < MODE_COUNT);
+    atomic_store_explicit(&statistics->last.mode, (int)mode, memory_order_relaxed);
+}
+
 void redcc_count_fallback(struct loop_state *state, enum reason reason) {
     assert(reason < REASON_COUNT);
     redcc_trace(TRACE_CHOICE, state->execution.call.request.loop, "the original loop%s%s",
                 reason == REASON_NONE ? "" : ": ", redcc_reason_text(reason));
-    redcc_note_mode(&state->reported.statistics, MODE_SEQUENTIAL);
+    note_mode(&state->reported.statistics, MODE_SEQUENTIAL);
     if (reason != REASON_NONE)
         atomic_fetch_add_explicit(&state->reported.statistics.fallback[reason], 1,
                                   memory_order_relaxed);
 }
 
-void redcc_note_mode(struct statistics *statistics, enum mode mode) {
-    assert(mode < MODE_COUNT);
-    atomic_store_explicit(&statistics->last.mode, (int)mode, memory_order_relaxed);
-}
-
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds) {
     assert(iterations >= 0);
-    redcc_note_mode(statistics, MODE_TIMED);
+    note_mode(statistics, MODE_TIMED);
     statistics->sequential.calls++;
     statistics->sequential.iterations += iterations;
     statistics->sequential.seconds += seconds;
@@ -119,7 +120,7 @@ static void account_refused(struct execution *execution, double now) {
     const redcc_int trip = execution->call.request.trip;
     if (execution->reason == REASON_OVERLAP) {
         count_overlap(execution);
-        redcc_note_mode(statistics, MODE_SEQUENTIAL);
+        note_mode(statistics, MODE_SEQUENTIAL);
     } else
         redcc_count_fallback(state, execution->reason);
     redcc_note_serial(statistics);
@@ -236,7 +237,7 @@ static void account_execution(struct execution *execution, double now) {
     statistics->method = plan->method;
     statistics->parameter = plan->parameter;
     statistics->threads = execution->call.threads;
-    redcc_note_mode(statistics, built ? MODE_BUILT : MODE_REUSED);
+    note_mode(statistics, built ? MODE_BUILT : MODE_REUSED);
     statistics->plans_built += built;
     statistics->plans_reused += !built;
     statistics->watched += !built && redcc_reuse_skipped_sources(&execution->reuse) > 0;
@@ -277,7 +278,7 @@ static void account_binned(struct execution *execution, double now) {
     statistics->threads = call->threads;
     statistics->inspect_seconds += execution->run.ready - call->entered;
     statistics->execute_seconds += now - execution->run.ready;
-    redcc_note_mode(statistics, MODE_BINNED);
+    note_mode(statistics, MODE_BINNED);
     if (binning->bytes > statistics->extra.bytes)
         statistics->extra.bytes = binning->bytes;
     statistics->extra.executed += trip;

@@ -132,9 +132,6 @@ void redcc_note_rule(struct statistics *statistics, enum rule rule);
 /** Counts the plan that was invalidated since the last call of this function, if any. */
 void redcc_count_lost(struct execution *execution);
 
-/** Records the mode of the last call; thread-safe. */
-void redcc_note_mode(struct statistics *statistics, enum mode mode);
-
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 

@@ -11,13 +11,14 @@
  * nodes. */
 enum { DEEPEST_INDENTATION = 40 };
 
-void ir_print_line(const ir_printer *p, unsigned depth) {
+static void print_line(const ir_printer *p, unsigned depth) {
     buffer_byte(p->out, '\n');
     for (unsigned i = 0; i < depth && i < DEEPEST_INDENTATION; i++)
         buffer_text(p->out, "  ");
 }
 
-void ir_print_range(const ir_printer *p, ir_range range) {
+/** " @begin-end", or nothing for the empty range. */
+static void print_range(const ir_printer *p, ir_range range) {
     if (range.begin != range.end)
         buffer_format(p->out, " @%u-%u", range.begin, range.end);
 }
@@ -37,7 +38,8 @@ static bool is_word(const char *text) {
     return true;
 }
 
-void ir_print_word(const ir_printer *p, const char *text) {
+/** Appends the text unquoted if it is one atom, else quoted. */
+static void print_word(const ir_printer *p, const char *text) {
     if (is_word(text))
         buffer_text(p->out, text);
     else
@@ -83,7 +85,7 @@ static void print_operands(const ir_printer *p, const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:
         buffer_byte(p->out, ' ');
-        ir_print_word(p, printable(node->text));
+        print_word(p, printable(node->text));
         break;
     case IR_STRING:
     case IR_SIZEOF:
@@ -142,7 +144,7 @@ static void print_attributes(const ir_printer *p, const ir_node *node) {
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (node->flags & flags[i].flag)
             buffer_format(p->out, " !%s", flags[i].word);
-    ir_print_range(p, node->range);
+    print_range(p, node->range);
 }
 
 /* An expression statement that its expression determines. */
@@ -154,7 +156,7 @@ static bool is_implied_statement(const ir_node *node) {
            ((node->flags ^ e->flags) & IR_FROM_MACRO) == 0;
 }
 
-void ir_print_tree(const ir_printer *p, const ir_node *node, unsigned depth) {
+static void print_tree(const ir_printer *p, const ir_node *node, unsigned depth) {
     if (node->flags & IR_DEAD)
         node = node->children[0];
     char word[16];
@@ -163,8 +165,8 @@ void ir_print_tree(const ir_printer *p, const ir_node *node, unsigned depth) {
     print_attributes(p, node);
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
-        ir_print_line(p, depth + 1);
-        ir_print_tree(p, is_implied_statement(child) ? child->children[0] : child, depth + 1);
+        print_line(p, depth + 1);
+        print_tree(p, is_implied_statement(child) ? child->children[0] : child, depth + 1);
     }
     buffer_byte(p->out, ')');
 }
@@ -173,7 +175,7 @@ void ir_print_node(buffer *out, const ir_node *node) {
     ir_printer p;
     arena *scratch = arena_new();
     ir_printer_begin(&p, out, scratch, NULL);
-    ir_print_tree(&p, node, 0);
+    print_tree(&p, node, 0);
     buffer_byte(out, '\n');
     arena_free(scratch);
 }
@@ -181,7 +183,7 @@ void ir_print_node(buffer *out, const ir_node *node) {
 /* ---- records, variables, functions --------------------------------------------------------- */
 
 static void print_field_declaration(const ir_printer *p, const ir_field *field) {
-    ir_print_line(p, 2);
+    print_line(p, 2);
     buffer_format(p->out, "(%s ", field->is_bit_field ? "bit-field" : "field");
     buffer_text(p->out, field->name[0] != 0 ? field->name : "\"\"");
     buffer_byte(p->out, ' ');
@@ -193,7 +195,7 @@ static void print_field_declaration(const ir_printer *p, const ir_field *field) 
 
 static void print_record(const ir_printer *p, const ir_record *record) {
     const char *word = record->is_union ? "union" : "struct";
-    ir_print_line(p, 1);
+    print_line(p, 1);
     buffer_format(p->out, "(%s ", word);
     ir_print_record_key(p, record);
     if (record->size >= 0)
@@ -216,7 +218,7 @@ static void print_record(const ir_printer *p, const ir_record *record) {
 }
 
 static void print_variable(const ir_printer *p, const ir_variable *v, unsigned depth) {
-    ir_print_line(p, depth);
+    print_line(p, depth);
     buffer_format(p->out, "(%s ", ir_storage_word(v->storage));
     ir_print_variable_key(p, v);
     buffer_byte(p->out, ' ');
@@ -225,7 +227,7 @@ static void print_variable(const ir_printer *p, const ir_variable *v, unsigned d
         buffer_text(p->out, " !address-taken");
     if (v->has_other_name)
         buffer_text(p->out, " !other-name");
-    ir_print_range(p, v->range);
+    print_range(p, v->range);
     buffer_byte(p->out, ')');
 }
 
@@ -244,7 +246,7 @@ static void print_function_flags(const ir_printer *p, const ir_function *f) {
 }
 
 static void print_function(const ir_printer *p, const ir_function *f, ir_variable *const *locals) {
-    ir_print_line(p, 1);
+    print_line(p, 1);
     buffer_text(p->out, "(function ");
     ir_print_function_key(p, f);
     buffer_byte(p->out, ' ');
@@ -254,14 +256,14 @@ static void print_function(const ir_printer *p, const ir_function *f, ir_variabl
         ir_print_type(p, f->type);
     }
     print_function_flags(p, f);
-    ir_print_range(p, f->range);
+    print_range(p, f->range);
     for (unsigned i = 0; i < f->parameter_count; i++)
         print_variable(p, f->parameters[i], 2);
     for (; *locals != NULL; locals++)
         print_variable(p, *locals, 2);
     if (f->body != NULL) {
-        ir_print_line(p, 2);
-        ir_print_tree(p, f->body, 2);
+        print_line(p, 2);
+        print_tree(p, f->body, 2);
     }
     buffer_byte(p->out, ')');
 }
@@ -272,12 +274,12 @@ static void print_directive(const ir_printer *p, const ir_directive *directive) 
                                         [IR_DIRECTIVE_ENDIF] = "endif",
                                         [IR_DIRECTIVE_PRAGMA] = "pragma",
                                         [IR_DIRECTIVE_OTHER] = "directive"};
-    ir_print_line(p, 1);
+    print_line(p, 1);
     buffer_format(p->out, "(%s ", words[directive->kind]);
     print_quoted(p, printable(directive->text));
     if (directive->is_skipped)
         buffer_text(p->out, " !skipped");
-    ir_print_range(p, directive->range);
+    print_range(p, directive->range);
     buffer_byte(p->out, ')');
 }
 

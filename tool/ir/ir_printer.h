@@ -30,13 +30,7 @@ void ir_print_function_key(const ir_printer *p, const ir_function *function);
 void ir_print_record_key(const ir_printer *p, const ir_record *record);
 void ir_print_type(const ir_printer *p, const ir_type *type);
 
-/** " @begin-end", or nothing for the empty range. */
-void ir_print_range(const ir_printer *p, ir_range range);
-/** Appends the text unquoted if it is one atom, else quoted. */
-void ir_print_word(const ir_printer *p, const char *text);
 /** Appends the text in quotes, with \\ \" \n \r \t and \ooo. */
 void ir_print_quoted(buffer *out, const char *text, size_t length);
-void ir_print_line(const ir_printer *p, unsigned depth);
-void ir_print_tree(const ir_printer *p, const ir_node *node, unsigned depth);
 
 #endif

@@ -128,7 +128,7 @@ uint32_t syntax_statement_end(const source *text, const ir_node *statement) {
 
 /* ---- statements ---------------------------------------------------------------------------- */
 
-bool syntax_is_statement(const ir_node *node) {
+static bool syntax_is_statement(const ir_node *node) {
     return node->kind >= IR_BLOCK && node->kind != IR_DECLARATOR;
 }
 

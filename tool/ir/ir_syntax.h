@@ -12,8 +12,6 @@ bool syntax_same(const ir_node *left, const ir_node *right);
 /** The offset after a statement's last byte, including its `;` if the text has one. */
 uint32_t syntax_statement_end(const source *text, const ir_node *statement);
 
-bool syntax_is_statement(const ir_node *node);
-
 /** The statement around a node of an expression (itself, if it is a statement), within `outer`; a
  *  declaration for a declarator's initialiser. */
 const ir_node *syntax_enclosing_statement(const ir_node *node, const ir_node *outer);

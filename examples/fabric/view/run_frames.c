@@ -38,7 +38,7 @@ int run_frames_open(run_frames *r, const char *folder) {
     return read_times(r);
 }
 
-void run_frames_close(run_frames *r) {
+static void run_frames_close(run_frames *r) {
     free(r->time);
     frames_close(&r->files);
 }

@@ -14,9 +14,8 @@ typedef struct run_frames {
 } run_frames;
 
 /** Opens the run in `folder` and reads all of its frames once, so that a damaged one is found
- *  before anything is written. 0, or -1 after a message; run_frames_close in either case. */
+ *  before anything is written. 0, or -1 after a message; run_frames_finish in either case. */
 int run_frames_open(run_frames *r, const char *folder);
-void run_frames_close(run_frames *r);
 
 /** Closes it after an export to `to`, and says so if `status` is 0. Returns status. */
 int run_frames_finish(run_frames *r, int status, const char *to);

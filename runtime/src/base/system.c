@@ -136,13 +136,6 @@ int redcc_system_node(void) {
     return -1;
 }
 
-int redcc_system_core(void) {
-    unsigned processor, node;
-    if (atomic_load_explicit(&node_of, memory_order_relaxed)(&processor, &node, NULL) == 0)
-        return (int)processor;
-    return -1;
-}
-
 uint64_t redcc_system_memory(void) {
     struct sysinfo info;
     if (redcc_system(SYS_sysinfo, &info) != 0)
@@ -241,10 +234,6 @@ struct timespec redcc_system_clock(int clock) {
 }
 
 int redcc_system_node(void) {
-    return -1;
-}
-
-int redcc_system_core(void) {
     return -1;
 }
 

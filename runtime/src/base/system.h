@@ -106,9 +106,6 @@ struct timespec redcc_system_clock(int clock);
 /** The NUMA node the calling thread is on; -1: not known. */
 int redcc_system_node(void);
 
-/** The processor the calling thread is on; -1: not known. */
-int redcc_system_core(void);
-
 /** Bytes of the machine's memory; 0: not known. */
 uint64_t redcc_system_memory(void);
 

@@ -157,7 +157,8 @@ static bool is_low(const char *name) {
     return text[0] >= '0' && text[0] <= '9' && strtol(text, NULL, 10) < FEW;
 }
 
-bool redcc_team_is_limited(void) {
+/* May the system refuse the process a thread, or memory for one? */
+static bool is_limited(void) {
     struct rlimit processes = {RLIM_INFINITY, 0}, bytes = {RLIM_INFINITY, 0};
     redcc_system(SYS_prlimit64, 0, RLIMIT_NPROC, 0, &processes);
     redcc_system(SYS_prlimit64, 0, RLIMIT_AS, 0, &bytes);
@@ -212,7 +213,7 @@ static int threads_to_be_had(int threads) {
     const int known = atomic_load(&most), there = team.threads > 0 ? team.threads : 1;
     if (known)
         return threads < known ? threads : known;
-    if (!pthread_create || !pthread_join || !redcc_team_is_limited())
+    if (!pthread_create || !pthread_join || !is_limited())
         return threads;
     const int can = there + try_threads(threads - there);
     if (can < threads)
@@ -360,10 +361,6 @@ void redcc_team_bind(void) {
 int redcc_team_prepare(int threads, uint64_t before) {
     (void)before;
     return threads;
-}
-
-bool redcc_team_is_limited(void) {
-    return true;
 }
 
 bool redcc_team_grows(int threads) {

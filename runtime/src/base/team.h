@@ -25,9 +25,6 @@ void redcc_team_bind(void);
  *  is in a signal handler, which may find locks held. */
 extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 
-/** May the system refuse the process a thread, or memory for one? */
-bool redcc_team_is_limited(void);
-
 /** Will OpenMP create threads for a region of `threads` threads? */
 bool redcc_team_grows(int threads);
 

@@ -180,13 +180,21 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 }
 
 /* Copies are merged in any order. */
+/* Records that were pushed. */
+static redcc_int count_records(const struct redcc_bin_buffer *buffer) {
+    redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;
+    for (uint32_t bin = 0; bin < buffer->bins; bin++)
+        count += (redcc_int)(buffer->push.cursor[bin] % BLOCK) - (redcc_int)redcc_bin_offset(bin);
+    return count;
+}
+
 void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece) {
     if (buffer->blocks == 0)
         return;
     assert(piece >= 0 && buffer->used <= buffer->blocks);
     memcpy(buffer->mark + (size_t)piece * buffer->bins, buffer->push.cursor,
            buffer->bins * sizeof *buffer->mark);
-    buffer->marked[piece] = redcc_buffer_count(buffer);
+    buffer->marked[piece] = count_records(buffer);
 }
 
 bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records) {
@@ -220,13 +228,6 @@ void redcc_buffer_finish(struct redcc_bin_buffer *buffer) {
 }
 
 /* ---- pushed records -------------------------------------------------------------------------- */
-
-redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer) {
-    redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;
-    for (uint32_t bin = 0; bin < buffer->bins; bin++)
-        count += (redcc_int)(buffer->push.cursor[bin] % BLOCK) - (redcc_int)redcc_bin_offset(bin);
-    return count;
-}
 
 bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin) {
     assert(bin < buffer->bins);

@@ -95,9 +95,6 @@ static inline bool redcc_buffer_failed(const struct redcc_bin_buffer *buffer) {
     return buffer->exhausted || !redcc_rows_empty(buffer->outside);
 }
 
-/** Records that were pushed. */
-redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer);
-
 /** Does the bin have records? */
 bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin);
 

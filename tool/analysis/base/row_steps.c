@@ -117,8 +117,9 @@ static bool same_but_for_counters(const ir_node *x, const ir_node *y, unsigned c
     return true;
 }
 
-bool source_loops_equal(unsigned count, const source_loop *a, unsigned other_count,
-                        const source_loop *b) {
+/** Loops with the same bounds; their counters may differ. */
+static bool source_loops_equal(unsigned count, const source_loop *a, unsigned other_count,
+                               const source_loop *b) {
     for (unsigned i = 0; count == other_count && i < count; i++)
         if (a[i].comparison != b[i].comparison || a[i].step != b[i].step ||
             a[i].may_end_early != b[i].may_end_early ||

@@ -17,10 +17,6 @@ bool row_steps_with(const ir_node *row, const ir_variable *counter);
  * the range? */
 bool source_loop_is_span(const source_loop *loop, const ir_node *row);
 
-/** Loops with the same bounds; their counters may differ. */
-bool source_loops_equal(unsigned count, const source_loop *a, unsigned other_count,
-                        const source_loop *b);
-
 /** Do both denote the same rows, in loops with the same bounds? */
 bool source_rows_equal(const loop_source *a, const loop_source *b);
 

@@ -13,7 +13,8 @@ static bool is_kept(const printer *p, const ir_node *node) {
     return !p->keep || p->keep[node->id];
 }
 
-const char *print_expression(printer *p, const ir_node *expression) {
+/** The expression as C; sets p->problem if it cannot be spelled, and returns "0". */
+static const char *print_expression(printer *p, const ir_node *expression) {
     const char *text = text_expression(p->arena, expression, p->rename, p->context);
     if (text)
         return text;

@@ -36,7 +36,5 @@ struct printer {
 void print_statement(printer *p, const ir_node *statement);
 /** Prints the contents of a block, without its braces unless it has declarations. */
 void print_body(printer *p, const ir_node *body);
-/** The expression as C; sets p->problem if it cannot be spelled, and returns "0". */
-const char *print_expression(printer *p, const ir_node *expression);
 
 #endif

@@ -54,7 +54,7 @@ void byte_set_unite(byte_set s, byte_set other) {
         s.words[i] |= other.words[i];
 }
 
-void byte_set_intersect(byte_set s, byte_set other) {
+static void byte_set_intersect(byte_set s, byte_set other) {
     assert(s.word_count == other.word_count);
     for (unsigned i = 0; i < s.word_count; i++)
         s.words[i] &= other.words[i];

@@ -22,7 +22,6 @@ void byte_set_add(byte_set s, int64_t begin, int64_t end);
 /** All of [begin, end)? */
 bool byte_set_has(byte_set s, int64_t begin, int64_t end);
 void byte_set_unite(byte_set s, byte_set other);
-void byte_set_intersect(byte_set s, byte_set other);
 /** s becomes s without other. */
 void byte_set_subtract(byte_set s, byte_set other);
 bool byte_set_is_empty(byte_set s);
