@@ -87,7 +87,23 @@ static double with_sums(int n) {
     return sum + most;
 } // BINNED: 80
 
+/* Votes of the pixels that are set. These may overlap the votes; all else belongs to the vote alone. */
+static void edges(int n, int width, const unsigned char *set, int *vote) {
+    int row, column, angle, rho;
+    for (row = 0; row < n; row++) // EXPECT: transformed
+        for (column = 0; column < width; column++)
+            if (set[row * width + column] == 255)
+                for (angle = 0; angle < ANGLES; angle++) {
+                    const double theta = angle * 0.0174533;
+                    rho = (int)(column * cos(theta) + row * sin(theta));
+                    rho += SIDE;
+                    vote[rho * ANGLES + angle]++;
+                }
+} // BINNED: 93
+
 int main(void) {
+    static unsigned char set[SIDE * SIDE];
+    static int marks[3 * SIDE * ANGLES];
     case_values(x, N);
     case_values(y, N);
     case_values(w, N);
@@ -111,6 +127,13 @@ int main(void) {
         through_a_pointer(N);
         under_a_condition(N, table);
         printf("%a\n", with_sums(N));
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            set[i] = i % 7 == round ? 255 : (unsigned char)i;
+            marks[i] = i % 5 == round ? -1 : i;
+        }
+        edges(SIDE, SIDE, (const unsigned char *)marks + 1800, marks); /* they overlap */
+        edges(SIDE, SIDE, set, marks);
+        CASE_PRINT(marks);
         CASE_PRINT(votes);
         CASE_PRINT(pairs);
         CASE_PRINT(h);

@@ -220,6 +220,30 @@ void unverified(int n, double *h, const double *x, const int *map) {
         h[map[(int)log(x[t])]] += 1;
 }
 
+/* It decides the value behind the branch, and whether a loop is executed that then need not end. */
+void behind_the_branch(int n, int *h, const unsigned char *set, const int *map) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+        int k = 3;
+        if (set[t] == 255)
+            k = t / 2;
+        h[map[k] + (int)log(t + 1.0)]++;
+    }
+}
+
+void up_to_any_number(unsigned n, int *h, const unsigned char *set, unsigned last) {
+    for (unsigned t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        if (set[t] == 255)
+            for (unsigned k = 0; k <= last; k++)
+                h[(int)log(k + t + 1.0)]++;
+}
+
+void by_any_step(int n, int *h, const unsigned char *set) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        if (set[t] == 255)
+            for (int k = 0; k < n; k += t % 3)
+                h[(int)log(k + t + 1.0)]++;
+}
+
 double measured(double v) __attribute__((const));
 void by_unknown_function(int n, double *h, const double *x) {
     for (int t = 0; t < n; t++) // EXPECT: refuse unseen-pure

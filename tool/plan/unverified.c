@@ -6,6 +6,7 @@
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 #include "plan/bins.h"
+#include "plan/branch.h"
 #include "plan/lookup.h"
 #include "plan/unconditional.h"
 
@@ -233,25 +234,46 @@ bool unverified_condition(const unverified_reads *s, const ir_node *node) {
     }
 }
 
-static void spread(unverified_reads *s, const ir_node *node, bool control_is_unverified) {
+/** An unverified condition decides whether a node is executed. */
+typedef struct decision {
+    bool is_unverified;
+    const ir_node *branch; /* the innermost such conditions are those of `if` statements alone: the
+                            * branch of the last one; else NULL */
+} decision;
+
+static bool decides_value(const unverified_reads *s, decision by, const ir_node *lvalue) {
+    const ir_variable *root = ir_root_variable(lvalue);
+    return by.is_unverified && !(by.branch && root && !is_access(lvalue) &&
+                                 is_only_of_branch(s->plan->facts, by.branch, root));
+}
+
+static decision decided_below(const unverified_reads *s, const ir_node *node, unsigned part,
+                              decision by) {
+    if (!unverified_condition(s, node))
+        return by;
+    const bool is_branch =
+        node->kind == IR_IF && part > 0 && !s->in_callee && (!by.is_unverified || by.branch);
+    return (decision){true, is_branch ? node->children[part] : NULL};
+}
+
+static void spread(unverified_reads *s, const ir_node *node, decision by) {
     const ir_node *written = expression_written(node);
-    if (written &&
-        (control_is_unverified || unverified_value(s, node->children[node->child_count - 1])))
+    if (written && (decides_value(s, by, written) ||
+                    unverified_value(s, node->children[node->child_count - 1])))
         mark(s, written);
     if (node->kind == IR_DECLARATOR && node->child_count > 0 &&
         unverified_value(s, node->children[0]) && !s->is_unverified[node->variable->id])
         s->is_unverified[node->variable->id] = s->changed = true;
     if (node->kind == IR_CALL)
         mark_arguments(s, node);
-    const bool below = control_is_unverified || unverified_condition(s, node);
     for (unsigned i = 0; i < node->child_count; i++)
-        spread(s, node->children[i], below);
+        spread(s, node->children[i], decided_below(s, node, i, by));
 }
 
 static void unverified_spread(unverified_reads *s, const ir_node *body) {
     do {
         s->changed = false;
-        spread(s, body, false);
+        spread(s, body, (decision){false, NULL});
     } while (s->changed);
 }
 
@@ -416,10 +438,15 @@ static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     return false;
 }
 
+/** Where the program would not execute the loop. */
+static bool may_not_end(const unverified_reads *s, const ir_node *loop, control how) {
+    return how.is_unverified && !s->in_callee && !ends_in_any_case(s->plan->facts, loop);
+}
+
 void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     how.is_unverified |= s->may_have_left;
     if (ir_is_loop(node))
-        s->is_harmful |= unverified_condition(s, node);
+        s->is_harmful |= unverified_condition(s, node) || may_not_end(s, node, how);
     if (is_access(node) && is_updated_in_bins(s, node))
         ; /* its subscripts are checked below */
     else if (is_access(node))

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/branch.h"
+
+#include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
+#include "ir/ir_syntax.h"
+#include "plan/fresh.h"
+#include "plan/lookup.h"
+
+/* ---- variables ------------------------------------------------------------------------------- */
+
+/** In `tree`, but not in `part` of it. */
+static bool is_mentioned_besides(const ir_node *tree, const ir_node *part,
+                                 const ir_variable *variable) {
+    if (tree == part)
+        return false;
+    if ((tree->kind == IR_VARIABLE || tree->kind == IR_DECLARATOR) && tree->variable == variable)
+        return true;
+    for (unsigned i = 0; i < tree->child_count; i++)
+        if (is_mentioned_besides(tree->children[i], part, variable))
+            return true;
+    return false;
+}
+
+/** A jump might enter the branch. */
+static bool has_labels(const ir_node *node) {
+    if (node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_SWITCH ||
+        node->kind == IR_OPAQUE)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_labels(node->children[i]))
+            return true;
+    return false;
+}
+
+bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
+                       const ir_variable *variable) {
+    const ir_node *const body = facts->counted.body;
+    const ir_node *const declarator = ir_declarator_in(branch, variable);
+    const bool has_start = declarator && declarator->child_count > 0;
+    return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
+           variable != facts->counted.counter && !variable->address_taken &&
+           !variable->has_other_name && ir_type_is_scalar(variable->type) && !has_labels(body) &&
+           !is_mentioned_besides(facts->loop, branch, variable) &&
+           (has_start || is_fresh_in(branch, variable));
+}
+
+/* ---- loops ----------------------------------------------------------------------------------- */
+
+static bool is_written_in(const ir_node *node, const ir_variable *variable) {
+    const ir_node *written = expression_written(node);
+    if (written && ir_root_variable(written) == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_written_in(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/** Of constants, and of variables, and members of them, that the outer loop only reads. */
+static bool is_steady(const loop_facts *facts, const ir_node *node) {
+    switch (node->kind) {
+    case IR_NUMBER:
+        return node->flags & IR_HAS_VALUE;
+    case IR_VARIABLE:
+        return (node->variable->storage == IR_LOCAL || node->variable->storage == IR_PARAMETER) &&
+               !node->variable->address_taken && is_captured(facts, node->variable);
+    case IR_MEMBER:
+        return !(node->flags & IR_ARROW) && is_steady(facts, node->children[0]);
+    case IR_CAST:
+        return is_steady(facts, node->children[0]);
+    case IR_BINARY:
+        return (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT ||
+                node->op == IR_OP_MULTIPLY) &&
+               is_steady(facts, node->children[0]) && is_steady(facts, node->children[1]);
+    default:
+        return false;
+    }
+}
+
+/** Does `counter <op> bound` fail before a step overflows? */
+static bool is_reached(ir_operator op, const ir_node *bound, int64_t step, const ir_type *type) {
+    enum { FAR = 1 << 30 };
+    const bool is_near = bound->flags & IR_HAS_VALUE && bound->value >= -FAR &&
+                         bound->value <= FAR && step >= -FAR && step <= FAR;
+    switch (op) {
+    case IR_OP_LESS:
+        return step == 1 || (step > 0 && is_near);
+    case IR_OP_LESS_EQUAL:
+        return step > 0 && is_near;
+    case IR_OP_GREATER:
+        return type->is_signed && (step == -1 || (step < 0 && is_near));
+    case IR_OP_GREATER_EQUAL:
+        return type->is_signed && step < 0 && is_near;
+    default:
+        return false;
+    }
+}
+
+bool ends_in_any_case(const loop_facts *facts, const ir_node *loop) {
+    ir_variable *counter;
+    int64_t step;
+    if (loop->kind != IR_FOR || !counted_step(loop->children[2], &counter, &step))
+        return false;
+    const ir_node *condition = loop->children[1];
+    return condition->kind == IR_BINARY &&
+           expression_is_variable(condition->children[0], counter) &&
+           ir_type_is_plain_integer(counter->type) && counter->type->size >= 4 &&
+           counter->storage == IR_LOCAL && !counter->address_taken && !counter->has_other_name &&
+           is_steady(facts, condition->children[1]) &&
+           is_reached(condition->op, condition->children[1], step, counter->type) &&
+           !is_written_in(ir_loop_body(loop), counter);
+}
