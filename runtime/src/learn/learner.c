@@ -55,10 +55,8 @@ static double room_for(const struct choice *c, enum way way) {
 /* A strategy that is clearly faster repays the debt, while its executions together do: one that was
  * interrupted does not end that. */
 static bool may_execute(const struct choice *c, enum way way) {
-    const bool was_executed =
-        c->size->arm[way].timed.count > 0 || c->size->stand == STAND_COMPARING;
-    const bool repays = c->size->gained > 0 && was_executed && !is_trial(c, way);
-    return (repays && is_clear(c, way)) || room_for(c, way) >= 0;
+    const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
+    return repays || room_for(c, way) >= 0;
 }
 
 static bool fits(const struct choice *c, enum way way) {
