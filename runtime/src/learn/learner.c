@@ -340,10 +340,14 @@ static bool is_check_due(const struct choice *c) {
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* A strategy that was tried before any sample was taken is not the best one for that. */
-static struct decision look_for_more(const struct choice *c) {
-    const bool is_known = c->size->looked || c->now->bins_only;
-    return is_known ? (struct decision){0} : look(c);
+/* A strategy that was tried before any sample was taken is not the best one for that. The execution
+ * after a sample is sequential: what it does not gain is part of the cost, which a share of the
+ * time so far must cover. */
+static bool looks_for_more(const struct choice *c, double current) {
+    const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
+    const double cost = look_of(c) + most_of(lost, 0);
+    return !c->size->looked && !c->now->bins_only && cost <= credit_of(c->ledger) &&
+           cost <= LEARN_SHARE * c->size->set_ups.since;
 }
 
 static struct decision decide_parallel(const struct choice *c) {
@@ -360,9 +364,8 @@ static struct decision decide_parallel(const struct choice *c) {
         redcc_turns_note(&c->size->comparison.turns, current);
         return sequentially(c, RULE_COMPARING);
     }
-    const struct decision looked = look_for_more(c);
-    if (looked.action == ACTION_INSPECT)
-        return looked;
+    if (looks_for_more(c, current))
+        return look(c);
     const enum way way = affordable_way(c, current);
     if (way != WAY_SEQUENTIAL && way != c->size->way && c->now->kept[way] != KEPT_FITS)
         return set_up(c, current);
