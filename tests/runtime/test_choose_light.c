@@ -172,6 +172,8 @@ static void a_plan_that_repays(void **unused) {
     assert_int_equal(faster.set_ups, 1);
     assert_in_range(faster.parallel, 32, 36);
     const int first = trace->count - faster.parallel;
+    trace->call[first + 2].execution[WAY_INDEX] = 3.2e-3; /* interrupted: they gain together */
+    assert_int_equal(simulate(trace).parallel, faster.parallel);
     for (int c = first + 1; c < trace->count; c++)
         trace->call[c].execution[WAY_INDEX] = 3.8e-3;
     assert_int_equal(simulate(trace).parallel, 2);
@@ -231,14 +233,18 @@ static void stops_say_nothing_of_a_plan(void **unused) {
 }
 
 /* Bins that were tried before anything else, in iterations too heavy for an inspection, gain a
- * fifth: a look that the gains pay for finds the plan that gains more. One whose dry run is long
- * ends at a deadline of its own, and one that a guard ends is not repeated. */
+ * fifth: a look that the gains pay for finds the plan that gains more, if there is one. One whose
+ * dry run is long ends at a deadline of its own, and one that a guard ends is not repeated. */
 static void bins_are_not_the_end(void **unused) {
     (void)unused;
     static const struct {
-        double dry_run, wanted;
+        double by_bins, dry_run, wanted;
         bool refused;
-    } asked[] = {{0, 0.56, false}, {0.1, 0.56, false}, {10, 0.7, false}, {0, 0.82, true}};
+    } asked[] = {{32e-3, 0, 0.56, false},
+                 {32e-3, 0.1, 0.57, false},
+                 {32e-3, 10, 0.79, false},
+                 {8e-3, 1000, 0.23, false},
+                 {32e-3, 0, 0.82, true}};
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
         struct trace *trace = light(400);
         trace->possible[WAY_BINS] = trace->guessed = true;
@@ -247,13 +253,15 @@ static void bins_are_not_the_end(void **unused) {
         trace->no_inspection = asked[i].refused;
         for (int c = 0; c < trace->count; c++) {
             trace->call[c] = (struct simulated_call){.trip = 20000, .sequential = 40e-3};
-            trace->call[c].execution[WAY_BINS] = 32e-3;
+            trace->call[c].execution[WAY_BINS] = asked[i].by_bins;
             trace->call[c].execution[WAY_INDEX] = 21e-3;
         }
         const struct simulated it = simulate(trace);
         assert_true(it.total < asked[i].wanted * it.sequential);
         assert_true(it.slowest <= 1 + share);
         assert_int_equal(it.looks, asked[i].refused);
+        trace->count = 6; /* too few to gain what an execution without bins costs */
+        assert_int_equal(simulate(trace).parallel, 4);
         free(trace);
     }
 }

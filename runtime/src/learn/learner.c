@@ -55,10 +55,8 @@ static double room_for(const struct choice *c, enum way way) {
 /* A strategy that is clearly faster repays the debt, while its executions together do: one that was
  * interrupted does not end that. */
 static bool may_execute(const struct choice *c, enum way way) {
-    const bool was_executed =
-        c->size->arm[way].timed.count > 0 || c->size->stand == STAND_COMPARING;
-    const bool repays = c->size->gained > 0 && was_executed && !is_trial(c, way);
-    return (repays && is_clear(c, way)) || room_for(c, way) >= 0;
+    const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
+    return repays || room_for(c, way) >= 0;
 }
 
 static bool fits(const struct choice *c, enum way way) {
@@ -342,10 +340,14 @@ static bool is_check_due(const struct choice *c) {
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* A strategy that was tried before any sample was taken is not the best one for that. */
-static struct decision look_for_more(const struct choice *c) {
-    const bool is_known = c->size->looked || c->now->bins_only;
-    return is_known ? (struct decision){0} : look(c);
+/* A strategy that was tried before any sample was taken is not the best one for that. The execution
+ * after a sample is sequential: what it does not gain is part of the cost, which a share of the
+ * time so far must cover. */
+static bool looks_for_more(const struct choice *c, double current) {
+    const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
+    const double cost = look_of(c) + most_of(lost, 0);
+    return !c->size->looked && !c->now->bins_only && cost <= credit_of(c->ledger) &&
+           cost <= LEARN_SHARE * c->size->set_ups.since;
 }
 
 static struct decision decide_parallel(const struct choice *c) {
@@ -362,9 +364,8 @@ static struct decision decide_parallel(const struct choice *c) {
         redcc_turns_note(&c->size->comparison.turns, current);
         return sequentially(c, RULE_COMPARING);
     }
-    const struct decision looked = look_for_more(c);
-    if (looked.action == ACTION_INSPECT)
-        return looked;
+    if (looks_for_more(c, current))
+        return look(c);
     const enum way way = affordable_way(c, current);
     if (way != WAY_SEQUENTIAL && way != c->size->way && c->now->kept[way] != KEPT_FITS)
         return set_up(c, current);

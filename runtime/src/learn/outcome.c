@@ -258,7 +258,7 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
     const double twice = 2 * outcome->seconds;
     const double expected = whole > twice ? whole : twice;
     if (outcome->way == WAY_SEQUENTIAL) { /* a sample, by its dry run */
-        size->look = expected;
+        size->look = expected > 2 * size->look ? expected : 2 * size->look;
         return;
     }
     count_set_up(size, outcome->way, outcome->seconds);
