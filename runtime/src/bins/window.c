@@ -46,8 +46,8 @@ static bool affords(const redcc_stream *stream, uint64_t bins, int threads) {
     return 4.0 * (double)bins * block * threads < (double)(redcc_bins_tuning.least_budget / 4);
 }
 
-/* Where a span ends, the processor loads the next lines ahead, from the thread that applies the next
- * bin; not beyond a page. */
+/* Where a span ends, the processor loads the next lines ahead, from the thread that applies the
+ * next bin; not beyond a page. */
 static uint32_t least_bits(const redcc_stream *stream) {
     uint32_t bits = LEAST_BITS;
     while (stream->exact == REDCC_STREAM_SPANS &&
