@@ -7,7 +7,7 @@
 
 #include "case.h"
 
-enum { N = 4000, D = 10, CENTRES = 14, ROWS = 60 };
+enum { N = 4000, D = 10, CENTRES = 14, ROWS = 600 };
 static float points[N][D + 1], centres[CENTRES][D], sums[CENTRES][D];
 static float *point[N], *centre[CENTRES], *sum[CENTRES];
 static double far[ROWS * 3 + D], *row[ROWS], w[N], wide[ROWS][D + 2], *apart[ROWS];
@@ -84,6 +84,39 @@ static void records(int n, int d) {
             balls[key[t]][j].spin[1] += w[t];
 }
 
+/* Centres that only some iterations read, not the first ones; or others than these. */
+static void sometimes(int n, int d, float **p, float **from, float **to, int *members) {
+    int k, j;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        k = 0;
+        if (key[t] % 8 == 5)
+            k = nearest(p[t], d, from, CENTRES);
+        members[k]++;
+        for (j = 0; j < d; j++)
+            to[k][j] += p[t][j];
+    }
+}
+static void others(int n, int d, float **p, float **from[2], float **to, int *members) {
+    int k, j;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        k = nearest(p[t], d, from[key[t] % 8 == 5], CENTRES);
+        members[k]++;
+        for (j = 0; j < d; j++)
+            to[k][j] += p[t][j];
+    }
+}
+static void after(int n, int d, float **p, float **from, float **to, int *members) {
+    int k, j;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (key[t] % 8 != 5)
+            continue;
+        k = nearest(p[t], d, from, CENTRES);
+        members[k]++;
+        for (j = 0; j < d; j++)
+            to[k][j] += p[t][j];
+    }
+}
+
 int main(void) {
     for (int t = 0; t < N; t++) {
         point[t] = points[t];
@@ -126,6 +159,10 @@ int main(void) {
     }
     /* Sums that are centres as well. */
     printf("%a\n", kmeans(N, D, point, sum, sum, member, count));
+    float **either[2] = {centre, sum};
+    sometimes(N, D, point, sum, sum, count);
+    others(N, D, point, either, sum, count);
+    after(N, D, point, sum, sum, count);
     /* Points that are sums: a stale point leads elsewhere. */
     for (int t = 0; t < 40; t++)
         point[t * 3 + 5] = sums[t % CENTRES];

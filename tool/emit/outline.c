@@ -206,7 +206,9 @@ static const char *write_slice_of_reads(loop_text *loop, writer *out) {
 static void write_slice(loop_text *loop, writer *out) {
     loop->outline.slice_call = write_slice_as(loop, outlined_name(loop, "slice"), out);
     loop->outline.reads_call = write_slice_of_reads(loop, out);
-    if (!loop->outline.reads_call && bins_have_spans(loop))
+    const bool has_repeated = loop->bins && !plan_has_leaders(loop->plan) &&
+                              loop->bins->varied_sources != loop->bins->guarded_sources;
+    if (!loop->outline.reads_call && (has_repeated || bins_have_spans(loop)))
         loop->outline.reads_call = loop->outline.slice_call;
 }
 

@@ -223,8 +223,11 @@ static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *re
 static void find_guarded_sources(const loop_plan *plan, bins_plan *bins) {
     for (unsigned i = 0; i < plan->facts->source_count; i++) {
         const loop_source *read = &plan->facts->sources[i];
-        if (read->needs_guard && read->extent == EXTENT_TOUCHED)
-            bins->guarded_sources |= (uint32_t)1 << plan->source_number[i];
+        if (!read->needs_guard || read->extent != EXTENT_TOUCHED)
+            continue;
+        bins->guarded_sources |= (uint32_t)1 << plan->source_number[i];
+        if (!read->is_repeated)
+            bins->varied_sources |= (uint32_t)1 << plan->source_number[i];
     }
 }
 

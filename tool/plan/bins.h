@@ -15,6 +15,9 @@
  * in equal shares, and the overlap guard compares them, as for a plan. No iteration then reads what
  * another one writes, so that each has the sequential loop's values, whenever and however often it
  * executes.
+ *
+ * Nothing is stored before the guard, so that an address which depends on no variable of the
+ * iteration is the same in all of them: the first iteration of a chunk records such reads.
  */
 #ifndef PLAN_BINS_H
 #define PLAN_BINS_H
@@ -91,7 +94,8 @@ typedef struct bins_plan {
     bool has_nests;
     bins_nest *nests;         /* of each update, by number, if it has any */
     bins_span *spans;         /* likewise */
-    uint32_t guarded_sources; /* bits, by number: their reads are logged as iterations execute */
+    uint32_t guarded_sources; /* bits, by number: their reads are logged as iterations execute, */
+    uint32_t varied_sources;  /* and of these, those that later iterations of a chunk may add to */
     bool is_checked; /* the ranges of all reads and writes are found and compared before any
                       * iteration executes: the body must not see unverified values */
 } bins_plan;

@@ -320,7 +320,8 @@ REDCC_RECORDS(float);
 
 /** Defines a function that applies records of spans, each to those of its elements that are in the
  *  bin: declarations of what the text names; REDCC_EACH_SPAN, declarations of what the record
- *  holds; REDCC_EACH_ELEMENT, the counter and the update of redcc__to[redcc__c]; REDCC_SPANS_END.
+ *  holds; a loop by the program's counter over [redcc__from, redcc__end), which updates *redcc__to;
+ *  REDCC_SPANS_END. The update reads no other element that the round updates.
  */
 #define REDCC_APPLY_SPANS(redcc_name, redcc_context)                                               \
     REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \
@@ -333,18 +334,16 @@ REDCC_RECORDS(float);
     const redcc_size redcc__high = redcc__low + redcc__applied->row_count * sizeof(redcc_element); \
     for (redcc__n = 0; redcc__n < redcc__applied->count; redcc__n++) {                             \
         const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];   \
-        redcc_element *const redcc__to = (redcc_element *)redcc__e.first;                          \
-        redcc_int redcc__c =                                                                       \
+        const redcc_int redcc__from =                                                              \
             redcc__e.first < redcc__low                                                            \
                 ? (redcc_int)((redcc__low - redcc__e.first) / sizeof(redcc_element))               \
                 : 0;                                                                               \
         const redcc_int redcc__to_high =                                                           \
             (redcc_int)((redcc__high - redcc__e.first) / sizeof(redcc_element));                   \
         const redcc_int redcc__end =                                                               \
-            redcc__e.count < redcc__to_high ? redcc__e.count : redcc__to_high;
-#define REDCC_EACH_ELEMENT for (; redcc__c < redcc__end; redcc__c++) {
+            redcc__e.count < redcc__to_high ? redcc__e.count : redcc__to_high;                     \
+        redcc_element *__restrict__ redcc__to = (redcc_element *)redcc__e.first + redcc__from;
 #define REDCC_SPANS_END                                                                            \
-    }                                                                                              \
     }                                                                                              \
     }
 
@@ -405,16 +404,20 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
-/** Executes iterations whose updates are kept, or made on copies. */
-#define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_call_of_slice, redcc_call_of_body)        \
+/** Executes iterations whose updates are kept, or made on copies; the first one records all reads.
+ */
+#define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_told_bits, redcc_varied_bits,             \
+                         redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
         const int redcc__checked = redcc_mode;                                                     \
         redcc_probe *const redcc__probe __attribute__((__unused__)) = 0;                           \
+        redcc_u32 redcc__told = redcc_told_bits;                                                   \
         redcc_bins_n##_OF(REDCC_BINS_OF) for (redcc__k = redcc__worker->first;                     \
                                               redcc__k < redcc__worker->last; redcc__k++) {        \
             if (redcc__told)                                                                       \
                 redcc_call_of_slice;                                                               \
             redcc_call_of_body;                                                                    \
+            redcc__told = redcc_varied_bits;                                                       \
         }                                                                                          \
     }
 
@@ -425,25 +428,26 @@ REDCC_RECORDS(float);
 #define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
     REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
-                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,                    \
+                     redcc_told_bits, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,   \
                      redcc_call_of_body)
-/** The same with a slice for the reads that are recorded while iterations are pushed. */
+/** The same with a slice for the reads that are recorded while iterations are pushed, of which
+ * those of redcc_varied_bits differ from iteration to iteration. */
 #define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,     \
-                                    redcc_all_exact, redcc_call_of_reads, redcc_call_of_slice,     \
-                                    redcc_call_of_body)                                            \
+                                    redcc_varied_bits, redcc_all_exact, redcc_call_of_reads,       \
+                                    redcc_call_of_slice, redcc_call_of_body)                       \
     REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
-                     redcc_told_bits, redcc_all_exact, redcc_call_of_reads, redcc_call_of_slice,   \
-                     redcc_call_of_body)
+                     redcc_told_bits, redcc_varied_bits, redcc_all_exact, redcc_call_of_reads,     \
+                     redcc_call_of_slice, redcc_call_of_body)
 /** The same if iterations may be handed out once more (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \
     REDCC_BINNED_AND(0, redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits, \
-                     redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,                    \
+                     redcc_told_bits, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,   \
                      redcc_call_of_body)
 #define REDCC_BINNED_AND(redcc_operands, redcc_again, redcc_selects, redcc_streams, redcc_chunk,   \
-                         redcc_bins_n, redcc_told_bits, redcc_all_exact, redcc_call_of_reads,      \
-                         redcc_call_of_slice, redcc_call_of_body)                                  \
+                         redcc_bins_n, redcc_told_bits, redcc_varied_bits, redcc_all_exact,        \
+                         redcc_call_of_reads, redcc_call_of_slice, redcc_call_of_body)             \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
@@ -454,13 +458,12 @@ REDCC_RECORDS(float);
                 __builtin_expect((redcc__handed = redcc__worker->call->calls->bins_next(           \
                                       redcc__worker, redcc__all, redcc_operands)) == REDCC_HANDED, \
                                  0)) {                                                             \
-                const redcc_u32 redcc__told = redcc_told_bits;                                     \
                 if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                           \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_reads,           \
-                                     redcc_call_of_body)                                           \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_told_bits,               \
+                                     redcc_varied_bits, redcc_call_of_reads, redcc_call_of_body)   \
                 else                                                                               \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_reads,             \
-                                     redcc_call_of_body)                                           \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_told_bits,                 \
+                                     redcc_varied_bits, redcc_call_of_reads, redcc_call_of_body)   \
             }                                                                                      \
             {                                                                                      \
                 redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE_AND(                             \

@@ -32,6 +32,9 @@ enum { redcc__by_calls = 0 };
 #define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
     redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 
+/** Precedes a block that records reads of one source. */
+#define REDCC_IF_TOLD(redcc_i) if (!redcc__told || redcc__told >> (redcc_i)&1)
+
 /** The same for redcc_base[redcc_row]. No iteration changes redcc_base, so the number identifies
  *  the row. */
 #define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \

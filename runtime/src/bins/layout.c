@@ -23,6 +23,22 @@ static redcc_int left_of(const struct binning *binning) {
     return binning->call->request.trip - binning->round.begin;
 }
 
+/* The rows, and as many before them as let the window begin with a cache line: two threads may
+ * apply records of adjacent bins at once. */
+static struct row_range from_a_line(const struct binning *binning, uint32_t s, uint64_t margin) {
+    const redcc_stream *stream = &binning->loop->streams[s];
+    struct row_range rows = binning->stream[s].rows;
+    uintptr_t first = redcc_row_address(binning, stream, 0, rows.lowest) - margin * stream->rows[0];
+    for (int before = 0;
+         before < REDCC_CACHE_LINE && rows.lowest >= INT64_MIN + before && !redcc_rows_empty(rows);
+         before++)
+        if ((first - (uintptr_t)before * stream->rows[0]) % REDCC_CACHE_LINE == 0) {
+            rows.lowest = (redcc_int)((uint64_t)rows.lowest - (uint64_t)before);
+            break;
+        }
+    return rows;
+}
+
 /* A window that held all rows is kept, and with it its memory. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
@@ -32,9 +48,10 @@ static bool cut_windows(struct binning *binning) {
         if (it->cut_for > 0 && records < 4 * it->cut_for && records > it->cut_for / 16)
             continue;
         it->cut_for = records;
+        const uint64_t margin = margin_of(binning, it->rows);
         it->window = binning->copies
-                         ? redcc_copied_window(it->rows, margin_of(binning, it->rows))
-                         : redcc_window(stream, it->rows, margin_of(binning, it->rows),
+                         ? redcc_copied_window(it->rows, margin)
+                         : redcc_window(stream, from_a_line(binning, s, margin), margin,
                                         binning->call->threads, it->rate, (double)left_of(binning));
         if (it->window.rows == 0)
             return false;

@@ -9,7 +9,13 @@
 
 #include <assert.h>
 
-enum { LEAST_BITS = 6, BINS_A_THREAD = 4, RECORDS_A_BIN = 512, MOST_BINS = 1 << 16 };
+enum {
+    LEAST_BITS = 6,
+    LEAST_BYTES_OF_SPANS = 4096,
+    BINS_A_THREAD = 4,
+    RECORDS_A_BIN = 512,
+    MOST_BINS = 1 << 16
+};
 
 static const uint64_t most_rows = (uint64_t)1 << 40;
 
@@ -42,6 +48,16 @@ static bool affords(const redcc_stream *stream, uint64_t bins, int threads) {
     return 4.0 * (double)bins * block * threads < (double)(redcc_bins_tuning.least_budget / 4);
 }
 
+/* Where a span ends, the processor loads the next lines ahead, from the thread that applies the
+ * next bin; not beyond a page. */
+static uint32_t least_bits(const redcc_stream *stream) {
+    uint32_t bits = LEAST_BITS;
+    while (stream->exact == REDCC_STREAM_SPANS &&
+           redcc_stream_row(stream) << bits < LEAST_BYTES_OF_SPANS)
+        bits++;
+    return bits;
+}
+
 static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, double records) {
     const size_t row = redcc_stream_row(stream);
     const uint64_t enough = (uint64_t)threads * BINS_A_THREAD;
@@ -51,7 +67,7 @@ static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, 
         bits = redcc_bins_tuning.bin_bits;
     while (bits > 0 && row << bits > redcc_bins_tuning.bin_bytes)
         bits--;
-    while (bits > LEAST_BITS && bins_of(rows, bits) < enough &&
+    while (bits > least_bits(stream) && bins_of(rows, bits) < enough &&
            (double)bins_of(rows, bits) * each < records &&
            affords(stream, bins_of(rows, bits), threads))
         bits--;

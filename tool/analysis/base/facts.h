@@ -185,7 +185,9 @@ typedef struct loop_source {
                         * computed as a number (known to row_address.h, except for TOUCHED) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
                         * bounds there: both ends must be computed with checks (exact.h) */
-    bool is_ahead; /* EXTENT_TOUCHED: a condition inside of `place` decides whether it is read */
+    bool is_ahead;    /* EXTENT_TOUCHED: a condition inside of `place` decides whether it is read */
+    bool is_repeated; /* EXTENT_TOUCHED: in each iteration `place` is executed, and the rows are the
+                       * same as long as nothing is stored */
     unsigned loop_count;      /* EXTENT_TOUCHED: it is many rows, one for each iteration of these */
     const source_loop *loops; /* outermost first */
     unsigned limit_count;     /* EXTENT_AFFINE, is_checked */

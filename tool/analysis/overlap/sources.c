@@ -176,6 +176,35 @@ static bool plan_known(const loop_analysis *j, const loop_access *read, bool can
     return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_told, plan);
 }
 
+/* Is it made of variables that the loop leaves unchanged, of loads, and of the counters of the
+ * callee's loops? */
+static bool is_same_in_each(const loop_analysis *j, const loop_source *item, const ir_node *node) {
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE || expression_written(node))
+        return false;
+    for (unsigned i = 0; node->kind == IR_VARIABLE && i < item->loop_count; i++)
+        if (item->loops[i].counter == node->variable)
+            return true;
+    for (unsigned i = 0; node->kind == IR_VARIABLE && i < j->privates.count; i++)
+        if (j->privates.items[i].variable == node->variable)
+            return false;
+    if (node->kind == IR_VARIABLE)
+        return ir_type_is_scalar(node->type) ? variation_is_invariant(j->an->facts, j->loop, node)
+                                             : variation_is_fixed(j->an->facts, j->loop, node);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_same_in_each(j, item, node->children[i]))
+            return false;
+    return true;
+}
+
+static bool is_repeated(const loop_analysis *j, const loop_source *item) {
+    bool is_same =
+        item->place && executed_in_each(j, item->place) && is_same_in_each(j, item, item->row);
+    for (unsigned i = 0; i < item->loop_count; i++)
+        is_same = is_same && is_same_in_each(j, item, item->loops[i].lower) &&
+                  is_same_in_each(j, item, item->loops[i].bound);
+    return is_same;
+}
+
 /* The inspector records the row's address. */
 static source_plan plan_touched(const loop_analysis *j, const loop_access *read, loop_source item,
                                 bool of_contents) {
@@ -184,6 +213,7 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     item.extent = EXTENT_TOUCHED;
     item.place = place;
     item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
+    item.is_repeated = is_repeated(j, &item);
     if (read->access.is_behind && !item.loop_count && !slice_is_safe_here(j, item.row, true))
         return (source_plan){false, item}; /* the row may not exist if the call reads none */
     const bool is_safe = item.base

@@ -324,7 +324,7 @@ static const char *push_span_text(loop_text *loop, const bins_record *record, ir
 static const char *name_in_span(const ir_node *node, void *context) {
     const bins_record *record = context;
     return ir_is_expression(node) && is_updated_element(node, record->updates[0]->target)
-               ? "redcc__to[redcc__c]"
+               ? "(*redcc__to)"
                : NULL;
 }
 
@@ -372,10 +372,14 @@ static void write_apply_span(loop_text *loop, const bins_record *record, writer 
                     origin_type(loop->arena, span->variables[i]->type),
                     origin_declarator(loop->arena, span->variables[i]),
                     origin_type(loop->arena, span->variables[i]->type), i);
-    writer_line(out, "REDCC_EACH_ELEMENT");
-    writer_line(out, "const %s %s __attribute__((__unused__)) = (%s)(redcc__c + %lld);",
-                origin_type(loop->arena, counter->type), origin_declarator(loop->arena, counter),
-                origin_type(loop->arena, counter->type), (long long)span->first);
+    const char *type = origin_type(loop->arena, counter->type);
+    const char *name = origin_variable(loop->arena, counter);
+    const long long first = (long long)span->first;
+    writer_line(out, "%s %s = (%s)(redcc__from + %lld);", type,
+                origin_declarator(loop->arena, counter), type, first);
+    writer_line(out, "const %s redcc__behind = (%s)(redcc__end + %lld);", type, type, first);
+    writer_line(out, "for (; %s < redcc__behind; %s++, redcc__to++) {", name, name);
+    out->depth++;
     printer p = {.arena = loop->arena,
                  .out = out,
                  .rename = name_in_span,
@@ -383,6 +387,8 @@ static void write_apply_span(loop_text *loop, const bins_record *record, writer 
     print_statement(&p, update->statement);
     if (p.problem)
         loop_obstacle(loop, update->statement->range, "%s", p.problem);
+    out->depth--;
+    writer_line(out, "}");
     out->depth--;
     writer_line(out, "REDCC_SPANS_END");
 }
@@ -562,8 +568,11 @@ static bool are_all_exact(const loop_text *loop) {
 
 const char *bins_phase(loop_text *loop) {
     assert(loop->bins);
-    return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
-                        loop->bins->guarded_sources, are_all_exact(loop));
+    const char *varied = loop->outline.reads_call
+                             ? arena_format(loop->arena, " %uu,", loop->bins->varied_sources)
+                             : "";
+    return arena_format(loop->arena, "REDCC_BINS_%u, %uu,%s %d", loop->facts->array_count,
+                        loop->bins->guarded_sources, varied, are_all_exact(loop));
 }
 
 const char *streams_argument(loop_text *loop) {

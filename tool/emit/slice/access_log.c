@@ -293,6 +293,8 @@ static void log_in_loops(inspector *self, const loop_source *read, unsigned numb
     arena *a = self->loop->arena;
     writer *out = self->printer.out;
     self->loops = read->loops;
+    if (read->is_repeated && self->loop->bins)
+        writer_line(out, "REDCC_IF_TOLD(%u)", number);
     open_loops(self, read, is_span);
     if (is_span) {
         writer_line(out, "const char *const redcc__begin_0 = (const char *)%s;",
