@@ -139,7 +139,7 @@ int main(void) {
         histogram(n, M, s, w, field);
         histogram(n / 2, M / 2, k, w, field);
         pairs(n);
-        shifted(n, round);
+        shifted(n, round * 100);
         two(n, grey);
         rows(n, row);
         extremes(n, least, most);
