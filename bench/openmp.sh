@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # A histogram with OpenMP directives, compiled by gcc and by redcc-cc: milliseconds (medians of
 # interleaved runs), and how many different results RUNS runs gave.
-#   RUNS=20   THREADS="1 2"   SIZES="2000000,1000,20 2000000,100000,20 4000000,1000000,16 4000000,12500000,4"
+#   RUNS=20   THREADS="1 2"   SIZES="50000,1000,500 ... 4000000,12500000,4"
 #             iterations, elements of 8 bytes, executions
 . bench/common.sh
 RUNS=${RUNS:-20} THREADS=${THREADS:-1 2}
-SIZES=${SIZES:-2000000,1000,20 2000000,100000,20 4000000,1000000,16 4000000,12500000,4}
+SIZES=${SIZES:-50000,1000,500 200000,10000,100 1000000,400000,20 2000000,1000,20 2000000,100000,20
+4000000,1000000,16 4000000,12500000,4}
 csv=$results/openmp.csv
 load_note
 gcc -O2 -fopenmp bench/openmp.c -o "$work/gcc"

@@ -5,6 +5,7 @@
 
 #include "analysis/base/openmp_loop.h"
 #include "emit/base/names.h"
+#include "emit/sections.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
 
@@ -46,7 +47,7 @@ void declare_replaces(loop_text *loop, writer *out) {
 const char *replaced_condition(loop_text *loop) {
     if (!loop->facts->variables.openmp)
         return "";
-    const char *condition = expression_of(loop, OPENMP_IF);
+    const char *condition = is_sectioned(loop) ? NULL : expression_of(loop, OPENMP_IF);
     return condition ? arena_format(loop->arena, "redcc__replaces && (%s) && ", condition)
                      : "redcc__replaces && ";
 }
@@ -54,6 +55,10 @@ const char *replaced_condition(loop_text *loop) {
 void write_team(loop_text *loop, writer *out) {
     const char *threads =
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
+    /* The order of a loop with sections may not depend on a condition, which may ask for threads. */
+    const char *condition = is_sectioned(loop) ? expression_of(loop, OPENMP_IF) : NULL;
+    if (condition)
+        threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");
     if (threads)
         writer_line(out, "redcc__attempt.threads = (int)(%s);", threads);
 }

@@ -119,10 +119,15 @@ int redcc_sections_threads(struct sections *it, redcc_int trip, int threads) {
 }
 
 void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, double seconds) {
-    struct turns *pace = &it->pace[size_of(trip)];
+    const unsigned size = size_of(trip);
+    struct turns *pace = &it->pace[size];
     const int arm = threads < 2;
     if (redcc_turns_winner(pace) >= 0)
         return;
+    if (!it->met[size][arm]) {
+        it->met[size][arm] = true;
+        return;
+    }
     if (arm != redcc_turn_of(pace->timed)) { /* one thread was not tried, since all took long */
         if (arm == 1 || seconds / (double)trip > pace->least[0])
             return;

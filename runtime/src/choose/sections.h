@@ -19,7 +19,8 @@ enum { SECTION_SIZES = 16 };
 struct sections {
     struct plan *plan[2];             /* the last one of one thread, and of several */
     struct turns pace[SECTION_SIZES]; /* of several threads (arm 0), and of one; by trip count */
-    unsigned rest[SECTION_SIZES];     /* calls until the two are compared again */
+    bool met[SECTION_SIZES][2];       /* each has run once: threads and copies are there */
+    unsigned rest[SECTION_SIZES];     /* calls since the two were compared */
 };
 
 /** The number of shares; below 2: the order is that of the loop. */
