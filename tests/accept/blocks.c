@@ -108,7 +108,7 @@ static void twice(int blocks) {
         int k, q;
         for (k = 0; k < 4; k++) {
             const int other = near[b][k], third = near[b][k + 1];
-            const double e = r[b][0] * r[b][0] + r[b][1] * r[b][1] + r[b][2] * r[b][2] - 0.5;
+            const double e = r[b][0] * r[b][0] + r[b][1] * r[b][1] + r[b][2] * r[b][2] - 0.5; // TURN
             for (q = 0; q < 3; q++)
                 u[MOST * other + q] += e;
             for (q = 4; q < 7; q++)

@@ -49,6 +49,78 @@ static void half_list(int n) {
     }
 }
 
+/* Names of the function's, each set again before it is used; or used by the turn after, behind the loop, or by a turn
+ * that did not set it. */
+static void names_of_the_function(int n) {
+    int i, j, k, a, c;
+    double dx, r2, e;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        a = own[i];
+        for (k = point[i]; k < point[i + 1]; k++) {
+            j = list[k];
+            dx = image(r[a][0] - r[j][0]); // TURN
+            r2 = dx * dx;
+            for (c = 1, e = 0.25; c < 3; c++) {
+                r2 += r[a][c] * r[j][c];
+                e += 0.125 * r2;
+            }
+            if (r2 < reach)
+                continue;
+            e = 1 / (r2 * r2 + e * e + 0.5);
+            f[a][0] += e * dx;
+            f[j][0] -= e * dx;
+        }
+    }
+}
+
+static void used_by_the_turn_after(int n) {
+    int i, j, k, a;
+    double dx, e;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        a = own[i];
+        e = 0.5;
+        for (k = point[i]; k < point[i + 1]; k++) {
+            j = list[k];
+            dx = image(r[a][0] - r[j][0]) * 0.5 - e * 0.25 + r[a][1] * r[j][1];
+            f[a][1] += dx;
+            f[j][1] -= dx;
+            e = dx * 0.5 + 0.125;
+        }
+    }
+}
+
+static void used_behind_the_loop(int n) {
+    int i, j, k, a;
+    double dx;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        a = own[i];
+        dx = 0.25;
+        for (k = point[i]; k < point[i + 1]; k++) {
+            j = list[k];
+            dx = image(r[a][0] - r[j][0]) * 0.5 + r[a][1] * r[j][1] + r[a][2] * 0.125;
+            f[a][2] += dx;
+            f[j][2] -= dx;
+        }
+        g[a] += dx;
+    }
+}
+
+static void set_in_some_turns(int n) {
+    int i, j, k, a;
+    double r2;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        a = own[i];
+        r2 = 0.75;
+        for (k = point[i]; k < point[i + 1]; k++) {
+            j = list[k];
+            if (j & 1)
+                r2 = image(r[a][0] - r[j][0]) * 0.5 + r[a][1] * r[j][1] + r[a][2] * 0.125;
+            f[a][2] += r2;
+            f[j][2] -= r2;
+        }
+    }
+}
+
 static void half_list_named(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
@@ -375,6 +447,10 @@ int main(void) {
     reach = 0.7, w[5] = 1e10, w[9] = -0.0, w[11] = 5e-324;
     for (int round = 0; round < 2; round++) {
         half_list(N);
+        names_of_the_function(N);
+        used_by_the_turn_after(N);
+        used_behind_the_loop(N);
+        set_in_some_turns(N);
         half_list_named(N);
         of_several_arrays(N);
         under_condition(N, M / 2);

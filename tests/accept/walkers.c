@@ -51,7 +51,7 @@ static void spread(struct lattice *l, int cells, const struct point *p, float cu
                 dx = ia * h - x;
                 index = j * nx + ia;
                 pg = l->at + index;
-                for (i = ia; i <= ib; i++, pg++, dx += h) {
+                for (i = ia; i <= ib; i++, pg++, dx += h) { // TURN
                     r2 = dx * dx + dy * dy;
                     if (r2 >= cut * cut)
                         continue;
@@ -146,6 +146,15 @@ static void reads_walk(int n, float *to, const float *from) {
     }
 }
 
+/* The element goes back as the pointer goes on. */
+static void mirrored(int n, double *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const double *q = to + place[t];
+        for (int c = 0; c < length[t]; c++, q++)
+            *(to + (2 * place[t] + 8 - (q - to))) += weight[c];
+    }
+}
+
 /* Only some iterations follow the pointer. */
 static void some_cells(const struct lattice *l, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -182,6 +191,7 @@ int main(void) {
         step_is_a_subscript_later(N, grid);
         reads_walk(N, other_plane, plane);
         reads_walk(k == 1 ? N : 5, plane, plane);
+        mirrored(N, grid);
         some_cells(&l, N);
         place[k * 100] = 3;
     }

@@ -335,10 +335,10 @@ static void put_parts(kernel *k) {
     }
 }
 
-static void put_turns(kernel *k) {
+static void put_alike(kernel *k, void (*put_one)(kernel *)) {
     for (int left = 1 + below(k, 2); left > 0; left--) {
         const size_t begin = begin_statement(k);
-        loop_along_a_list(k);
+        put_one(k);
         end_statement(k, begin);
     }
 }
@@ -366,7 +366,9 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
     if (k->has_parts && chance(k, 60))
         put_parts(k);
     else if (k->has_turns && chance(k, 80))
-        put_turns(k);
+        put_alike(k, loop_along_a_list);
+    else if (k->has_walks && chance(k, 80))
+        put_alike(k, walk_along_elements);
     else
         put_statements(k, with_bait);
     buffer_text(&k->body, end);
@@ -444,6 +446,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_drains = seed % 17 == 0;
     k.has_parts = seed % 6 == 1;
     k.has_turns = seed % 7 == 6;
+    k.has_walks = seed % 9 == 4;
     k.has_shapes = seed % 3 == 1;
     k.has_leaving = seed % 6 == 2;
     k.has_recent = strchr("2569", '0' + (int)(seed % 10)) != NULL;

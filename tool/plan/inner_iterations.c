@@ -6,6 +6,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/stepped.h"
 #include "ir/ir_syntax.h"
+#include "plan/inner_variables.h"
 #include "plan/lookup.h"
 #include "plan/only_read.h"
 #include "plan/unconditional.h"
@@ -47,6 +48,11 @@ static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
     const private_variable *it = private_of(t->facts, variable);
     return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
            !variable->address_taken;
+}
+
+static bool is_spent(const inner_rest *t, const ir_variable *variable) {
+    return is_of_iteration(t, variable) &&
+           inner_value_is_spent(t->facts->counted.body, t->inner, variable);
 }
 
 /** Is it in an update, which writes only the element? */
@@ -124,7 +130,7 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     const ir_node *written = expression_written(node);
     const ir_variable *object = written ? expression_object(written) : NULL;
     if ((written || node->kind == IR_ASSIGN || ir_is_increment(node)) && !is_in_update(t, node) &&
-        !(object && (is_own_variable(t, object) || adds(t, node, object))))
+        !(object && (is_own_variable(t, object) || is_spent(t, object) || adds(t, node, object))))
         return true;
     is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -156,18 +162,6 @@ static bool may_be_left_out(inner_rest *t) {
 
 /* ---- when its rows are known ----------------------------------------------------------------- */
 
-/** Does executing this statement always give the variable a value? */
-static bool sets(const ir_node *statement, const ir_variable *variable) {
-    if (statement->kind == IR_DECLARATION) {
-        const ir_node *declarator = ir_declarator_in(statement, variable);
-        return declarator && declarator->child_count > 0;
-    }
-    if (statement->kind == IR_EXPRESSION)
-        statement = statement->children[0];
-    return statement->kind == IR_ASSIGN && statement->op == IR_OP_NONE &&
-           expression_is_variable(statement->children[0], variable);
-}
-
 /** The number of places that give the variable a value. */
 static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
     const ir_node *written = expression_written(node);
@@ -188,10 +182,10 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     for (const ir_node *node = t->inner; below != facts->counted.body;
          below = node, node = node->parent) {
         if (node->kind == IR_FOR && below == ir_loop_body(node) &&
-            sets(node->children[0], variable))
+            inner_statement_sets(node->children[0], variable))
             return true;
         for (unsigned i = 0; node->kind == IR_BLOCK && node->children[i] != below; i++)
-            if (sets(node->children[i], variable))
+            if (inner_statement_sets(node->children[i], variable))
                 return true;
     }
     return false;
@@ -202,7 +196,7 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
 static bool await_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
-        is_set |= sets(t->block->children[i], variable);
+        is_set |= inner_statement_sets(t->block->children[i], variable);
         if (writers_of(t->block->children[i], variable) == 0)
             continue;
         if (!is_set)
@@ -254,12 +248,33 @@ static bool await_value(inner_rest *t, const ir_node *value) {
            await_variables(t, value);
 }
 
+/** A variable that the loop steps from the value that it had before: only there, and the loop is a
+ *  statement of the block. */
+static bool await_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
+    bool is_set = is_set_before(t, variable), is_behind = false;
+    for (unsigned i = 0; i < t->block->child_count; i++) {
+        const ir_node *statement = t->block->children[i];
+        is_set |= inner_statement_sets(statement, variable);
+        if (statement == span->loop) {
+            is_behind = true;
+        } else if (writers_of(statement, variable) > 0) {
+            if (is_behind || !is_set)
+                return false;
+            if (t->rest <= i)
+                t->rest = i + 1;
+        }
+    }
+    return is_set && is_behind && !variable->address_taken;
+}
+
 /** The same for all values that determine which rows the loop below steps through. */
 static bool await_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
-    if (row->kind == IR_VARIABLE && row->variable == stepped)
-        return await_value(t, first_value(span, stepped)) && await_value(t, span->counted.lower) &&
-               await_value(t, span->counted.bound);
+    if (row->kind == IR_VARIABLE && row->variable == stepped) {
+        const ir_node *first = first_value(span, stepped);
+        return (first ? await_value(t, first) : await_entry(t, span, stepped)) &&
+               await_value(t, span->counted.lower) && await_value(t, span->counted.bound);
+    }
     if (row->kind == IR_VARIABLE && loop_array_of_base(t->facts, row) < 0 &&
         !await_variable(t, row->variable))
         return false;

@@ -13,11 +13,12 @@
  * together: in a loop over pairs of blocks, a thread that owns neither block skips the pair.
  *
  * Why it is sound: the rest of the inner iteration has no effects except updates and changes of its
- * private variables, so that skipping it cannot be observed; and the rows that it updates are known
- * before it. It may also add to variables that are read only by updates outside of the inner loop,
- * as in `p += e; ... f[i] += p;`: then the thread must not own their rows either.
- * Additions to series, and errno, which a mathematical function in it may set, are those of the
- * thread that leads in the iteration.
+ * private variables, also of those declared outside that are set again before each use
+ * (inner_variables.h), so that skipping it cannot be observed; and the rows that it updates are
+ * known before it. It may also add to variables that are read only by updates outside of the inner
+ * loop, as in `p += e; ... f[i] += p;`: then the thread must not own their rows either. Additions
+ * to series, and errno, which a mathematical function in it may set, are those of the thread that
+ * leads in the iteration.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H

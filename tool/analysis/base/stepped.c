@@ -11,15 +11,14 @@ static bool is_local(const ir_variable *variable) {
     return variable->storage == IR_LOCAL && !variable->address_taken;
 }
 
-/* An integer's values do not wrap around before the loop ends: no object has that many elements. A
- * pointer beside a pointer would have steps of another size. */
-static bool may_go_along(const loop_span *span, const ir_variable *variable) {
+/* An integer's values do not wrap around before the loop ends: no object has that many elements. */
+static bool may_go_along(const ir_node *body, const ir_variable *variable) {
     const ir_type *type = variable->type;
     const bool is_integer =
         type->kind == IR_INTEGER && ((type->is_signed && type->size >= 4) || type->size == 8);
     const bool is_pointer = type->kind == IR_POINTER && type->target->size > 0;
-    return (is_integer || is_pointer) && span->counted.counter->type->kind == IR_INTEGER &&
-           is_local(variable) && !variable_is_written_in(span->counted.body, variable);
+    return (is_integer || is_pointer) && is_local(variable) &&
+           !variable_is_written_in(body, variable);
 }
 
 static bool is_stepped(const loop_span *span, const ir_variable *variable) {
@@ -51,7 +50,7 @@ static bool find_stepped(const ir_node *step, loop_span *span) {
         return find_stepped(step->children[0], span) && find_stepped(step->children[1], span);
     if (!counted_step(step, &variable, &by) || by != 1 || span->stepped_count == MOST_STEPPED ||
         is_stepped(span, variable) ||
-        (variable != span->counted.counter && !may_go_along(span, variable)))
+        (variable != span->counted.counter && !may_go_along(span->counted.body, variable)))
         return find_other(step, span);
     span->stepped[span->stepped_count++] = variable;
     return true;

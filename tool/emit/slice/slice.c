@@ -186,7 +186,7 @@ static void step_to_last(inspector *self, const loop_span *span) {
                                     counted->comparison == IR_OP_LESS ? " - 1" : "");
     for (unsigned i = 0; i < span->stepped_count; i++) {
         const char *name = origin_variable(self->printer.arena, span->stepped[i]);
-        if (span->stepped[i]->type->kind == IR_POINTER && span->stepped[i] != counted->counter)
+        if (span->stepped[i]->type->kind == IR_POINTER) /* the counter is none */
             writer_line(out,
                         "%s = (__typeof__(%s))((redcc_size)%s + "
                         "((redcc_size)(%s) - (redcc_size)%s) * sizeof(*%s));",
