@@ -17,7 +17,8 @@ target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fa
 target_compile_definitions(test_fabric_hard_decisions PRIVATE
                            SCENES_FOLDER="${scenes_folder}")
 
-# Every scene of the catalogue by the physics behind redcc-cc: the same bits at any number of threads.
+# Every scene of the catalogue by the physics behind redcc-cc: the same bits at any number of threads. Threads
+# that wait for a core take most of the time, so that only the slow tests have them all.
 if(TARGET fabric_physics_parallel AND NOT REDCC_SANITIZE)
   foreach(name simulation motion contact shape effects self piles rules steps resume bodies barrier barrier_rules)
     set(folder hard)
@@ -34,7 +35,12 @@ if(TARGET fabric_physics_parallel AND NOT REDCC_SANITIZE)
     add_test(NAME fabric.hard.bits_${name}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/bits.sh $<TARGET_FILE:${test}>
                      $<TARGET_FILE:test_fabric_bits_${name}>
-                     ${CMAKE_CURRENT_BINARY_DIR}/hard/bits_${name})
+                     ${CMAKE_CURRENT_BINARY_DIR}/hard/bits_${name} 3)
+    add_test(NAME fabric.hard.bits_${name}_long
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/bits.sh $<TARGET_FILE:${test}>
+                     $<TARGET_FILE:test_fabric_bits_${name}>
+                     ${CMAKE_CURRENT_BINARY_DIR}/hard/bits_${name}_long 1 2 3 7)
+    set_tests_properties(fabric.hard.bits_${name}_long PROPERTIES LABELS slow)
   endforeach()
 endif()
 

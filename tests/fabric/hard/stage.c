@@ -63,6 +63,10 @@ static void tell_bits(const simulation *sim, int vertices) {
     fclose(file);
 }
 
+int stage_compares_bits(void) {
+    return getenv("FABRIC_STAGE_BITS") != NULL;
+}
+
 void stage_end(stage *on) {
     tell_bits(on->sim, on->m.vertex_count);
     simulation_free(on->sim);

@@ -28,6 +28,8 @@ void stage_begin(stage *on);
 /** Frees cloth and simulation. Where the environment has FABRIC_STAGE_BITS, a line in that file
  * tells the bits in which the run ended: hard/bits.sh compares them. */
 void stage_end(stage *on);
+/** Whether bits are compared: all else is checked by the runs where they are not. */
+int stage_compares_bits(void);
 
 /** After a test changed the state: what the monitor compares with. */
 void stage_changed(stage *on);

@@ -201,7 +201,7 @@ static void S37_ribbon_folds_onto_itself(void **state) {
     on.s.collider_count = 1;
     stage_begin(&on);
     double deepest = 0;
-    for (int n = 0; n < 100; n++) {
+    for (int n = 0; n < 70; n++) {
         stage_run(&on, 1);
         const int now = crossings(&on);
         crossed = now > crossed ? now : crossed;
