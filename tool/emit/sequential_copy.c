@@ -55,7 +55,8 @@ const char *replaced_condition(loop_text *loop) {
 void write_team(loop_text *loop, writer *out) {
     const char *threads =
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
-    /* The order of a loop with sections may not depend on a condition, which may ask for threads. */
+    /* The order of a loop with sections may not depend on a condition, which may ask for threads.
+     */
     const char *condition = is_sectioned(loop) ? expression_of(loop, OPENMP_IF) : NULL;
     if (condition)
         threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");
