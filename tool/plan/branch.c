@@ -47,16 +47,6 @@ bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
 
 /* ---- loops ----------------------------------------------------------------------------------- */
 
-static bool is_written_in(const ir_node *node, const ir_variable *variable) {
-    const ir_node *written = expression_written(node);
-    if (written && ir_root_variable(written) == variable)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_written_in(node->children[i], variable))
-            return true;
-    return false;
-}
-
 /** Of constants, and of variables, and members of them, that the outer loop only reads. */
 static bool is_steady(const loop_facts *facts, const ir_node *node) {
     switch (node->kind) {
@@ -109,5 +99,5 @@ bool ends_in_any_case(const loop_facts *facts, const ir_node *loop) {
            counter->storage == IR_LOCAL && !counter->address_taken && !counter->has_other_name &&
            is_steady(facts, condition->children[1]) &&
            is_reached(condition->op, condition->children[1], step, counter->type) &&
-           !is_written_in(ir_loop_body(loop), counter);
+           !variable_is_written_in(ir_loop_body(loop), counter);
 }
