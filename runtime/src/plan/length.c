@@ -98,7 +98,7 @@ static redcc_int length_by_flags(const struct plan *plan, struct place *place, r
 }
 
 redcc_int redcc_plan_length(const struct plan *plan) {
-    assert(plan->threads >= 1 && plan->schedules >= (uint32_t)plan->threads);
+    assert(plan->threads >= 1);
     redcc_int length = 0;
     struct place *place = redcc_memory_take_zeroed((size_t)plan->threads, sizeof *place);
     redcc_int *up = NULL;

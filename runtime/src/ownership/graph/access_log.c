@@ -129,7 +129,7 @@ static inline void take_touch(struct access_log *logged, const redcc_entry *entr
 
 void redcc_access_log_take(struct access_log *logged, const redcc_entry *first,
                            const redcc_entry *end) {
-    assert(first <= end && !logged->failed);
+    assert(first <= end);
     for (const redcc_entry *entry = first; entry != end; entry++) {
         if (entry->array != REDCC_END_OF_ITERATION) {
             if (entry->bytes)
