@@ -80,8 +80,9 @@ int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *b
     if (elements > updates || bytes > most)
         return 1;
     int shares = MOST_SHARES;
-    while (shares > 2 && ((double)(shares - 1) * elements * ITERATIONS_PER_ELEMENT > updates ||
-                          bytes > most / (size_t)(shares - 1)))
+    while (shares > 2 &&
+           ((double)(shares - 1) * elements * (double)ITERATIONS_PER_ELEMENT > updates ||
+            bytes > most / (size_t)(shares - 1)))
         shares /= 2;
     return shares;
 }
