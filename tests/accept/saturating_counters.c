@@ -13,6 +13,7 @@ static signed char small[M];
 static int numbers[M];
 static long long wide[M];
 static unsigned above[M];
+static unsigned long long far[M];
 
 static void count(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -36,6 +37,14 @@ static void count(int n) {
             wide[r[t]]++;
         if (above[s[t]] < 4000000000u)
             above[s[t]]++;
+    }
+}
+
+/* The constant that the element is compared with is signed, and is no literal. */
+static void alone(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (far[s[t]] < (53 + (FEW & 1)))
+            ++far[s[t]];
     }
 }
 
@@ -75,6 +84,7 @@ int main(void) {
     for (int round = 0; round < 3; round++) {
         for (int i = 0; i < M; i++) {
             bytes[i] = (unsigned char)(i * (round + 1));
+            far[i] = (unsigned)(i % 60);
             other[i] = two[i] = mixed[i] = (unsigned char)(i % 40);
             pairs[i][0] = pairs[i][1] = varies[i] = (unsigned char)(i % 90);
             words[i] = (unsigned short)(65535 - i);
@@ -86,6 +96,8 @@ int main(void) {
         case_subscripts(s, N, M);
         case_subscripts(r, N, M);
         count(N - round);
+        alone(N - round);
+        CASE_PRINT(far);
         CASE_PRINT(bytes);
         CASE_PRINT(other);
         CASE_PRINT(pairs);

@@ -47,12 +47,14 @@
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
         _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
-            _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"")                        \
-                _Pragma("GCC diagnostic ignored \"-Wunused-variable\"")                            \
-                    _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")                       \
-                        _Pragma("GCC diagnostic ignored \"-Wc++-compat\"")                         \
-                            _Pragma("GCC diagnostic ignored \"-Wmissing-field-initializers\"")     \
-                                _Pragma("GCC diagnostic ignored \"-Wpedantic\"") REDCC_QUIET_GCC
+            _Pragma("GCC diagnostic ignored \"-Wsign-compare\"")                                   \
+                _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"")                    \
+                    _Pragma("GCC diagnostic ignored \"-Wunused-variable\"")                        \
+                        _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")                   \
+                            _Pragma("GCC diagnostic ignored \"-Wc++-compat\"")                     \
+                                _Pragma("GCC diagnostic ignored \"-Wmissing-field-initializers\"") \
+                                    _Pragma("GCC diagnostic ignored \"-Wpedantic\"")               \
+                                        REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** Hides from compilers that a context may have no relevant members, which they would report as an
