@@ -66,14 +66,9 @@ static bool is_set_for(const ir_node *body, const ir_node *inner, const ir_node 
     return false;
 }
 
-static bool is_target(const ir_node *node) {
-    const ir_node *parent = node->parent;
-    return parent->kind == IR_ASSIGN && parent->op == IR_OP_NONE && parent->children[0] == node;
-}
-
 static bool are_reads_set(const ir_node *body, const ir_node *inner, const ir_node *node,
                           const ir_variable *variable) {
-    if (node->kind == IR_VARIABLE && node->variable == variable && !is_target(node) &&
+    if (node->kind == IR_VARIABLE && node->variable == variable && !expression_is_assigned(node) &&
         !is_set_for(body, inner, node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)

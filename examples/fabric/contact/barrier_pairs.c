@@ -66,7 +66,7 @@ static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     return pair;
 }
 
-/* Are the boxes that the two features sweep further apart than their reach? */
+/* Each feature's motion has a bounding box: are the two boxes further apart than the reach? */
 static int boxes_apart(const barrier_pair *pair, const double (*x)[3], const double (*way)[3]) {
     return self_pair_stays_apart(pair->vertex, pair->kind == BARRIER_EDGES, pair->reach,
                                  way ? 1 : 0, x, way ? way : x);

@@ -430,8 +430,9 @@ REDCC_RECORDS(float);
     REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                      redcc_told_bits, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,   \
                      redcc_call_of_body)
-/** The same with a slice for the reads that are recorded while iterations are pushed, of which
- * those of redcc_varied_bits differ from iteration to iteration. */
+/** The same with a slice of its own for reads, which are recorded while iterations are pushed. The
+ *  first iteration of a chunk records the sources of redcc_told_bits, later ones those of
+ *  redcc_varied_bits, whose rows differ from iteration to iteration. */
 #define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,     \
                                     redcc_varied_bits, redcc_all_exact, redcc_call_of_reads,       \
                                     redcc_call_of_slice, redcc_call_of_body)                       \

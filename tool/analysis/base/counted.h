@@ -36,8 +36,8 @@ bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
                       int64_t *last);
 
-/** Does a loop over constants set the variable wherever the tree names it? Then it may have any
- * value elsewhere. */
+/** Is the variable named only in loops over constants that count with it? Then its value elsewhere
+ *  does not matter. */
 bool counted_constant_sets(const ir_node *node, const ir_variable *variable);
 
 /** The possible values of an integer expression at its place, from constants and the counters of

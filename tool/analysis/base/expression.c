@@ -271,3 +271,9 @@ bool expression_has_hazard(const ir_node *node) {
             return true;
     return false;
 }
+
+bool expression_is_assigned(const ir_node *node) {
+    const ir_node *parent = node->parent;
+    return parent && parent->kind == IR_ASSIGN && parent->op == IR_OP_NONE &&
+           parent->children[0] == node;
+}

@@ -67,4 +67,7 @@ ir_operator expression_negated(ir_operator op);
 /** Is it a local or parameter with automatic storage? */
 bool variable_is_automatic(const ir_variable *variable);
 
+/** Is the node what a plain `=` assigns to? Then its value is not read there. */
+bool expression_is_assigned(const ir_node *node);
+
 #endif

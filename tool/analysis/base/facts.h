@@ -331,12 +331,14 @@ typedef struct own_element {
 typedef struct loop_span {
     const ir_node *loop;
     counted_loop counted;
-    unsigned stepped_count; /* variables that the header steps by 1: the counter, and others, */
-    const ir_variable *stepped[MOST_STEPPED]; /* integers and pointers, which the body does not
-                                               * write */
-    unsigned
-        other_count; /* variables that the header changes otherwise, `w += dw`: the slice does */
-    const ir_variable *others[MOST_STEPPED]; /* not read them, and leaves the change out */
+    /* The header steps these by 1: the counter, and integers and pointers beside it. The body does
+     * not write them. */
+    unsigned stepped_count;
+    const ir_variable *stepped[MOST_STEPPED];
+    /* The header changes these in another way, `w += dw`. The slice does not read them, and leaves
+     * the change out. */
+    unsigned other_count;
+    const ir_variable *others[MOST_STEPPED];
 } loop_span;
 
 /** A read that prevents keeping a plan of the loop. */

@@ -130,10 +130,8 @@ static bool is_read_in_slice(const loop_analysis *j, const loop_span *span,
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     for (unsigned i = 0; i < fact->occurrences.count; i++) {
         const ir_node *use = fact->occurrences.items[i];
-        const bool is_set = use->parent->kind == IR_ASSIGN && use->parent->op == IR_OP_NONE &&
-                            use->parent->children[0] == use;
-        if (!is_set && is_in_loop(j, use) && !ir_contains(span->loop->children[2], use) &&
-            is_held(j, use))
+        if (!expression_is_assigned(use) && is_in_loop(j, use) &&
+            !ir_contains(span->loop->children[2], use) && is_held(j, use))
             return true;
     }
     for (unsigned i = 0; i < j->updates.count; i++)
