@@ -243,6 +243,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
                      is_validated   ? 0
                      : call->method ? redcc_bins_tuning.trial
                                     : execution->advice.may_lose,
+                     execution->advice.usual,
                      (struct written_witness){is_validated ? redcc_hold_written : NULL, execution});
     return true;
 }

@@ -193,6 +193,7 @@ static const char *flags_text(loop_text *loop) {
                  {leaves_out(loop->plan), "REDCC_PARTS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},
+                 {loop->plan->execution.needs_whole, "REDCC_WHOLE"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},

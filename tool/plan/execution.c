@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/execution.h"
 
+#include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
 
@@ -70,6 +71,49 @@ static bool needs_order(const loop_facts *facts) {
     return false;
 }
 
+/* ---- values from before the loop ------------------------------------------------------------- */
+
+static bool mentions(const ir_node *node, const ir_node *row) {
+    if (!node)
+        return false;
+    if (syntax_same(node, row))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (mentions(node->children[i], row))
+            return true;
+    return false;
+}
+
+/** The variable that the row is, or is a part of; NULL: it lies behind a pointer. */
+static const ir_variable *variable_with(const ir_node *row) {
+    while ((row->kind == IR_MEMBER && !(row->flags & IR_ARROW)) ||
+           (row->kind == IR_INDEX && row->children[0]->type->kind == IR_ARRAY))
+        row = row->children[0];
+    return row->kind == IR_VARIABLE ? row->variable : NULL;
+}
+
+/** Does the executor read the row's value once, before the first iteration, where the loop reads it
+ *  in each one? */
+static bool is_read_before(const loop_facts *facts, const ir_node *row) {
+    const ir_variable *variable = variable_with(row);
+    if (variable && is_captured(facts, variable) && is_copied_in(variable))
+        return true;
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (mentions(facts->arrays[i].base, row))
+            return true;
+    return mentions(facts->counted.bound, row) || mentions(facts->counted.stride, row);
+}
+
+/** An update may change such a value, or one that is kept until the loop ends. */
+static bool has_values_from_before(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const loop_source *read = &facts->sources[i];
+        if (read->needs_guard && (read->is_scalar || is_read_before(facts, read->row)))
+            return true;
+    }
+    return false;
+}
+
 void plan_execution(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const bool keeps_plan = is_verifiable(plan);
@@ -78,5 +122,6 @@ void plan_execution(loop_plan *plan) {
         .key_count = 1 + (keeps_plan ? facts->inspector.key_count + stepped_count(facts) : 0),
         .needs_order = needs_order(facts),
         .needs_every_iteration = needs_every_iteration(facts),
+        .needs_whole = has_values_from_before(facts),
         .work = work_of_iteration(plan)};
 }

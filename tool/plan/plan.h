@@ -35,7 +35,9 @@ typedef struct execution_plan {
     unsigned key_count;         /* words, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
     bool needs_every_iteration; /* also those that update none of a thread's elements */
-    int64_t work;               /* operations of an iteration (work.h) */
+    bool needs_whole; /* an update may change a value that the executor reads before the loop, or
+                       * keeps until its end: the first update needs the guard of all */
+    int64_t work;     /* operations of an iteration (work.h) */
 } execution_plan;
 
 /** base[subscript], two variables of the loop's function. */

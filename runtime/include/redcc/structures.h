@@ -185,7 +185,11 @@ enum {
     REDCC_NO_INSPECTOR = 8388608,
     /** The attempt has the section of each array that OpenMP's clause `reduction` names: all
      * updates lie in it. */
-    REDCC_SECTIONED = 16777216
+    REDCC_SECTIONED = 16777216,
+    /** An update may change a value that the executor reads before the loop (the bound of its
+     *  counter, the copy of a variable), or an element that is stored after it. No update may be
+     *  made before all are known to meet none of these; in order, too. */
+    REDCC_WHOLE = 33554432
 };
 
 enum {

@@ -58,6 +58,7 @@ struct binner {
     redcc_int unseen;                /* iterations since it last checked for missing records */
     int sample;                      /* stretches of iterations handed out for measuring */
     redcc_int measured;              /* iterations in them */
+    redcc_int pushed;                /* in this round */
     redcc_extent *sources;           /* [source_count] recorded by redcc_read, in this round */
     struct redcc_bin_buffer *buffer; /* [stream_count] */
 };
@@ -95,9 +96,11 @@ struct effects {
 };
 
 struct bins_trial {
-    double may_lose;   /* seconds; from -1 to below 0: a share of the sequential loop's time,
-                        * which is not known yet; 0: no trial */
-    double began;      /* its time */
+    double may_lose; /* seconds; from -1 to below 0: a share of the sequential loop's time,
+                      * which is not known yet; 0: no trial */
+    double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
+    double began;    /* its time */
+    bool is_late;    /* the only round (REDCC_WHOLE) takes too long to push */
     redcc_int stretch; /* iterations executed sequentially meanwhile, */
     double sequential; /* and their seconds */
 };
@@ -128,6 +131,13 @@ struct binning {
 /** The loop's descriptor for bins; NULL: it has none. */
 static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
     return loop->flags & REDCC_BINNED ? (const redcc_binned *)(const void *)loop : NULL;
+}
+
+/** Must the guard have seen all updates of the loop before the first one is made? Then the loop is
+ *  one round, and no part of it is executed sequentially. */
+static inline bool redcc_bins_is_whole(const struct binning *binning) {
+    const unsigned flags = binning->loop->loop.flags;
+    return flags & REDCC_WHOLE && !(flags & REDCC_BINS_CHECKED);
 }
 
 /** The address of a row of a stream's array. */
@@ -189,9 +199,11 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** A thread joins an execution of `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution of binning->call. may_lose: as in bins_trial, by which it may exceed
- *  the sequential loop's time before the rest runs sequentially; 0: no trial. One thread. */
-void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness);
+/** Begins an execution of binning->call. may_lose, usual: as in bins_trial. It may exceed the
+ *  sequential loop's time by may_lose before the rest runs sequentially; 0: no trial. One
+ *  thread. */
+void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
+                      struct written_witness witness);
 
 /** Seconds per iteration of the sequential stretch of a trial; 0: there was none. */
 double redcc_bins_usual(const struct binning *binning);

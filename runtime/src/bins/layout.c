@@ -2,7 +2,7 @@
 /**
  * The size of rounds: as large as memory permits, since a round loads each line of the updated
  * arrays from memory and stores it once. Records may take 0.6 of the bytes of the arrays, and 64
- * MB, in all.
+ * MB, in all; if the loop must be one round, 512 MB.
  */
 #include "bins/binning.h"
 
@@ -169,7 +169,9 @@ static bool take_records(struct binning *binning) {
     const redcc_int left = left_of(binning), most = binning->round.most;
     const double threads = binning->call->threads;
     double wanted = (double)(left < most ? left : most) / threads + 1;
-    double budget = 0.6 * (double)bytes_of_arrays(binning) + (double)redcc_bins_tuning.least_budget;
+    double budget = 0.6 * (double)bytes_of_arrays(binning) +
+                    (double)(redcc_bins_is_whole(binning) ? redcc_bins_tuning.whole_budget
+                                                          : redcc_bins_tuning.least_budget);
     for (;; budget /= 2) {
         wanted = share_for(binning, budget, wanted);
         if (wanted < 1)

@@ -31,6 +31,8 @@ static uint32_t stream_count(const struct binning *binning) {
 /* Operands of spans are read again when records are applied: from the caches, in short rounds. */
 static redcc_int most_of_round(const struct binning *binning) {
     redcc_int most = redcc_bins_tuning.round;
+    if (redcc_bins_is_whole(binning))
+        return INT64_MAX;
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
             most = redcc_least(most, redcc_bins_tuning.round_of_spans);
@@ -99,7 +101,7 @@ static bool has_failed(const struct binning *binning, const struct binner *binne
 static void begin_push(struct binning *binning, struct binner *binner) {
     binner->begun = true;
     binner->pieces = 0;
-    binner->next = binner->last = binner->unseen = 0;
+    binner->next = binner->last = binner->unseen = binner->pushed = 0;
     forget_reads(binning, binner);
     for (uint32_t s = 0; s < stream_count(binning); s++)
         redcc_buffer_clear(&binner->buffer[s]);
@@ -107,12 +109,28 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
+/* Will pushing the only round alone take longer than the trial may take? */
+static bool is_late(const struct binning *binning, const struct binner *binner) {
+    const struct bins_trial *it = &binning->trial;
+    const redcc_int trip = binning->call->request.trip;
+    if (!redcc_bins_is_whole(binning) || !is_trial(binning) || it->usual <= 0 ||
+        binner->pushed == 0)
+        return false;
+    const double share = (double)trip / binner->threads / (double)binner->pushed;
+    const double most = it->usual * (double)trip + it->may_lose;
+    return (redcc_seconds() - it->began) * (share > 1 ? share : 1) > most;
+}
+
 /* The next chunk of the thread's current piece, or of a new one. */
 static bool next_chunk(struct binning *binning, struct binner *binner, redcc_worker *worker,
                        redcc_bins *bins) {
-    if (!binner->begun)
+    if (!binner->begun) {
         begin_push(binning, binner);
-    else if (binner->unseen >= CHUNK && has_failed(binning, binner))
+    } else if (binner->thread == 0 && is_late(binning, binner)) {
+        binning->trial.is_late = true;
+        atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
+    }
+    if (binner->unseen >= CHUNK && has_failed(binning, binner))
         atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
     if (atomic_load_explicit(&binning->failed, memory_order_relaxed) ||
         (binner->next == binner->last && !redcc_pieces_take(binning, binner))) {
@@ -123,6 +141,7 @@ static bool next_chunk(struct binning *binning, struct binner *binner, redcc_wor
     const redcc_int first = binner->next, left = binner->last - first;
     binner->next += left < CHUNK + LEAST_CHUNK ? left : CHUNK;
     binner->unseen = (binner->unseen < CHUNK ? binner->unseen : 0) + binner->next - first;
+    binner->pushed += binner->next - first;
     hand_out(binning, binner, worker, bins, first, binner->next);
     return true;
 }
@@ -150,7 +169,10 @@ static enum bins_phase begin_round(struct binning *binning) {
     const redcc_int rounds = (left - 1) / round->most + 1, even = (left - 1) / rounds + 1;
     const redcc_int tried = round->begin > 0 ? round->begin : trip / TRIED + 1;
     assert(left > 0 && round->most > 0);
-    round->end = round->begin + (is_trial(binning) && tried < even ? tried : even);
+    if (redcc_bins_is_whole(binning) && round->most < trip)
+        return end_with(binning, REASON_NO_MEMORY);
+    const bool in_part = is_trial(binning) && !redcc_bins_is_whole(binning) && tried < even;
+    round->end = round->begin + (in_part ? tried : even);
     round->error_before = atomic_load_explicit(binning->effects.error, memory_order_relaxed);
     atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
     atomic_store_explicit(&binning->next_bin, 0, memory_order_relaxed);
@@ -208,7 +230,7 @@ static enum bins_phase push_again(struct binning *binning) {
         exhausted |= doubled;
     }
     const redcc_int count = round->end - round->begin;
-    if (exhausted) {
+    if (exhausted && !redcc_bins_is_whole(binning)) {
         round->most = count > 1 ? count / 2 : 1;
         round->shortened = true;
     } else
@@ -235,6 +257,8 @@ static void learn(struct binning *binning) {
 }
 
 static enum bins_phase after_push(struct binning *binning) {
+    if (binning->trial.is_late)
+        return end_with(binning, REASON_SERIAL_FASTER);
     for (int t = 0; t < binning->call->threads; t++)
         if (has_failed(binning, binning->binner[t]))
             return push_again(binning);
@@ -394,9 +418,10 @@ void redcc_binner_join(struct binner *binner, int threads) {
     binner->begun = false;
 }
 
-void redcc_bins_begin(struct binning *binning, double may_lose, struct written_witness witness) {
+void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
+                      struct written_witness witness) {
     binning->phase = BINS_START;
-    binning->trial = (struct bins_trial){.may_lose = may_lose};
+    binning->trial = (struct bins_trial){.may_lose = may_lose, .usual = usual};
     binning->witness = witness;
     binning->round = (struct round){.most = binning->loop ? most_of_round(binning) : 1};
     binning->reason = REASON_NONE;

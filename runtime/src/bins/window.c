@@ -27,6 +27,7 @@ struct bins_tuning redcc_bins_tuning = {
     .round = INT64_MAX,
     .round_of_spans = 16384,
     .least_budget = (size_t)64 << 20,
+    .whole_budget = (size_t)512 << 20,
     .copies_bytes = (size_t)4 << 20,
     .one_thread_bytes = (size_t)48 << 20,
 };

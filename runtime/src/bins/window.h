@@ -45,6 +45,7 @@ struct bins_tuning {
     redcc_int round;          /* iterations of a round, at most */
     redcc_int round_of_spans; /* likewise, if a stream has spans */
     size_t least_budget;      /* bytes of records, for arrays of any size */
+    size_t whole_budget;      /* the same if the loop must be one round */
     size_t copies_bytes;      /* of the arrays, at most, for private copies */
     size_t one_thread_bytes;  /* of the arrays, at least, for binning by one thread */
     double trial;             /* if binning is named: the seconds it may lose (redcc_bins_begin) */

@@ -129,7 +129,8 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .verified = chooser->verified,
                             .dry_run = loop->flags & REDCC_DRY_RUN,
                             .tiled = loop->flags & REDCC_TILES,
-                            .bins_only = loop->flags & REDCC_NO_INSPECTOR};
+                            .bins_only = loop->flags & REDCC_NO_INSPECTOR,
+                            .whole = loop->flags & REDCC_WHOLE};
     if (loop->flags & REDCC_BINNED)
         now.kept[WAY_BINS] = KEPT_FITS;
     if (loop->flags & REDCC_SELECTS)
@@ -138,8 +139,10 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
 }
 
 bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip) {
-    const struct situation now = {
-        .trip = trip, .threads = 2, .bins_only = loop->flags & REDCC_NO_INSPECTOR};
+    const struct situation now = {.trip = trip,
+                                  .threads = 2,
+                                  .bins_only = loop->flags & REDCC_NO_INSPECTOR,
+                                  .whole = loop->flags & REDCC_WHOLE};
     return redcc_goes_at_once(&now);
 }
 
@@ -177,6 +180,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .deadline = decision.deadline,
                             .timed = decision.timed,
                             .may_lose = decision.may_lose,
+                            .usual = redcc_usual(size_of(chooser, request->trip)),
                             .skipped_calls = chooser->skipped,
                             .earned = decision.earned,
                             .rule = decision.rule};

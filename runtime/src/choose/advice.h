@@ -46,6 +46,7 @@ struct advice {
     double deadline;    /* INSPECT: time limit of a dry run, in seconds */
     double awaited;     /* INSPECT: seconds spent waiting for threads that had to be started */
     double may_lose;    /* REUSE, in a trial: as in struct decision; 0: no trial */
+    double usual;       /* seconds per iteration of the sequential loop; 0: not known yet */
     long skipped_calls; /* REUSE: sequential calls since a plan was used */
     double earned;      /* REUSE: seconds saved since the last plan construction, less its cost */
     enum reason reason; /* for SEQUENTIAL */

@@ -266,7 +266,7 @@ static struct decision decide_set_up(const struct choice *c) {
 }
 
 bool redcc_goes_at_once(const struct situation *now) {
-    return now->bins_only && now->threads > 1 &&
+    return now->bins_only && !now->whole && now->threads > 1 &&
            now->trip >= (long long)LEARN_LOOKED_AT * LEARN_LOOKED_AT;
 }
 

@@ -64,6 +64,7 @@ struct situation {
                      * equal */
     bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
+    bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
     bool tiled;     /**< it is a loop over pairs, whose inspection is short */
 };
 
