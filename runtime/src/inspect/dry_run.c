@@ -31,6 +31,7 @@ static void begin_run(const struct inspection *inspection, struct inspector *ins
     redcc_forget_sources(inspection, inspector);
     inspector->next = 0;
     inspector->late = false;
+    run->block = REDCC_FIRST_BEFORE_DEADLINE;
     run->ended_in_margin = false;
     run->stands = true;
 }
@@ -85,8 +86,9 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     inspector->late = will_be_late(inspection, inspector);
     if (inspector->late)
         return false;
-    const bool at_once = inspection->deadline == 0 || trip - first <= REDCC_BLOCK_BEFORE_DEADLINE;
-    inspector->next = at_once ? trip : first + REDCC_BLOCK_BEFORE_DEADLINE;
+    const bool at_once = inspection->deadline == 0 || trip - first <= run->block;
+    inspector->next = at_once ? trip : first + run->block;
+    run->block = redcc_next_before_deadline(run->block);
     redcc_hand_out(inspector, worker, first, inspector->next, 1, run->window);
     worker->owner = run->clear;
     expect_one(inspector, worker);

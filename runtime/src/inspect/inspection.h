@@ -35,6 +35,7 @@ struct dry_run {
     redcc_owner *clear;   /* [source_count] a read in it overlaps no window */
     bool has_margins;     /* windows are larger than the touched ranges */
     bool ended_in_margin; /* by a read, which perhaps overlaps no touched range */
+    redcc_int block;      /* iterations until the deadline is checked again */
     bool stands;          /* no updated element was found to be read, */
     bool leaves;          /* or an iteration was found to leave the loop */
     double seconds;       /* its duration, at the end */
@@ -49,7 +50,8 @@ struct inspector {
     bool late;            /* the deadline passed before that */
     redcc_int next;       /* iterations handed out so far, by the sweep */
     redcc_int handed;     /* in the current block */
-    redcc_int block;      /* at most */
+    redcc_int block;      /* at most; with a deadline it grows */
+    redcc_int largest;    /* up to this */
     redcc_int at;         /* iterations handed out so far, by the sample */
     redcc_entry *entries; /* [REDCC_ENTRIES] */
     struct range *seen;   /* [array_count] */
@@ -99,9 +101,12 @@ void redcc_inspection_end(struct inspection *inspection);
 /** Has it taken longer than auto allows? */
 bool redcc_inspection_is_late(const struct inspection *inspection);
 
-/** With a deadline, the clock is read after this many iterations: 50 microseconds to a
- *  millisecond. */
-enum { REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
+/** With a deadline, the clock is read after so many iterations, then after twice as many each time,
+ *  up to the second number (50 microseconds to a millisecond): iterations may be heavy. */
+enum { REDCC_FIRST_BEFORE_DEADLINE = 16, REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
+static inline redcc_int redcc_next_before_deadline(redcc_int block) {
+    return block < REDCC_BLOCK_BEFORE_DEADLINE ? 2 * block : block;
+}
 
 /** Has some thread run out of memory? */
 bool redcc_inspection_failed(const struct inspection *inspection);

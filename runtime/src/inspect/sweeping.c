@@ -5,6 +5,7 @@
 #include "inspect/inspection.h"
 
 #include "base/aliases.h"
+#include "base/share.h"
 
 #include <assert.h>
 #include <string.h>
@@ -37,8 +38,9 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->next = begin;
     inspector->handed = 0;
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
-    if (inspection->deadline > 0 && inspector->block > REDCC_BLOCK_BEFORE_DEADLINE)
-        inspector->block = REDCC_BLOCK_BEFORE_DEADLINE;
+    inspector->largest = inspector->block;
+    if (inspection->deadline > 0 && inspector->block > REDCC_FIRST_BEFORE_DEADLINE)
+        inspector->block = REDCC_FIRST_BEFORE_DEADLINE;
     inspector->recorded_all = true;
     inspector->late = false;
 }
@@ -54,6 +56,9 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
         return false;
     inspector->handed = end - first < inspector->block ? end - first : inspector->block;
     inspector->next = first + inspector->handed;
+    if (inspection->deadline > 0)
+        inspector->block =
+            redcc_least(redcc_next_before_deadline(inspector->block), inspector->largest);
     assert(inspector->handed > 0 && inspector->next <= end);
     const bool is_logged = redcc_is_logged(inspection);
     if (!is_logged)
