@@ -346,29 +346,47 @@ static bool is_kept_out(struct loop_state *state, bool always) {
     return true;
 }
 
-void redcc_sequential_end(redcc_loop *loop) {
-    if (original.loop != loop)
-        return;
+void redcc_note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
+                         double seconds) {
     const int error = errno;
-    const double seconds = redcc_seconds() - original.began;
-    set_original(NULL);
     struct loop_state *state = NULL;
     redcc_is_forked(); /* the body may have forked, and memory is used */
-    const int executions = redcc_unmade_timed(&loop->state, original.trip, seconds);
+    const int executions = redcc_unmade_timed(&loop->state, trip, seconds);
     if (executions > 0)
         state = redcc_state_of(loop);
     enum reason reason;
     if (state &&
         redcc_loop_acquire(state, loop, false, &reason)) { /* else another thread executes it */
-        redcc_note_sequential(&state->reported.statistics, original.trip, seconds);
+        redcc_note_sequential(&state->reported.statistics, trip, seconds);
         redcc_tell_auto(state, loop,
                         &(struct outcome){.result = RESULT_SEQUENTIAL,
-                                          .trip = original.trip,
+                                          .trip = trip,
                                           .seconds = seconds,
                                           .untimed = executions - 1},
                         REASON_NONE);
-        if (loop->source_count <= MOST_SOURCES)
-            redcc_advise_timed(&state->chooser, loop, original.known, original.trip, seconds);
+        if (known)
+            redcc_advise_timed(&state->chooser, loop, known, trip, seconds);
+        redcc_loop_release(state);
+    }
+    errno = error;
+}
+
+void redcc_sequential_end(redcc_loop *loop) {
+    if (original.loop != loop)
+        return;
+    const double seconds = redcc_seconds() - original.began;
+    set_original(NULL);
+    redcc_note_original(loop, original.trip,
+                        loop->source_count <= MOST_SOURCES ? original.known : NULL, seconds);
+}
+
+void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double seconds) {
+    const int error = errno;
+    struct loop_state *state = redcc_state_of(loop);
+    enum reason reason;
+    if (state && redcc_loop_acquire(state, loop, false, &reason)) {
+        redcc_note_sequential(&state->reported.statistics, done, seconds);
+        redcc_advise_begun(&state->chooser, rest, done, seconds);
         redcc_loop_release(state);
     }
     errno = error;

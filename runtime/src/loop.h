@@ -135,6 +135,14 @@ void redcc_count_lost(struct execution *execution);
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
+/** The original loop, or all of its iterations in order, has taken so long: for `auto`. known: as of
+ *  redcc_enter; NULL: not at hand. */
+void redcc_note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
+                         double seconds);
+
+/** `done` iterations of the loop's first execution have taken so long in order; `rest` are left. */
+void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double seconds);
+
 /** Records that the last call was sequential. */
 void redcc_note_serial(struct statistics *statistics);
 

@@ -3,6 +3,7 @@
 #include "redcc/entry.h"
 
 #include "base/region.h"
+#include "beginning.h"
 #include "bins/binning.h"
 #include "library.h"
 #include "loop.h"
@@ -80,15 +81,22 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
      * appear to overlap. */
     if (redcc_settings()->validate && loop->flags & REDCC_BY_HAND)
         redcc_note_misnamed(loop, redcc_slices_check(site, attempt, member, context));
-    struct shared shared = {.attempt = attempt, .member = member, .context = context};
-    const redcc_extent *const sections = loop->flags & REDCC_SECTIONED ? attempt->sections : NULL;
-    if (redcc_enter_sectioned(&shared.call, loop, attempt->trip, attempt->bases, attempt->known,
-                              attempt->key, sections, threads_of(loop, attempt),
-                              redcc_region_is_nested()))
+    struct beginning beginning;
+    redcc_begin_in_order(&beginning, site, attempt, member, context, threads_of(loop, attempt));
+    if (beginning.done == attempt->trip)
+        return 1;
+    const redcc_attempt *const rest = beginning.done ? &beginning.rest : attempt;
+    struct shared shared = {.attempt = rest, .member = member, .context = context};
+    const redcc_extent *const sections = loop->flags & REDCC_SECTIONED ? rest->sections : NULL;
+    if (redcc_enter_sectioned(&shared.call, loop, rest->trip, rest->bases, rest->known, rest->key,
+                              sections, threads_of(loop, rest), redcc_region_is_nested()))
         redcc_region_run(shared.call.threads, work, &shared);
     if (!redcc_leave(&shared.call)) {
-        redcc_operands_give_all(attempt);
-        return 0;
+        if (!beginning.done) {
+            redcc_operands_give_all(attempt);
+            return 0;
+        }
+        redcc_end_in_order(site, attempt, member, context, beginning.done);
     }
     redcc_sequential_done(loop);
     return 1;

@@ -194,6 +194,9 @@ static const char *flags_text(loop_text *loop) {
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},
                  {loop->plan->execution.needs_whole, "REDCC_WHOLE"},
+                 {loop->plan->execution.may_begin && !is_sectioned(loop) &&
+                      !loop->outline.tile_call && !prefetches,
+                  "REDCC_BEGINS"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},

@@ -114,6 +114,24 @@ static bool has_values_from_before(const loop_facts *facts) {
     return false;
 }
 
+/** What an iteration leaves outside of the arrays depends on its number, counted from the loop's
+ *  first one. */
+static bool counts_iterations(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped || facts->variables.privates[i].is_last_sought)
+            return true;
+    return facts->scalar_count > 0 || facts->variables.own_count > 0 || facts->distribution;
+}
+
+/** The body in order is the sequential loop, from any iteration on; for heavy iterations, as their
+ *  first ones are timed (runtime/src/beginning.h). */
+static bool may_begin(const loop_facts *facts) {
+    const counted_loop *counted = &facts->counted;
+    return !facts->has_short_iterations && !has_values_from_before(facts) &&
+           !counts_iterations(facts) && !facts->slice.exits && !facts->slice.may_abort &&
+           counted->counter->type->kind == IR_INTEGER && counted->step == 1 && !counted->stride;
+}
+
 void plan_execution(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const bool keeps_plan = is_verifiable(plan);
@@ -123,5 +141,6 @@ void plan_execution(loop_plan *plan) {
         .needs_order = needs_order(facts),
         .needs_every_iteration = needs_every_iteration(facts),
         .needs_whole = has_values_from_before(facts),
+        .may_begin = may_begin(facts),
         .work = work_of_iteration(plan)};
 }

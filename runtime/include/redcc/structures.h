@@ -189,7 +189,10 @@ enum {
     /** An update may change a value that the executor reads before the loop (the bound of its
      *  counter, the copy of a variable), or an element that is stored after it. No update may be
      *  made before all are known to meet none of these; in order, too. */
-    REDCC_WHOLE = 33554432
+    REDCC_WHOLE = 33554432,
+    /** The first iterations, which are heavy, may be executed in order before anything is known of
+     *  the loop. The others are the same loop with another first iteration. */
+    REDCC_BEGINS = 67108864
 };
 
 enum {

@@ -130,12 +130,18 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .dry_run = loop->flags & REDCC_DRY_RUN,
                             .tiled = loop->flags & REDCC_TILES,
                             .bins_only = loop->flags & REDCC_NO_INSPECTOR,
-                            .whole = loop->flags & REDCC_WHOLE};
+                            .whole = loop->flags & REDCC_WHOLE,
+                            .begun = chooser->begun};
     if (loop->flags & REDCC_BINNED)
         now.kept[WAY_BINS] = KEPT_FITS;
     if (loop->flags & REDCC_SELECTS)
         now.kept[WAY_DIRECT] = KEPT_FITS;
     return now;
+}
+
+void redcc_advise_begun(struct chooser *chooser, redcc_int rest, redcc_int done, double seconds) {
+    redcc_note_begin(&chooser->state, rest, done, seconds);
+    chooser->begun = true;
 }
 
 bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip) {
@@ -155,6 +161,7 @@ bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const 
         return false;
     const struct decision decision = redcc_decide(&chooser->state, &now);
     assert(decision.action == ACTION_SEQUENTIAL);
+    chooser->begun = false;
     *advice = skip(chooser, decision);
     return true;
 }
@@ -174,6 +181,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                         : changed & 1u << way ? KEPT_CHANGED
                                               : KEPT_NONE;
     const struct decision decision = redcc_decide(&chooser->state, &now);
+    chooser->begun = false;
     struct advice advice = {.action = decision.action,
                             .way = decision.way,
                             .alone = decision.alone,

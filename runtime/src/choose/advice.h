@@ -32,6 +32,7 @@ struct chooser {
     bool remembered;
     bool verified;       /* all were compared once, and the samples have been the same since */
     int asked, came;     /* threads requested and obtained in the last parallel region */
+    bool begun;          /* this execution has begun in order (beginning.h) */
     long skipped;        /* sequential calls since a plan was used */
     enum reason refused; /* the last reason why no plan was available */
 };
@@ -61,6 +62,10 @@ static inline bool redcc_goes_directly(const struct advice *advice) {
 /** Is the loop left sequential in this call, because it is short or no method helped recently? Then
  *  sets *advice, at the cost of a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
+
+/** `done` iterations of the execution that is decided next have taken so long in order; `rest` are
+ *  left. */
+void redcc_advise_begun(struct chooser *chooser, redcc_int rest, redcc_int done, double seconds);
 
 /** Is a loop with this trip count tried in its first execution, before it was timed? */
 bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip);

@@ -230,15 +230,14 @@ static struct decision set_up(const struct choice *c, double current) {
  * worth more than the sample. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
-    const bool is_lent = (c->now->verified || goes_without_plan(c)) &&
-                         credit < cost + c->now->start && may_borrow(c) &&
-                         cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
-    if ((credit < cost && !(is_lent && goes_without_plan(c))) || !has_waited_for(c, cost))
+    const bool at_once = goes_without_plan(c) || c->now->begun;
+    const bool is_lent = (c->now->verified || at_once) && credit < cost + c->now->start &&
+                         may_borrow(c) && cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
+    if ((credit < cost && !(is_lent && at_once)) || !(c->now->begun || has_waited_for(c, cost)))
         return sequentially(c, RULE_SAVING);
     if (is_lent)
-        lend(c, goes_without_plan(c) ? cost + c->now->start : c->now->start);
-    const bool alone =
-        !(are_sure(c) || goes_without_plan(c)) || credit_of(c->ledger) < cost + c->now->start;
+        lend(c, at_once ? cost + c->now->start : c->now->start);
+    const bool alone = !(are_sure(c) || at_once) || credit_of(c->ledger) < cost + c->now->start;
     c->size->rule = RULE_LOOKING;
     return (struct decision){
         .action = ACTION_INSPECT,
@@ -288,7 +287,7 @@ static bool tries_first(const struct choice *c) {
 static struct decision try_first(const struct choice *c) {
     const double usual = redcc_usual(c->size), least = LEARN_CONTENDED / c->now->threads * usual;
     c->size->arm[WAY_BINS] = (struct arm){.possible = true, .guessed = true, .execution = least};
-    const bool may = usual == 0 || (fits(c, WAY_BINS) && may_execute(c, WAY_BINS));
+    const bool may = usual == 0 || c->now->begun || (fits(c, WAY_BINS) && may_execute(c, WAY_BINS));
     return may ? take_up(c, WAY_BINS) : sequentially(c, RULE_SAVING);
 }
 

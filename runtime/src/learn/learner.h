@@ -65,6 +65,8 @@ struct situation {
     bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
+    bool begun;     /**< this is the rest of the first execution, of which some iterations were
+                     * timed in order: what pays in it need not wait for others */
     bool tiled;     /**< it is a loop over pairs, whose inspection is short */
 };
 
@@ -213,6 +215,10 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
  *  the arms [WAY_COUNT]. */
 void redcc_note_arms(struct choice_state *state, long long trip, const struct arm *arm,
                      double spent);
+
+/** The first `done` iterations of the loop's first execution were executed in order, in `seconds`;
+ *  `rest` are left, to be decided next. */
+void redcc_note_begin(struct choice_state *state, long long rest, long long done, double seconds);
 
 /** Processes a result: for each decision exactly one with the chosen action, then, if that failed,
  *  another one of the sequential loop if it is timed. */

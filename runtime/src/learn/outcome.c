@@ -171,6 +171,14 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
         count_in_comparison(size, WAY_SEQUENTIAL, each, redcc_usual(size));
 }
 
+void redcc_note_begin(struct choice_state *state, long long rest, long long done, double seconds) {
+    assert(rest > 0 && done > 0 && seconds >= 0);
+    struct size_state *size = (struct size_state *)redcc_size_of(state, rest);
+    note_time(&size->sequential, seconds / (double)done);
+    state->ledger.sequential += seconds;
+    size->set_ups.since += seconds;
+}
+
 static void count_set_up(struct size_state *size, enum way way, double seconds) {
     struct set_ups *it = &size->set_ups;
     *it = (struct set_ups){.factor = redcc_factor(it),

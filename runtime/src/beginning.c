@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "beginning.h"
+
+#include "base/clock.h"
+#include "base/forked.h"
+#include "base/region.h"
+#include "base/share.h"
+#include "base/team.h"
+#include "learn/constants.h"
+#include "library.h"
+#include "loop.h"
+#include "plan/schedule.h"
+#include "settings.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum {
+    LEAST_TRIP = 64,
+    PART = 64,      /* this fraction of the iterations is timed */
+    MOST_ARRAYS = 8 /* more than any translated loop has */
+};
+
+/* Seconds from which the others may be worth threads that have to be started. */
+static const double long_enough = LEARN_LOOK / LEARN_SHARE;
+
+/* The calling thread's part in iterations that are executed in order. */
+struct in_order {
+    redcc_worker worker; /* first: the functions below get a pointer to it */
+    redcc_call call;
+    redcc_calls calls;
+    redcc_owner owner[MOST_ARRAYS]; /* not used: no owner checks */
+    redcc_iterations run;
+    redcc_int next, end, trip;
+};
+
+static int hand_out_none(redcc_worker *worker) {
+    (void)worker;
+    return 0;
+}
+
+static int hand_out_no_bins(redcc_worker *worker, redcc_bins *bins, const void *operands) {
+    (void)worker, (void)bins, (void)operands;
+    return 0;
+}
+
+static int hand_out(redcc_worker *worker) {
+    struct in_order *it = (struct in_order *)(void *)worker;
+    const redcc_int count = redcc_least(it->end - it->next, REDCC_RUN_MOST);
+    it->run = (redcc_iterations){0, 2 * (redcc_u32)count};
+    worker->origin = it->next;
+    worker->run = &it->run;
+    worker->run_end = &it->run + 1;
+    it->next += count;
+    return count > 0;
+}
+
+static int claims_last(redcc_worker *worker) {
+    const struct in_order *it = (const struct in_order *)(const void *)worker;
+    return it->end == it->trip;
+}
+
+static void execute(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
+                    const void *context, redcc_int begin, redcc_int end) {
+    struct in_order it = {.call = {.loop = &site->binned.loop, .trip = attempt->trip, .threads = 1},
+                          .calls = redcc_library,
+                          .next = begin,
+                          .end = end,
+                          .trip = attempt->trip};
+    assert(site->binned.loop.array_count <= MOST_ARRAYS);
+    it.call.calls = &it.calls;
+    it.calls.inspect = hand_out_none;
+    it.calls.bins_next = hand_out_no_bins;
+    it.calls.next = hand_out;
+    it.calls.claims_last = claims_last;
+    it.worker = (redcc_worker){.call = &it.call, .base = attempt->bases, .owner = it.owner};
+    member(&it.worker, attempt, context);
+}
+
+void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
+                        const void *context, redcc_int from) {
+    assert(0 <= from && from <= attempt->trip);
+    execute(site, attempt, member, context, from, attempt->trip);
+}
+
+/* Is this the first execution, and may `auto` decide about it? */
+static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
+    if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
+        loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))
+        return false;
+    const struct settings *settings = redcc_settings_for(loop);
+    return !settings->method && !settings->compensated && !settings->validate && !redcc_within &&
+           !redcc_region_is_nested() && !redcc_is_forked();
+}
+
+static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc_attempt *attempt) {
+    it->rest = *attempt;
+    it->rest.trip -= it->done;
+    it->rest.first += it->done;
+    memcpy(it->key, attempt->key, loop->key_count * sizeof *it->key);
+    it->key[0] = (redcc_word)it->rest.first;
+    it->rest.key = it->key;
+}
+
+void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
+                          const redcc_attempt *attempt, redcc_member *member, const void *context,
+                          int threads) {
+    redcc_loop *loop = &site->binned.loop;
+    beginning->done = 0;
+    if (!is_due(loop, attempt, threads))
+        return;
+    const double began = redcc_seconds();
+    beginning->done = attempt->trip / PART;
+    execute(site, attempt, member, context, 0, beginning->done);
+    const double seconds = redcc_seconds() - began;
+    leave_rest(beginning, loop, attempt);
+    if (seconds * PART >= long_enough) {
+        redcc_note_begun(loop, beginning->rest.trip, beginning->done, seconds);
+        return;
+    }
+    redcc_end_in_order(site, attempt, member, context, beginning->done);
+    redcc_note_original(loop, attempt->trip, attempt->known, redcc_seconds() - began);
+    beginning->done = attempt->trip;
+}
