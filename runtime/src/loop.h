@@ -135,8 +135,8 @@ void redcc_count_lost(struct execution *execution);
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
-/** The original loop, or all of its iterations in order, has taken so long: for `auto`. known: as of
- *  redcc_enter; NULL: not at hand. */
+/** The original loop, or all of its iterations in order, has taken so long: for `auto`. known: as
+ * of redcc_enter; NULL: not at hand. */
 void redcc_note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
                          double seconds);
 

@@ -174,6 +174,11 @@ static bool leaves_out(const loop_plan *plan) {
     return false;
 }
 
+/** Tiles need no trial, and sections no order. */
+static bool begins(const loop_text *loop) {
+    return loop->plan->execution.may_begin && !loop->outline.tile_call && !is_sectioned(loop);
+}
+
 static const char *flags_text(loop_text *loop) {
     const bool prefetches = loop->plan->prefetch.ahead > 0;
     const struct {
@@ -194,9 +199,7 @@ static const char *flags_text(loop_text *loop) {
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},
                  {loop->plan->execution.needs_whole, "REDCC_WHOLE"},
-                 {loop->plan->execution.may_begin && !is_sectioned(loop) &&
-                      !loop->outline.tile_call && !prefetches,
-                  "REDCC_BEGINS"},
+                 {begins(loop), "REDCC_BEGINS"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},

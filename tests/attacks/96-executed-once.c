@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// THREADS: 1 2 3 7 16
+// METHODS: auto
+// LINK: -lm
+// Long loops that are executed once. `auto` executes their first iterations in order, and the others as a loop of their
+// own: what depends on an iteration's number, is left by the last one, or is found to overlap must not notice.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { N = 3000, M = 2000, ROWS = 500 };
+static double x[N], all[ROWS + 2 * N];
+static int key[N];
+
+static void print(const double *h) {
+    double sum = 0;
+    for (int k = 0; k < ROWS + 2 * N; k++)
+        sum = sum * 0.999 + h[k];
+    printf("%a\n", sum);
+}
+
+static void fill(void) {
+    for (int i = 0; i < N; i++) {
+        x[i] = 1 + (i * 37 % 1009) * 0.01;
+        key[i] = i * 7919 % ROWS;
+    }
+    for (int k = 0; k < ROWS + 2 * N; k++)
+        all[k] = k % 7;
+}
+
+static int pairs(double *restrict h, int first, int n) {
+    int last = -1;
+    for (int i = first; i < n; i++) { // EXPECT: transformed
+        for (int j = 0; j < M; j++)
+            h[(int)(sqrt(x[i]) * sqrt(x[j]) * 20)] += x[j] * (i + 1);
+        last = key[i];
+    }
+    return last;
+}
+
+/* The bound and the reads may be updated. */
+static void overlapping(double *h, const double *f, const int *k, int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double s = f[i] * 1e-3;
+        for (int j = 0; j < M; j++)
+            s += sqrt(fabs(s) + j) * 1e-3;
+        h[k[i]] += s;
+        h[k[i] + 1] -= s;
+    }
+}
+
+/* The same, for arrays that overlap in the first execution. */
+static void reads_what_it_updates(double *h, const double *f, const int *k, int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double s = f[i] * 1e-3;
+        for (int j = 0; j < M; j++)
+            s += sqrt(fabs(s) + j) * 1e-3;
+        h[k[i]] += s;
+        h[k[i] + 1] -= s;
+    }
+}
+
+/* Soon over. */
+static int few(double *restrict h, int n) {
+    int last = -1;
+    for (int i = 3; i < n; i++) { // EXPECT: transformed
+        double s = i;
+        for (int j = 0; j < 50; j++)
+            s += sqrt(s + j) * 1e-3;
+        h[key[i]] += s;
+        last = key[i] + i;
+    }
+    return last;
+}
+
+/* Each iteration's number counts. */
+static long numbered(double *restrict h, int n) {
+    long sum = 0;
+    int at = 5;
+    for (int i = 0; i < n; i++, at += 3) { // EXPECT: transformed
+        double s = at;
+        for (int j = 0; j < M; j++)
+            s += sqrt(fabs(s) + j) * 1e-3;
+        h[key[i] + at % 3] += s;
+        sum += at;
+    }
+    return sum + at;
+}
+
+static int leaves(double *restrict h, int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double s = i;
+        if (key[i] == 77)
+            return i;
+        for (int j = 0; j < M; j++)
+            s += sqrt(fabs(s) + j) * 1e-3;
+        h[key[i]] += s;
+    }
+    return -1;
+}
+
+int main(void) {
+    fill();
+    printf("%d\n", pairs(all, 17, N));
+    print(all);
+    overlapping(all, all + ROWS + N, key, N);
+    print(all);
+    reads_what_it_updates(all, all + ROWS / 2, key, N);
+    print(all);
+    printf("%d\n", few(all, 500));
+    print(all);
+    printf("%ld\n", numbered(all, N));
+    print(all);
+    printf("%d\n", leaves(all, N));
+    print(all);
+    return 0;
+}
