@@ -175,7 +175,7 @@ static bool leaves_out(const loop_plan *plan) {
 }
 
 /** Tiles need no trial, and sections no order. */
-static bool begins(const loop_text *loop) {
+static bool begins(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call && !is_sectioned(loop);
 }
 
