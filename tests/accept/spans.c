@@ -82,6 +82,27 @@ static void through_pointers(int n, double *out, double **rows, int m) {
             out[odd[i] + j] += rows[i][j];
 }
 
+/* Steps of more than one: all rows in between, with ends that the step does not meet; or some only. */
+static void by_steps(int n, double *out) {
+    int i, p, q;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        double *at = out + odd[i] % 90;
+        for (p = odd[i] / 2; p < odd[i] / 2 + i % 8; p += 3) {
+            counts[p] += i;
+            counts[p + 1] ^= p;
+            counts[p + 2]--;
+        }
+        last_seen[p % M]++;
+        for (q = 1; q <= i % 6; at += 2, q += 2) {
+            at[0] += x[q];
+            at[1] -= x[i % M];
+        }
+        z[q] += 1;
+        for (p = i % 2; p < 9; p += 2)
+            z[p + odd[i]] += x[p];
+    }
+}
+
 int main(void) {
     static double *rows[N];
     for (int i = 0; i < N; i++) {
@@ -101,6 +122,7 @@ int main(void) {
         unsigned_sums(N);
         others(N);
         through_pointers(N, y, rows, 5);
+        by_steps(N - k, y);
         cluster[k * 100] = case_below(K);
     }
     CASE_PRINT(centre);

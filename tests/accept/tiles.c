@@ -377,6 +377,112 @@ static void by_twos(int n, const double *x, double *f) {
         }
 } // NOT-TILED: 373
 
+/* Both counters by threes; the row's sums behind; and rows that begin elsewhere, or end in between. */
+static void by_threes(int n, const double *x, double *f) {
+    int i, j;
+    for (i = 0; i < n * 3; i += 3) { // EXPECT: transformed
+        double fx = 0, fy = 0;
+        for (j = i + 3; j < n * 3; j += 3) {
+            const double e = x[i] * x[j + 1] - x[i + 2] * x[j];
+            if (e > 0.5)
+                continue;
+            fx += e;
+            fy -= x[i + 1] * e;
+            energy -= e * 0.5;
+            f[j] -= e;
+            f[j + 1] -= e * 0.25;
+            f[j + 2] = f[j + 2] * 0.5 - x[i];
+        }
+        f[i] += fx;
+        f[i + 1] += fy;
+    }
+} // TILED: 383
+
+static void below_by_twos(long n, const double *x, double *f) {
+    for (long i = 3; i < n; i += 2) // EXPECT: transformed
+        for (long j = 1; j <= i; j = j + 2) {
+            f[i + 4] += x[j];
+            f[j + 5] = f[j + 5] * 0.5 - x[i];
+        }
+} // TILED: 402
+
+static void between(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i += 3) // EXPECT: transformed
+        for (int j = i + 2; j < n; j += 3) {
+            f[i] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+} // NOT-TILED: 410
+
+static void begun_between(int n, const double *x, double *f) {
+    for (int i = 1; i < n; i += 2) // EXPECT: transformed
+        for (int j = 0; j < i; j += 2) {
+            f[i] += x[j];
+            f[j + 1] = f[j + 1] * 0.5 - x[i];
+        }
+} // NOT-TILED: 418
+
+static void longer_than_the_step(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i += 2) // EXPECT: transformed
+        for (int j = i + 2; j < n; j += 2) {
+            f[i + 2] += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+} // NOT-TILED: 426
+
+/* The header steps variables beside the column. */
+static void beside(int n, const double *x, double *f) {
+    int i, j, p;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        p = n - i;
+        for (j = i + 1; j < n; j++, p++)
+            f[j] = f[j] * 0.5 - x[p];
+    }
+} // TILED: 436
+
+static void walked_beside(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const double *p = x + 5;
+        for (int j = i + 1; j < n; j++, p++)
+            f[j] = f[j] * 0.5 - *p;
+    }
+} // NOT-TILED: 444
+
+/* Functions set what the row keeps, or a pointer from in front of the inner loop does. */
+static double bond(double r, double *w) {
+    if (r > 0.125)
+        *w = r * 0.5;
+    return r * r;
+}
+
+static void begin(double *w, double value) {
+    *w = value;
+}
+
+static void set_by_functions(int n, const double *x, double *f, double *sum) {
+    double w;
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        begin(&w, x[i]);
+        for (int j = i + 1; j < n; j++) {
+            *sum = *sum + bond(x[i] * x[j], &w);
+            f[i] = f[i] * 0.75 + w;
+            f[j] -= w;
+        }
+        f[i] += w;
+    }
+} // TILED: 464
+
+static void set_through_a_pointer(int n, const double *x, double *f) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double w = 1, *const to = &w;
+        for (int j = i + 1; j < n; j++) {
+            *to += x[j];
+            f[j] = f[j] * 0.5 - x[i];
+        }
+        f[i] += w;
+    }
+} // NOT-TILED: 476
+
 static void fill(void) {
     case_values(memory, ROOM);
     case_values((double *)points, (long)(sizeof points / (sizeof(double))));
@@ -438,6 +544,15 @@ int main(void) {
         records_begun_by_rows(n, m);
         two_arrays(n, m, m + 2 * N, m + 2 * N + 7);
         by_twos(n - 1, m, m + 2 * N);
+        by_threes(n, m, m + 4 * N);
+        below_by_twos(n, m, m + 2 * N);
+        between(n, m, m + 2 * N);
+        begun_between(n, m, m + 2 * N);
+        longer_than_the_step(n, m, m + 2 * N);
+        beside(n, m, m + 2 * N);
+        walked_beside(n, m, m + 2 * N);
+        set_by_functions(n, m, m + 2 * N, &virial);
+        set_through_a_pointer(n, m, m + 2 * N);
         print();
     }
 }

@@ -144,7 +144,7 @@ static void assert_private(const loop_facts *facts, const private_variable *item
 static void assert_span(const loop_facts *facts, const loop_span *span) {
     assert(is_in_loop(facts, span->loop) && span->loop != facts->loop);
     assert(span->loop->kind == IR_FOR && facts->slice.holds[span->loop->id]);
-    assert(span->counted.step == 1);
+    assert(span->counted.step >= 1 && !span->counted.stride);
     assert_counted(&span->counted);
 }
 

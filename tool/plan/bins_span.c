@@ -103,8 +103,9 @@ static bool find_span(const loop_plan *plan, const reduction_update *update, bin
     const loop_span *counted = loop && loop != facts->loop ? span_of(facts, loop) : NULL;
     *span = (bins_span){.loop = loop, .counted = counted};
     if (!counted || plan_has_leaders(plan) || counted->stepped_count != 1 ||
-        counted->other_count > 0 || update->last || update->statement->kind != IR_EXPRESSION ||
-        !facts->arrays[update->array].is_scattered || !is_only_update(facts, update))
+        counted->counted.step != 1 || counted->other_count > 0 || update->last ||
+        update->statement->kind != IR_EXPRESSION || !facts->arrays[update->array].is_scattered ||
+        !is_only_update(facts, update))
         return false;
     const ir_variable *counter = counted->counted.counter;
     return counted->counted.lower && expression_constant(counted->counted.lower, &span->first) &&

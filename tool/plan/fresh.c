@@ -131,8 +131,8 @@ static finding in_for(const place *p, const ir_node *node) {
         return READS;
     const ir_variable *counter;
     int64_t begin, end;
-    loop_span steps; /* of 1 */
-    if (is_array(p) && span_recognise((ir_node *)node, &steps) &&
+    loop_span steps;
+    if (is_array(p) && span_recognise((ir_node *)node, &steps) && steps.counted.step == 1 &&
         counted_constant(node, &counter, &begin, &end) && end - begin < MOST_ELEMENTS &&
         !ir_has_kind(node, IR_CONTINUE) && !ir_has_kind(node, IR_BREAK))
         return in_iterations(p, node, begin, end, counter);

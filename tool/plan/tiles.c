@@ -3,6 +3,7 @@
 
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/stepped.h"
 #include "analysis/overlap/row_address.h"
 #include "ir/ir_syntax.h"
 #include "plan/fresh.h"
@@ -11,7 +12,7 @@
 typedef struct pairs {
     const loop_plan *plan;
     const loop_facts *facts;
-    const loop_span *span; /* the inner loop */
+    loop_span span; /* the inner loop */
     const ir_variable *row, *column;
 } pairs;
 
@@ -46,7 +47,8 @@ static bool is_number_of(const ir_type *type) {
     return ir_type_is_plain_integer(type) && type->size >= 4;
 }
 
-/** `row + c`, c >= 0: *offset is c. It does not wrap around: i + 1 is at most the bound. */
+/** `row + c`, c >= 0: *offset is c. It does not wrap around: with one step the counter stays in its
+ *  type. */
 static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (expression_is_variable(node, p->row))
@@ -57,7 +59,7 @@ static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     for (unsigned i = 0; i < 2; i++)
         if (expression_is_variable(node->children[i], p->row) &&
             expression_constant(node->children[1 - i], offset) && *offset >= 0)
-            return p->row->type->is_signed || *offset <= 1;
+            return p->row->type->is_signed || *offset <= p->facts->counted.step;
     return false;
 }
 
@@ -68,27 +70,35 @@ static bool is_editable(const ir_node *node, const ir_node *loop) {
            node->range.end <= loop->children[3]->range.begin;
 }
 
+/** Is the first column's number a row's? With steps of more than one, others may lie in between. */
+static bool begin_together(const counted_loop *outer, const counted_loop *inner) {
+    int64_t row, column;
+    return outer->step == 1 || (outer->lower && expression_constant(outer->lower, &row) &&
+                                expression_constant(inner->lower, &column) && row >= 0 &&
+                                column >= 0 && row % outer->step == column % outer->step);
+}
+
 /** Are the columns all above their rows, or all below? */
 static const char *look_at_header(const pairs *p, tile_plan *tiles) {
-    const counted_loop *outer = &p->facts->counted, *inner = &p->span->counted;
+    const counted_loop *outer = &p->facts->counted, *inner = &p->span.counted;
     int64_t offset;
-    if (p->facts->loop->kind != IR_FOR || outer->step != 1 || outer->stride ||
+    if (p->facts->loop->kind != IR_FOR || outer->step < 1 || outer->stride ||
         !is_number_of(p->row->type))
-        return "its counter does not pass through consecutive integers";
-    if (inner->step != 1 || inner->stride || inner->start_count > 0 || inner->ahead ||
+        return "its counter does not pass through integers at equal distances";
+    if (inner->step != outer->step || inner->stride || inner->start_count > 0 || inner->ahead ||
         inner->bound_variable || !ir_type_equal(p->row->type, p->column->type))
         return "the counters of the two loops differ";
-    if (!is_editable(inner->lower, p->span->loop) || !is_editable(inner->bound, p->span->loop))
+    if (!is_editable(inner->lower, p->span.loop) || !is_editable(inner->bound, p->span.loop))
         return "the bounds of the inner loop are not in its text";
     tiles->is_inclusive = inner->comparison == IR_OP_LESS_EQUAL;
     tiles->lower = inner->lower;
     tiles->bound = inner->bound;
     if (is_row_plus(p, inner->lower, &offset))
-        return NULL;
+        return offset % outer->step == 0 ? NULL : "columns lie between rows";
     tiles->is_below = true;
-    return is_row_plus(p, inner->bound, &offset) && offset + tiles->is_inclusive <= 1
-               ? NULL
-               : "columns may be above and below their rows";
+    if (!is_row_plus(p, inner->bound, &offset) || offset + tiles->is_inclusive > 1)
+        return "columns may be above and below their rows";
+    return begin_together(outer, inner) ? NULL : "columns lie between rows";
 }
 
 /* ---- what it does ---------------------------------------------------------------------------- */
@@ -123,7 +133,7 @@ static bool only_computes(const pairs *p, const ir_node *node) {
 
 /** Everything before and behind the inner loop, in the blocks around it. */
 static bool row_only_computes(const pairs *p) {
-    for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
+    for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; i < node->parent->child_count; i++)
             if (node->parent->children[i] != node && !only_computes(p, node->parent->children[i]))
                 return false;
@@ -132,7 +142,7 @@ static bool row_only_computes(const pairs *p) {
 
 /** Does what stands behind the inner loop read the value that the variable has there? */
 static bool is_read_behind(const pairs *p, const ir_variable *variable) {
-    for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
+    for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = node->parent->child_count; node->parent->children[--i] != node;)
             if (expression_mentions(node->parent->children[i], variable) &&
                 !is_fresh_in(node->parent->children[i], variable))
@@ -152,11 +162,12 @@ static bool is_written_in(const ir_node *node, const ir_variable *variable) {
 
 /** Does what stands before the inner loop assign it, perhaps? */
 static bool is_set_before(const pairs *p, const ir_variable *variable) {
-    for (const ir_node *node = p->span->loop; node != p->facts->counted.body; node = node->parent)
+    for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; node->parent->children[i] != node; i++) {
             const ir_node *before = node->parent->children[i];
             const ir_node *declarator = ir_declarator_in(before, variable);
-            if (is_written_in(before, variable) || (declarator && declarator->child_count > 0))
+            if (is_written_in(before, variable) || (declarator && declarator->child_count > 0) ||
+                (variable->address_taken && expression_mentions(before, variable)))
                 return true;
         }
     return false;
@@ -166,8 +177,8 @@ static bool is_set_before(const pairs *p, const ir_variable *variable) {
 static bool keep(const pairs *p, tile_plan *tiles, const ir_variable *variable) {
     enum { MOST_BYTES = 128 };
     const ir_type *type = variable->type;
-    if (variable->address_taken || variable->has_other_name || !type->spelling || type->size <= 0 ||
-        type->size > MOST_BYTES || type->kind == IR_POINTER || type->kind == IR_BOOLEAN ||
+    if (variable->has_other_name || !type->spelling || type->size <= 0 || type->size > MOST_BYTES ||
+        type->kind == IR_POINTER || type->kind == IR_BOOLEAN ||
         (variable->storage != IR_LOCAL && variable->storage != IR_PARAMETER) ||
         tiles->kept_count == TILES_MOST_KEPT)
         return false;
@@ -175,21 +186,27 @@ static bool keep(const pairs *p, tile_plan *tiles, const ir_variable *variable) 
     return true;
 }
 
-/** Finds what turns leave in the iteration's variables for later turns, or for what stands behind
- *  the inner loop. Those that are declared in the inner loop are new in each turn. */
+/** May a turn, or the header, leave a value in it for a later turn or for what stands behind? */
+static bool may_be_left(const pairs *p, const ir_variable *variable) {
+    const ir_node *const step = p->span.loop->children[2]; /* executed behind each turn */
+    return variable->address_taken ||
+           (is_written_in(p->span.loop, variable) &&
+            (is_read_behind(p, variable) || expression_mentions(step, variable) ||
+             !is_fresh_in(ir_loop_body(p->span.loop), variable)));
+}
+
+/** Finds what turns leave in the iteration's variables. Those that are declared in the inner loop
+ *  are new in each turn. */
 static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
-    const ir_node *const body = ir_loop_body(p->span->loop);
     for (unsigned i = 0; i < variables->private_count; i++) {
         const ir_variable *variable = variables->privates[i].variable;
-        if (ir_declarator_in(p->span->loop, variable) ||
-            !expression_mentions(p->span->loop, variable))
+        const bool is_named = expression_mentions(p->span.loop, variable);
+        if (ir_declarator_in(p->span.loop, variable) || (!is_named && !variable->address_taken))
             continue;
-        const bool is_read = is_read_behind(p, variable);
-        if (variable == p->column ? is_read : variable->address_taken)
-            return false;
-        if (variable != p->column && is_written_in(body, variable) &&
-            (is_read || !is_fresh_in(body, variable)) && !keep(p, tiles, variable))
+        if (variable == p->column
+                ? is_read_behind(p, variable)
+                : may_be_left(p, variable) && !(is_named && keep(p, tiles, variable)))
             return false;
     }
     return true;
@@ -208,7 +225,7 @@ static bool has_other_results(const loop_facts *facts) {
 static bool sums_are_in_order(const pairs *p) {
     for (unsigned i = 0; i < p->facts->scalar_count; i++) {
         const scalar_update *scalar = &p->facts->scalars[i];
-        const bool is_in_turn = ir_contains(p->span->loop, scalar->statement);
+        const bool is_in_turn = ir_contains(p->span.loop, scalar->statement);
         if (scalar->is_extremum || (is_in_turn && !(scalar->is_series || scalar->is_repeated)))
             return false;
     }
@@ -297,10 +314,11 @@ static bool has_elements(const pairs *p, unsigned array) {
         if (update->array != array)
             continue;
         if (!find_element(p, update, &e) || (e.by_row != 0) == (e.by_column != 0) ||
-            (e.by_column != 0 && !ir_contains(p->span->loop, update->statement)))
+            (e.by_column != 0 && !ir_contains(p->span.loop, update->statement)))
             return false;
-        const int64_t by = e.by_row + e.by_column;
-        if (by <= 0 || (stride > 0 && by != stride))
+        int64_t by = 0;
+        if (!add(&by, e.by_row + e.by_column, p->facts->counted.step) || by <= 0 ||
+            (stride > 0 && by != stride))
             return false;
         stride = by;
         low = e.low < low ? e.low : low;
@@ -322,10 +340,9 @@ static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
     const loop_facts *facts = plan->facts;
     pairs p = {.plan = plan, .facts = facts, .row = facts->counted.counter};
     tiles->inner = find_inner(facts, facts->counted.body);
-    p.span = tiles->inner ? span_of(facts, tiles->inner) : NULL;
-    if (!p.span || p.span->other_count > 0)
+    if (!tiles->inner || !span_recognise((ir_node *)tiles->inner, &p.span) || p.span.other_count)
         return "it is no loop over pairs";
-    p.column = p.span->counted.counter;
+    tiles->column = p.column = p.span.counted.counter;
     const char *why = look_at_header(&p, tiles);
     if (why)
         return why;

@@ -25,13 +25,16 @@
  * precedes it. With columns below their rows, j <= i, turns (e, c) come first, by ascending c, and
  * then (r, e) by ascending r; again neither row nor column ever falls.
  *
+ * Both counters may have a step of s. Columns then are among the rows' values first + s k, so that
+ * elements are named by k, and tiles are cut at such values.
+ *
  * What an iteration does before the inner loop and after it belongs to its row. Updates there are
  * of element i, made in the first tile of the row and in the last. So they keep their places in the
  * element's sequence: before all turns (i, c), or after them, with the turns (r, e) of other rows
  * on the same side as without tiles. All else only computes variables of the iteration, without
  * other effects: what stands before the loop is computed again in each tile, what stands behind it
- * in the last one. Variables that turns change and that later turns or statements read (sums of a
- * row) are kept from tile to tile: one thread executes the tiles of a row, one after the other, so
+ * in the last one. Variables that turns or the inner loop's header change and that later turns or
+ * statements read (sums of a row), or whose address is taken, are kept from tile to tile: one thread executes the tiles of a row, one after the other, so
  * that turns of a row may even depend on each other. The sums of scalars are kept by row, and each
  * row's operands in the order of its tiles (emit/body/series.h).
  */
@@ -51,6 +54,7 @@ typedef struct kept_value {
 typedef struct tile_plan {
     const char *declined;         /* why there are no tiles; NULL: there are */
     const ir_node *inner;         /* the loop over columns, a statement of the body or all of it */
+    const ir_variable *column;    /* its counter */
     const ir_node *lower, *bound; /* expressions of its header, */
     bool is_inclusive;            /* counter <= bound, not counter < bound */
     bool is_below;                /* columns are below their rows */

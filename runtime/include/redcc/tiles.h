@@ -22,14 +22,17 @@
     (redcc__to - 1 < (redcc_int)(redcc_bound) ? (redcc_type)(redcc__to - 1)                        \
                                               : (redcc_type)(redcc_bound))
 
-/** In front of a chunk's declarations: what is handed out may be a tile. */
-#define REDCC_TILED(redcc_call_of_tile)                                                            \
+/** In front of a chunk's declarations: what is handed out may be a tile. Both counters have this
+ *  step. */
+#define REDCC_TILED(redcc_step, redcc_call_of_tile)                                                \
     if (__builtin_expect(redcc__asked == REDCC_TILE, 0)) {                                         \
         const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
-        const redcc_int redcc__from =                                                              \
-            redcc__tile.is_first ? -__LONG_LONG_MAX__ : redcc__lower + redcc__tile.column;         \
-        const redcc_int redcc__to =                                                                \
-            redcc__tile.is_last ? __LONG_LONG_MAX__ : redcc__lower + redcc__tile.column_end;       \
+        const redcc_int redcc__from = redcc__tile.is_first                                         \
+                                          ? -__LONG_LONG_MAX__                                     \
+                                          : redcc__lower + (redcc_step)*redcc__tile.column;        \
+        const redcc_int redcc__to = redcc__tile.is_last                                            \
+                                        ? __LONG_LONG_MAX__                                        \
+                                        : redcc__lower + (redcc_step)*redcc__tile.column_end;      \
         for (redcc__k = redcc__tile.row; redcc__k < redcc__tile.row_end; redcc__k++)               \
             redcc_call_of_tile;                                                                    \
         continue;                                                                                  \

@@ -324,15 +324,15 @@ typedef struct own_element {
                              * before anything is written */
 } own_element;
 
-/** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations
- *  only record rows, perhaps in nested spans with invariant headers. Rows that mention its stepped
- *  variables are consecutive elements of arrays: the first and the last iteration determine the
- *  whole range. */
+/** An inner `for` of the slice, up to (LESS, LESS_EQUAL) its bound, whose iterations only record
+ *  rows, perhaps in nested spans with invariant headers. Rows that mention its stepped variables
+ *  are consecutive elements of arrays, with a step of s the rows of s such elements: the first and
+ *  the last iteration determine the whole range. */
 typedef struct loop_span {
     const ir_node *loop;
     counted_loop counted;
-    /* The header steps these by 1: the counter, and integers and pointers beside it. The body does
-     * not write them. */
+    /* The header steps these by counted.step: the counter, and integers and pointers beside it. The
+     * body does not write them. */
     unsigned stepped_count;
     const ir_variable *stepped[MOST_STEPPED];
     /* The header changes these in another way, `w += dw`. The slice does not read them, and leaves

@@ -7,6 +7,9 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 
+/* Between the rows of a loop with a longer step lie too many others. */
+enum { MOST_STEP = 16 };
+
 static bool is_local(const ir_variable *variable) {
     return variable->storage == IR_LOCAL && !variable->address_taken;
 }
@@ -40,7 +43,7 @@ static bool find_other(const ir_node *step, loop_span *span) {
     return true;
 }
 
-/* i++, p++ */
+/* i++, p++; or i += 3, p += 3 */
 static bool find_stepped(const ir_node *step, loop_span *span) {
     ir_variable *variable;
     int64_t by;
@@ -48,15 +51,15 @@ static bool find_stepped(const ir_node *step, loop_span *span) {
         return find_stepped(step->children[0], span);
     if (step->kind == IR_BINARY && step->op == IR_OP_COMMA)
         return find_stepped(step->children[0], span) && find_stepped(step->children[1], span);
-    if (!counted_step(step, &variable, &by) || by != 1 || span->stepped_count == MOST_STEPPED ||
-        is_stepped(span, variable) ||
+    if (!counted_step(step, &variable, &by) || by != span->counted.step ||
+        span->stepped_count == MOST_STEPPED || is_stepped(span, variable) ||
         (variable != span->counted.counter && !may_go_along(span->counted.body, variable)))
         return find_other(step, span);
     span->stepped[span->stepped_count++] = variable;
     return true;
 }
 
-/* Is each variable stepped in one way, and the counter by one? */
+/* Is each variable stepped in one way, and the counter with them? */
 static bool are_apart(const loop_span *span) {
     for (unsigned i = 0; i < span->other_count; i++)
         if (is_stepped(span, span->others[i]) || span->others[i] == span->counted.counter)
@@ -71,7 +74,8 @@ bool span_recognise(ir_node *loop, loop_span *span) {
         return false;
     const counted_result counted = counted_recognise_beside(loop);
     span->counted = counted.loop;
-    return counted.is_counted &&
+    return counted.is_counted && !counted.loop.stride && counted.loop.step <= MOST_STEP &&
+           (counted.loop.step == 1 || counted.loop.counter->type->kind == IR_INTEGER) &&
            (counted.loop.comparison == IR_OP_LESS || counted.loop.comparison == IR_OP_LESS_EQUAL) &&
            find_stepped(loop->children[2], span) && are_apart(span);
 }

@@ -442,7 +442,7 @@ static ir_node *loop_around(const slicer *s, const ir_node *node) {
 static bool is_in_block(const slicer *s, const ir_node *node) {
     ir_node *const loop = loop_around(s, node);
     loop_span span;
-    if (!loop || !loop_around(s, loop) || !span_recognise(loop, &span))
+    if (!loop || !loop_around(s, loop) || !span_recognise(loop, &span) || span.counted.step != 1)
         return false;
     for (unsigned i = 0; i < s->touch_count; i++)
         if (ir_contains(span.counted.body, s->touches[i].place) &&

@@ -12,6 +12,9 @@
  *
  * A row may go along with both if the nested loop is over constants, `f[3 * p + c]`: it has the
  * nested loop's first value in the first row and its last one in the last row.
+ *
+ * With a step of s, `for (j = 0; j < n; j += 3)  f[j] += ..., f[j + 1] += ..., f[j + 2] += ...`,
+ * the loop accesses s rows in each iteration: the range has no others.
  */
 #include "analysis/loop/spans.h"
 
@@ -19,6 +22,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 #include "analysis/base/stepped.h"
+#include "ir/ir_syntax.h"
 
 /* ---- its parts in the slice ------------------------------------------------------------------ */
 
@@ -89,6 +93,31 @@ static bool tells_row(const loop_analysis *j, const loop_span *span, const ir_no
            (span_mentions(span, row) == 0 || !is_stepped_below(j, span, place, row));
 }
 
+/* Of the rows of the list: is this another one of the same array? */
+static bool is_another(const ir_node *row, const ir_node *other) {
+    return other->kind == IR_INDEX && syntax_same(row->children[0], other->children[0]) &&
+           !syntax_same(row->children[1], other->children[1]);
+}
+
+/* Is no row left out from one iteration to the next? Else they may be those of other iterations. */
+static bool has_all_rows(const loop_analysis *j, const loop_span *span, const ir_node *row,
+                         bool is_update) {
+    int64_t count = 1;
+    if (span->counted.step == 1 || span_mentions(span, row) == 0)
+        return true;
+    for (unsigned i = 0; row->kind == IR_INDEX && is_update && i < j->updates.count; i++) {
+        const ir_node *other = j->updates.items[i].row;
+        count += ir_contains(span->counted.body, j->updates.items[i].statement) &&
+                 is_another(row, other);
+    }
+    for (unsigned i = 0; row->kind == IR_INDEX && !is_update && i < j->sources.count; i++) {
+        const loop_source *read = &j->sources.items[i];
+        count += read->extent == EXTENT_TOUCHED && read->place &&
+                 ir_contains(span->counted.body, read->place) && is_another(row, read->row);
+    }
+    return count >= span->counted.step;
+}
+
 static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
     const ir_node *body = span->counted.body;
     unsigned count = 0;
@@ -97,7 +126,8 @@ static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
         if (!ir_contains(body, update->statement))
             continue;
         count++;
-        if (!tells_row(j, span, update->statement, update->row))
+        if (!tells_row(j, span, update->statement, update->row) ||
+            !has_all_rows(j, span, update->row, true))
             return false;
     }
     for (unsigned i = 0; i < j->sources.count; i++) {
@@ -105,7 +135,8 @@ static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
         if (read->extent != EXTENT_TOUCHED || !read->place || !ir_contains(body, read->place))
             continue;
         count++;
-        if (read->loop_count || !tells_row(j, span, read->place, read->row))
+        if (read->loop_count || !tells_row(j, span, read->place, read->row) ||
+            !has_all_rows(j, span, read->row, false))
             return false;
     }
     return count > 0;

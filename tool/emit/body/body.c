@@ -385,6 +385,7 @@ static const char *copied_text(body_copy *copy) {
     }
     clip_columns(copy);
     check_owners(copy);
+    leave_columns(copy);
     if (!loop->lanes.is_wanted) /* compiled once, in addition to the code for lanes */
         unroll_loops(copy, body);
     if (is_printed(copy, body))

@@ -37,6 +37,8 @@ bool is_printed(const body_copy *copy, const ir_node *node);
 bool is_clipped(const loop_text *loop, const ir_node *node);
 /** In a loop with tiles, clips the loop over columns to those of the tile. */
 void clip_columns(body_copy *copy);
+/** What follows that loop: after all insertions at the end of its body, which may end with it. */
+void leave_columns(body_copy *copy);
 
 /** skip.c: skips inner iterations that do not concern the thread as soon as that is known. */
 void skip_inner_iterations(body_copy *copy, const ir_node *node);

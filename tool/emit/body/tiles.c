@@ -8,7 +8,6 @@
 #include "emit/body/tile_rows.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
-#include "plan/lookup.h"
 
 bool is_clipped(const loop_text *loop, const ir_node *node) {
     return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
@@ -40,7 +39,7 @@ void clip_columns(body_copy *copy) {
         return;
     assert(!tiles->declined && tiles->lower && tiles->bound);
     const ir_node *const inner = tiles->inner;
-    const char *type = origin_type(loop->arena, span_of(loop->facts, inner)->counted.counter->type);
+    const char *type = origin_type(loop->arena, tiles->column->type);
     const char *lower = text_operand(loop->arena, tiles->lower, local_name, loop);
     const char *bound = text_operand(loop->arena, tiles->bound, local_name, loop);
     if (!type || !lower || !bound || is_printed(copy, inner) ||
@@ -57,8 +56,14 @@ void clip_columns(body_copy *copy) {
                              macro_argument(loop->arena, bound), take_tile_row(loop)));
     replace_bytes(copy, tiles->lower->range.begin, tiles->lower->range.end, "redcc__column");
     replace_bytes(copy, tiles->bound->range.begin, tiles->bound->range.end, "redcc__column_end");
-    edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, inner),
-                arena_format(loop->arena, " %s}", keep_tile_row(loop)));
     for (const ir_node *node = inner; node != loop->facts->counted.body; node = node->parent)
         finish_rows(copy, node);
+}
+
+void leave_columns(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    if (loop->tiles)
+        edit_insert(loop->arena, &copy->edits,
+                    syntax_statement_end(loop->unit->source, loop->tiles->inner),
+                    arena_format(loop->arena, " %s}", keep_tile_row(loop)));
 }

@@ -184,6 +184,11 @@ static void step_to_last(inspector *self, const loop_span *span) {
     const char *counter = origin_variable(self->printer.arena, counted->counter);
     const char *last = arena_format(self->printer.arena, "%s%s", log_row_text(self, counted->bound),
                                     counted->comparison == IR_OP_LESS ? " - 1" : "");
+    if (counted->step > 1) /* without iterations still less than the first value */
+        last = arena_format(self->printer.arena,
+                            "(redcc_int)(%s) - (redcc_int)(((redcc_size)(%s) - (redcc_size)%s) %% "
+                            "%lldu)",
+                            last, last, counter, (long long)counted->step);
     for (unsigned i = 0; i < span->stepped_count; i++) {
         const char *name = origin_variable(self->printer.arena, span->stepped[i]);
         if (span->stepped[i]->type->kind == IR_POINTER) /* the counter is none */
@@ -202,10 +207,11 @@ static void step_to_last(inspector *self, const loop_span *span) {
 
 /** From there to the final values of the loop's stepped variables, if they are used later. */
 static void step_behind(inspector *self, const loop_span *span) {
+    const long long step = (long long)span->counted.step;
     for (unsigned i = 0; i < span->stepped_count; i++)
         if (!ir_declarator_in(span->loop->children[0], span->stepped[i]))
-            writer_line(self->printer.out, "%s++;",
-                        origin_variable(self->printer.arena, span->stepped[i]));
+            writer_line(self->printer.out, step == 1 ? "%s++;" : "%s += %lld;",
+                        origin_variable(self->printer.arena, span->stepped[i]), step);
 }
 
 /** The stepped variables have their initial values before, and the loop's final ones afterwards. */
