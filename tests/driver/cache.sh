@@ -44,6 +44,12 @@ expect() { # WHAT EXPECTED [ARGUMENTS...]
 
 mkdir "$work/tmp" && export TMPDIR="$work/tmp" && cd "$work"
 
+# Used at the end: what is known of a project's files is stored once they are some seconds old.
+mkdir "$work/project"
+printf 'int where(int i);\nvoid count(int n, const int *restrict key, int *restrict h) {\n    for (int t = 0; t < n; t++)\n        h[where(key[t])]++;\n}\n' >"$work/project/x.c"
+printf 'int where(int i) { return i + 1; }\n' >"$work/project/where.c"
+touch "$work/project/Makefile"
+
 fresh "the same again"
 export REDCC_OPTS=--report=text
 for time in first second; do
@@ -261,6 +267,37 @@ for round in 1 2; do
   done
 done
 [ -z "$(find "$work/cache" -name '.new-*')" ] || fail "$case_name: parts of entries are left"
+end
+
+fresh "the messages of a source with parallel loops"
+printf '#include <stdio.h>\n#include <string.h>\n#include <unistd.h>\nint main(int n, char **a) { a[0] = "cc";
+    for (int i = 1; i < n; i++) if (strstr(a[i], "/messages.o")) fputs("compiled\\n", fopen("messages", "a"));
+    return execvp("cc", a); }\n' | sed 's/return execvp/fflush(NULL); return execvp/' | cc -x c - -o mycc || fail "$case_name"
+export REDCC_CC="$PWD/mycc"
+sed -i 's/for (int t/int unused; &/' x.c
+for time in 1 2; do "$redcc_cc" -Wall -O1 -c x.c -o $time.o 2>$time.messages || fail "$case_name"; done
+expect_equal "$case_name: runs for them alone" 1 "$(wc -l <messages)"
+expect_match 2.messages 'warning: unused variable'
+expect_same 1.messages 2.messages
+expect_same 1.o 2.o
+"$redcc_cc" -O1 -c x.c 2>3.messages || fail "$case_name"
+expect_empty 3.messages
+cc -Wall -O1 -c x.c 2>expected
+expect_same expected 2.messages
+unset REDCC_CC
+end
+
+begin "a function of another file"
+cd "$work/project" || exit 1
+expect first "miss parallel"
+expect second "hit parallel"
+cp -p where.c old && sed -i 's/i + 1; /i * 3; /' where.c && touch -r old where.c
+expect "it does something else" "miss parallel"
+cp -p where.c older && sed -i 's/i \* 3; /puts(""); /; s/^/int puts(const char *);/' where.c
+expect "it prints" "miss serial"
+cp -p old where.c
+expect "as it was" "hit parallel"
+cd "$work/case" || exit 1
 end
 
 finish

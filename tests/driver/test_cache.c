@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Foundations of the cache of translations: the digest, and the headers that a text may name. */
+/* Foundations of the cache of translations: the digest, the headers that a text may name, and what
+ * is known of a project's files. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
 #include "driver/digest.h"
 #include "driver/include_names.h"
+#include "driver/project_text.h"
 
 /* "aaa...", as b2sum -l 256 has it. */
 static void digests_are_those_of_the_standard(void **state) {
@@ -120,12 +124,55 @@ static void macros_that_are_only_asked_for(void **state) {
     assert_true(include_names_may_define("#include Y\n#define Y X", "X"));
 }
 
+static const char *write_file(arena *a, const char *folder, const char *name, const char *text) {
+    const char *path = arena_format(a, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0 && fclose(file) == 0);
+    return path;
+}
+
+static void a_project_is_the_same_when_read_again(void **state) {
+    (void)state;
+    arena *a = arena_new();
+    char folder[] = "/tmp/redcc-project-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    const char *one = write_file(a, folder, "one.c",
+                                 "static int own(int i) { return i; }\n"
+                                 "void loop(int n, int *h) { for (int i = 0; i < n; i++) "
+                                 "h[where(i)] += own(i); }\n");
+    const char *two = write_file(a, folder, "two.c", "int where(int i) { return i; }\n");
+    const char *none = write_file(a, folder, "three.c", "");
+    const word_list list = project_list(a, two);
+    assert_int_equal(list.count, 3);
+    const project_scan files = project_scan_files(a, &list);
+    const store_part part = project_write(a, &files);
+    const project_scan again = project_read(a, &part);
+    const store_part second = project_write(a, &again);
+    assert_int_equal(second.length, part.length);
+    assert_memory_equal(second.bytes, part.bytes, part.length);
+    const project *p = project_from(a, two, &again);
+    assert_true(project_calls_in_loop(p, "where"));
+    assert_true(project_calls_in_loop(p, "own"));
+    assert_false(project_calls_in_loop(p, "loop"));
+    assert_string_equal(project_definer(project_from(a, one, &again), "where", NULL), p->own);
+    const digest from_files = project_digest(project_around(a, one));
+    const digest from_text = project_digest(project_from(a, one, &again));
+    assert_memory_equal(&from_files, &from_text, sizeof from_files);
+    const project_scan empty = {0};
+    const store_part nothing = project_write(a, &empty);
+    assert_int_equal(project_read(a, &nothing).count, 0);
+    assert_true(unlink(one) == 0 && unlink(two) == 0 && unlink(none) == 0 && rmdir(folder) == 0);
+    arena_free(a);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(digests_are_those_of_the_standard),
         cmocka_unit_test(texts_do_not_run_into_each_other),
         cmocka_unit_test(names_are_found_in_every_spelling),
         cmocka_unit_test(macros_that_are_only_asked_for),
+        cmocka_unit_test(a_project_is_the_same_when_read_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "driver/cache.h"
 #include "driver/files.h"
 #include "driver/linked_loops.h"
 #include "support/source.h"
@@ -18,10 +19,14 @@ typedef struct attempt {
     const char *error;
 } attempt;
 
-static attempt try_command(session *s, const word_list *words, const char *input) {
+static attempt new_attempt(session *s) {
     unsigned number = s->attempts++;
-    attempt made = {0, arena_format(s->memory, "%s/output-%u", s->folder, number),
-                    arena_format(s->memory, "%s/error-%u", s->folder, number)};
+    return (attempt){0, arena_format(s->memory, "%s/output-%u", s->folder, number),
+                     arena_format(s->memory, "%s/error-%u", s->folder, number)};
+}
+
+static attempt try_command(session *s, const word_list *words, const char *input) {
+    attempt made = new_attempt(s);
     made.status = session_run(s, words, (process_streams){input, made.output, made.error});
     return made;
 }
@@ -141,7 +146,8 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
     words_add(a, list, t->is_input ? "-" : t->text);
 }
 
-/* Compiles the source itself, only for its messages. */
+/* Compiles the source itself, only for its messages, which are cached: with warnings, a source
+ * would take twice as long in every build. */
 static attempt compile_for_messages(session *s, const translation *t) {
     arena *a = s->memory;
     word_list words = {0};
@@ -156,7 +162,14 @@ static attempt compile_for_messages(session *s, const translation *t) {
     words_add(a, &words, "-x");
     words_add(a, &words, "c");
     words_add(a, &words, t->source->text);
-    return try_command(s, &words, t->is_input ? s->input : NULL);
+    attempt made = new_attempt(s);
+    const cached_run run = {.program = CACHE_COMPILER,
+                            .words = &words,
+                            .streams = {t->is_input ? s->input : NULL, made.output, made.error},
+                            .outputs = {made.output, made.error}};
+    made.status = cached_run_program(s, t->cached, &run);
+    cached_end(s, t->cached);
+    return made;
 }
 
 /* Compiles a translated text. It contains a loop's body several times, and would repeat every

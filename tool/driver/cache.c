@@ -9,7 +9,8 @@
 #include "driver/answerers.h"
 #include "driver/closure.h"
 #include "driver/files.h"
-#include "driver/project.h"
+#include "driver/program_identity.h"
+#include "driver/project_text.h"
 
 enum { OUTPUTS = sizeof((cached_run *)NULL)->outputs / sizeof(char *), PARTS = OUTPUTS + 1 };
 
@@ -39,6 +40,28 @@ struct cache *cache_open(session *s) {
 
 /* ---- a source -------------------------------------------------------------------------------- */
 
+/* The files of the project are read once, not for each of its sources. */
+static const project *project_of(session *s, const char *file) {
+    arena *a = s->memory;
+    const word_list list = project_list(a, file);
+    const digest *translator = answerers_identity(s, CACHE_TRANSLATOR);
+    digester d = digest_begin();
+    digest_text(&d, "functions of a project's files");
+    digest_add(&d, translator->bytes, sizeof translator->bytes);
+    const bool is_settled = identity_add_times(&d, &list);
+    const digest key = digest_end(&d);
+    store_part part;
+    if (is_settled && store_get(a, answerers_store(s), &key, 1, &part)) {
+        const project_scan known = project_read(a, &part);
+        return project_from(a, file, &known);
+    }
+    const project_scan files = project_scan_files(a, &list);
+    part = project_write(a, &files);
+    if (is_settled)
+        store_put(a, answerers_store(s), &key, 1, &part);
+    return project_from(a, file, &files);
+}
+
 cached *cached_begin(session *s, const item *source, const char *file) {
     const bool is_input = strcmp(source->text, "-") == 0;
     if (!s->cache)
@@ -49,7 +72,7 @@ cached *cached_begin(session *s, const item *source, const char *file) {
     if (!why) {
         c->found = closure_find(s->memory, &c->request);
         why = c->found.unknown;
-        c->project = project_digest(project_around(s->memory, file));
+        c->project = project_digest(project_of(s, file));
     }
     if (why)
         session_explain(s, "%s: not cached: %s", source->text, why);
@@ -252,4 +275,5 @@ void cached_end(session *s, cached *c) {
     for (unsigned i = 0; i < c->fresh.count; i++)
         store_put(s->memory, answerers_store(s), &c->fresh.items[i].key, c->fresh.items[i].count,
                   c->fresh.items[i].parts);
+    c->fresh.count = 0;
 }

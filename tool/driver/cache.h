@@ -46,7 +46,7 @@ void cached_keep_text(session *s, cached *c, const char *about, const word_list 
 /** Reports that the compiler has read these files. */
 void cached_compiler_read(cached *c, const word_list *files);
 
-/** Stores the answers if no input has changed since the beginning. */
+/** Stores the answers of so far if no input has changed since the beginning. */
 void cached_end(session *s, cached *c);
 
 #endif

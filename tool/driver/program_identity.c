@@ -50,6 +50,14 @@ static bool add_contents(digester *d, const char *path) {
     return good;
 }
 
+bool identity_add_times(digester *d, const word_list *paths) {
+    bool is_settled = true;
+    for (unsigned i = 0; i < paths->count; i++)
+        if (!add_times(d, paths->items[i], &is_settled))
+            return false;
+    return is_settled;
+}
+
 bool identity_add_files(arena *a, const store *s, digester *d, const word_list *paths) {
     digester times = digest_begin(), contents = digest_begin();
     bool is_settled = true;

@@ -10,6 +10,10 @@
  *  nanosecond) were read before, their digests come from the store. False if one cannot be read. */
 bool identity_add_files(arena *a, const store *s, digester *d, const word_list *paths);
 
+/** Adds the names, sizes and times of files. False if one is no plain file, or has changed so
+ *  recently that it may change again without a new time. */
+bool identity_add_times(digester *d, const word_list *paths);
+
 /** Adds the program that `name` starts according to PATH; for a launcher's link named after a
  *  compiler (ccache) also the program that it starts. False for a script, whose behaviour is
  *  unknown. */

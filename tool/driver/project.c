@@ -15,11 +15,9 @@ enum { MOST_FILES = 600, MOST_BYTES = 12 << 20, MOST_DEEP = 6, MOST_UP = 4 };
 
 /* ---- which files ----------------------------------------------------------------------------- */
 
-typedef VECTOR(const char *) path_list;
-
 typedef struct listing {
     arena *memory;
-    path_list files;
+    word_list files;
     long bytes;
     bool is_recursive;
 } listing;
@@ -94,7 +92,7 @@ static const char *one_further(arena *a, const char *root, const char *folder) {
 
 /* All below the root; if these are too many, below the largest folder around the source that is
  * not too large; else those in the source's own folder. */
-static path_list list_files(arena *a, const char *folder) {
+static word_list list_files(arena *a, const char *folder) {
     listing all = {.memory = a, .is_recursive = true};
     const char *root = root_of(a, folder);
     while (root && !list_folder(&all, root, 0)) {
@@ -336,29 +334,49 @@ static void note_called(project *p) {
     }
 }
 
-project *project_around(arena *a, const char *path) {
-    project *p = ARENA_NEW(a, project);
-    p->memory = a;
-    char *resolved = realpath(path, NULL);
-    p->own = arena_string(a, resolved ? resolved : path);
-    free(resolved);
-    const path_list files =
-        p->own[0] == '/' ? list_files(a, path_folder(a, p->own)) : (path_list){0};
-    for (unsigned i = 0; i < files.count; i++) {
+static const char *resolved(arena *a, const char *path) {
+    char *whole = realpath(path, NULL);
+    const char *copy = arena_string(a, whole ? whole : path);
+    free(whole);
+    return copy;
+}
+
+word_list project_list(arena *a, const char *path) {
+    const char *own = resolved(a, path);
+    return own[0] == '/' ? list_files(a, path_folder(a, own)) : (word_list){0};
+}
+
+project_scan project_scan_files(arena *a, const word_list *files) {
+    project_scan all = {0};
+    for (unsigned i = 0; i < files->count; i++) {
         size_t length;
-        const char *text = file_read(a, files.items[i], &length);
+        const char *text = file_read(a, files->items[i], &length);
         if (!text)
             continue;
-        project_file file = {.path = files.items[i]};
+        project_file file = {.path = files->items[i]};
         digester d = digest_begin();
         digest_text(&d, text);
         file.contents = digest_end(&d);
         scan(a, &file, text, strlen(text));
-        VECTOR_PUSH(a, &p->files, file);
+        VECTOR_PUSH(a, &all, file);
     }
+    return all;
+}
+
+project *project_from(arena *a, const char *path, const project_scan *files) {
+    project *p = ARENA_NEW(a, project);
+    p->memory = a;
+    p->own = resolved(a, path);
+    p->files = *files;
     note_definers(p);
     note_called(p);
     return p;
+}
+
+project *project_around(arena *a, const char *path) {
+    const word_list list = project_list(a, path);
+    const project_scan files = project_scan_files(a, &list);
+    return project_from(a, path, &files);
 }
 
 /* ---- queries --------------------------------------------------------------------------------- */

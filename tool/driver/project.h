@@ -10,6 +10,7 @@
 #include <stdbool.h>
 
 #include "driver/digest.h"
+#include "driver/words.h"
 #include "support/arena.h"
 #include "support/map.h"
 #include "support/vector.h"
@@ -27,10 +28,12 @@ typedef struct project_file {
     VECTOR(project_function) functions;
 } project_file;
 
+typedef VECTOR(project_file) project_scan;
+
 typedef struct project {
     arena *memory;
     const char *own; /* the source of the query */
-    VECTOR(project_file) files;
+    project_scan files;
     map *definers; /* the name of an external function -> project_definers */
     map *called;   /* the names of functions called, directly or not, from functions with loops in
                     * other files -> not NULL */
@@ -39,6 +42,15 @@ typedef struct project {
 /** The sources of the project that contains `path`: all below the outermost enclosing folder with a
  *  build description or a repository. If the project is too large, those below the largest folder
  *  around the source that is not; else those in the source's own folder, or none. */
+word_list project_list(arena *a, const char *path);
+
+/** Reads these files, but for those that cannot be read. */
+project_scan project_scan_files(arena *a, const word_list *files);
+
+/** The project of a source, from its files. */
+project *project_from(arena *a, const char *path, const project_scan *files);
+
+/** All three in turn. */
 project *project_around(arena *a, const char *path);
 
 /** A file other than the source that defines an external function of this name. Among several, the
