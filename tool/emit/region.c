@@ -19,7 +19,8 @@ void write_region(loop_text *loop, writer *out) {
     const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
     const char *tiles = loop->outline.tile_call
-                            ? arena_format(loop->arena, " REDCC_TILED(%s)", loop->outline.tile_call)
+                            ? arena_format(loop->arena, " REDCC_TILED(%s, %s)",
+                                           loop->outline.tile_call, series_of_band(loop))
                             : "";
     writer_line(out, "REDCC_PARALLEL%s%s(%sREDCC_CHUNK_%u%s,%s%s%s", kind, series,
                 loop->bins ? streams_argument(loop) : "", loop->facts->array_count, tiles,

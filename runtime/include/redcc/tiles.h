@@ -23,7 +23,7 @@
                                               : (redcc_type)(redcc_bound))
 
 /** In front of a chunk's declarations: what is handed out may be a tile. */
-#define REDCC_TILED(redcc_call_of_tile)                                                            \
+#define REDCC_TILED(redcc_call_of_tile, redcc_after_tile)                                          \
     if (__builtin_expect(redcc__asked == REDCC_TILE, 0)) {                                         \
         const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
         const redcc_int redcc__from =                                                              \
@@ -32,7 +32,7 @@
             redcc__tile.is_last ? __LONG_LONG_MAX__ : redcc__lower + redcc__tile.column_end;       \
         for (redcc__k = redcc__tile.row; redcc__k < redcc__tile.row_end; redcc__k++)               \
             redcc_call_of_tile;                                                                    \
-        continue;                                                                                  \
+        redcc_after_tile continue;                                                                 \
     }
 
 #endif
