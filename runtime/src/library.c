@@ -29,6 +29,9 @@ static const redcc_series_calls series = {.join = redcc_series_join,
                                           .is_over = redcc_series_is_over,
                                           .has_any = redcc_series_has_any,
                                           .find = redcc_series_find,
+                                          .await_band = redcc_series_await_band,
+                                          .take = redcc_series_take_part,
+                                          .end_band = redcc_series_end_band,
                                           .give = redcc_operands_give_all};
 
 static const redcc_behind_calls behind = {.is_there = redcc_is_readable,

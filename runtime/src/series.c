@@ -19,11 +19,16 @@
 
 #include <assert.h>
 
-enum { BLOCK_OPERANDS = 8192 - 8, HEAD = offsetof(redcc_series_part, value) / sizeof(double) };
+enum {
+    BLOCK_OPERANDS = 8192 - 8,
+    /* with a block's head less than 64 KiB */ HEAD =
+        offsetof(redcc_series_part, value) / sizeof(double)
+};
 
 /* A piece of memory that a thread writes to. */
 struct operand_block {
-    struct operand_block *next;
+    struct operand_block *next; /* of all */
+    struct operand_block *more; /* of the thread's */
     double operand[BLOCK_OPERANDS];
 };
 
@@ -91,30 +96,45 @@ static struct operand_block *new_block(redcc_series *series) {
     return block;
 }
 
+static void begin_block(redcc_series_writer *writer, struct operand_block *block) {
+    writer->block = block;
+    writer->at = block->operand;
+    writer->block_end = block->operand + BLOCK_OPERANDS;
+}
+
+/* Turns to a block of a band before, or to a new one. False: no memory. */
+static bool turn_to_block(redcc_series_writer *writer) {
+    struct operand_block *block = writer->block ? writer->block->more : NULL;
+    if (!block) {
+        block = new_block(writer->series);
+        if (!block)
+            return false;
+        block->more = NULL;
+        *(writer->block ? &writer->block->more : &writer->first) = block;
+    }
+    begin_block(writer, block);
+    return true;
+}
+
 int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
     redcc_series *series = writer->series;
     assert(0 <= k && k < series->trip);
     if (writer->adds)
         return 0;
-    if (writer->block_end - writer->at <= HEAD) {
-        struct operand_block *block = new_block(series);
-        if (!block) {
-            atomic_store_explicit(&series->lost, true, memory_order_relaxed);
-            writer->block_end = writer->end = writer->at;
-            return 0;
-        }
-        writer->at = block->operand;
-        writer->block_end = block->operand + BLOCK_OPERANDS;
+    REDCC_SERIES_COMPLETE(*writer);
+    if (writer->block_end - writer->at <= HEAD && !turn_to_block(writer)) {
+        atomic_store_explicit(&series->lost, true, memory_order_relaxed);
+        writer->block_end = writer->end = writer->at;
+        return 0;
     }
     redcc_series_part *part = (redcc_series_part *)(void *)writer->at;
     part->more = NULL;
-    part->count = 0;
     if (writer->part)
         writer->part->more = part;
     else
         atomic_store_explicit(&series->part[k], part, memory_order_relaxed);
     writer->part = part;
-    writer->at = part->value;
+    writer->begin = writer->at = part->value;
     writer->end = writer->block_end;
     return 1;
 }
@@ -136,6 +156,8 @@ static bool any_is_lost(const redcc_series_writer *writers, redcc_u32 count) {
 int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
     assert(count > 0);
     struct thread_state *thread = worker->execution;
+    for (redcc_u32 i = 0; i < count; i++)
+        REDCC_SERIES_COMPLETE(writers[i]);
     if (!is_executed(thread))
         return 0;
     if (writers[0].adds && !writers[0].in_front)
@@ -170,4 +192,26 @@ const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int
 int redcc_series_has_any(const redcc_series *series) {
     return atomic_load_explicit(&series->blocks, memory_order_relaxed) ||
            atomic_load_explicit(&series->lost, memory_order_relaxed);
+}
+
+void redcc_series_await_band(redcc_worker *worker) {
+    struct thread_state *thread = worker->execution;
+    redcc_tiles_await_sums(&thread->runner.tiles, thread->runner.plan);
+}
+
+redcc_series_part *redcc_series_take_part(redcc_series *series, redcc_int k) {
+    assert(0 <= k && k < series->trip);
+    redcc_series_part *part = atomic_load_explicit(&series->part[k], memory_order_relaxed);
+    atomic_store_explicit(&series->part[k], NULL, memory_order_relaxed);
+    return part;
+}
+
+void redcc_series_end_band(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
+    const struct thread_state *thread = worker->execution;
+    for (redcc_u32 i = 0; i < count; i++) {
+        assert(!writers[i].begin);
+        if (writers[i].first)
+            begin_block(&writers[i], writers[i].first);
+    }
+    redcc_tiles_pass_sums(&thread->runner.tiles, thread->runner.plan);
 }

@@ -15,7 +15,7 @@
 
 enum { MOST = 300, MOST_THREADS = 33 };
 
-static unsigned found[MOST], expected[MOST], seen[MOST][MOST];
+static unsigned found[MOST], expected[MOST], seen[MOST][MOST], sum;
 
 /* No two of these commute. */
 static void turn(unsigned *element, int i, int j) {
@@ -56,6 +56,22 @@ static void execute(const redcc_tile *tile, int trip, bool below) {
     }
 }
 
+/* Of rows, in order: these do not commute either. */
+static void add_band(struct tile_walk *walk, const struct plan *plan) {
+    const redcc_tile *tile = &walk->tile;
+    redcc_tiles_await_sums(walk, plan);
+    for (redcc_int i = tile->row; i < tile->row_end; i++)
+        sum = sum * 3 + (unsigned)i;
+    redcc_tiles_pass_sums(walk, plan);
+}
+
+static unsigned sum_of(int trip) {
+    unsigned all = 0;
+    for (int i = 0; i < trip; i++)
+        all = all * 3 + (unsigned)i;
+    return all;
+}
+
 static void check(struct plan *plan, int trip, int side, bool below) {
     atomic_uint claimed = 0;
     redcc_tile_side = side;
@@ -63,14 +79,19 @@ static void check(struct plan *plan, int trip, int side, bool below) {
     memset(found, 0, sizeof found);
     memset(expected, 0, sizeof expected);
     memset(seen, 0, sizeof seen);
+    sum = 0;
     sequentially(expected, trip, below);
 #pragma omp parallel num_threads(plan->threads)
     {
         struct tile_walk walk;
         redcc_tiles_begin(&walk, grid);
-        for (const redcc_tile *tile; (tile = redcc_tiles_next(&walk, plan, &claimed)) != NULL;)
+        for (const redcc_tile *tile; (tile = redcc_tiles_next(&walk, plan, &claimed)) != NULL;) {
             execute(tile, trip, below);
+            if (tile->is_last)
+                add_band(&walk, plan);
+        }
     }
+    assert_int_equal(sum, sum_of(trip));
     assert_memory_equal(found, expected, sizeof found);
     for (int i = 0; i < trip; i++)
         for (int j = 0; j <= trip; j++)
@@ -123,6 +144,7 @@ static void rounds_go_on(void **unused) {
     for (unsigned last = plan.round; plan.round < last + 6; plan.round++) {
         for (uint32_t flag = 0; plan.round == last && flag < 16 * 5; flag++)
             redcc_flag_raise(plan.flags, flag, (plan.round - 1) * 20 * 21);
+        redcc_flag_raise(plan.flags, 16 * 5, plan.round * 20);
         check(&plan, 40, 2, true);
     }
     redcc_memory_give(plan.flags);

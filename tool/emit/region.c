@@ -18,11 +18,11 @@ void write_region(loop_text *loop, writer *out) {
     assert(!has_leaders || !loop->lanes.name); /* errno and series are other values (lanes.c) */
     const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
-    const char *tiles =
-        loop->outline.tile_call
-            ? arena_format(loop->arena, " REDCC_TILED(%lld, %s)",
-                           (long long)loop->facts->counted.step, loop->outline.tile_call)
-            : "";
+    const char *tiles = loop->outline.tile_call
+                            ? arena_format(loop->arena, " REDCC_TILED(%lld, %s, %s)",
+                                           (long long)loop->facts->counted.step,
+                                           loop->outline.tile_call, series_of_band(loop))
+                            : "";
     writer_line(out, "REDCC_PARALLEL%s%s(%sREDCC_CHUNK_%u%s,%s%s%s", kind, series,
                 loop->bins ? streams_argument(loop) : "", loop->facts->array_count, tiles,
                 loop->bins ? " " : "", loop->bins ? bins_phase(loop) : "", loop->bins ? "," : "");

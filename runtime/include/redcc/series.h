@@ -3,7 +3,8 @@
  * Sums of floating scalars in inner loops, `e += f(i, j)`: the number of operands of an iteration
  * is not known before, and they must be added in the order of the sequential loop. Each thread
  * appends the operands of the iterations that it executes to its own list. At the end the first
- * thread adds them in the order of the iterations.
+ * thread adds them in the order of the iterations. In tiles the thread of a band adds those of its
+ * rows when they are done, after those of the band above.
  *
  *     redcc_run               one thread    allocates a part for each iteration (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed
@@ -12,6 +13,7 @@
  *     REDCC_SERIES_AGAIN      each thread   when nothing is left to execute. If memory for an
  *                                           operand was lacking, the first thread executes all
  *                                           iterations once more, without any update, and adds
+ *     REDCC_SERIES_BANDS      each thread   after each tile
  *     series->is_over         each thread   1: it is the first, and the loop is done
  *     REDCC_SERIES_APPLY      that thread
  *     series->give            one thread    after the loop
@@ -25,7 +27,7 @@
 struct redcc_series_part {
     struct redcc_series_part *more; /**< the operands that follow; NULL: none */
     redcc_size count;
-    double value[1]; /**< `count` of them; a float is stored as a double */
+    double value[1]; /**< `count` of them, once the part is complete; a float is a double */
 };
 
 /** A thread's state. */
@@ -33,6 +35,7 @@ struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
     redcc_series_part *part;  /**< of the current iteration; NULL: it has none yet */
+    double *begin;            /**< the part's first operand; NULL: it is complete */
     double *at, *end;         /**< where the next operand is stored; equal: memory is full */
     double *block_end;        /**< the end of the memory block that `at` points into */
     int adds;                 /**< the thread adds the operands itself and stores none */
@@ -42,6 +45,7 @@ struct redcc_series_writer {
     int added;                /**< and found an operand */
     redcc_int next;           /**< operands from this iteration on are kept */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
+    struct operand_block *first, *block; /**< the thread's blocks: the first, that of `at` */
 };
 
 /** This thread may write series number `number` of the loop. */
@@ -53,10 +57,18 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
     writers[number].calls = worker->call->calls->series;
 }
 
+/** The current part is complete. */
+#define REDCC_SERIES_COMPLETE(redcc_writer)                                                        \
+    ((redcc_writer).begin ? (void)((redcc_writer).part->count =                                    \
+                                       (redcc_size)((redcc_writer).at - (redcc_writer).begin),     \
+                                   (redcc_writer).begin = 0)                                       \
+                          : (void)0)
+
 /** An iteration begins. In the owner-checked form another thread may keep its operands: the owner
  *  of the first byte that the iteration touches, which executes all of it. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
-    ((redcc_writer).part = 0, (redcc_writer).end = (redcc_writer).at,                              \
+    (REDCC_SERIES_COMPLETE(redcc_writer), (redcc_writer).part = 0,                                 \
+     (redcc_writer).end = (redcc_writer).at,                                                       \
      (redcc_writer).follows = redcc__checked && redcc__worker->variant.follows,                    \
      (redcc_writer).in_front ? (redcc__k == (redcc_writer).next && !(redcc_writer).follows         \
                                     ? (void)(redcc_writer).next++                                  \
@@ -69,7 +81,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
      (redcc_writer).end = (redcc_writer).at,                                                       \
      (redcc_writer).follows = (redcc_writer).in_front = (redcc_writer).adds = 0)
 #define REDCC_SERIES_STOP(redcc_writer)                                                            \
-    ((redcc_writer).ends[redcc__k - redcc__tile->row] = (redcc_writer).part)
+    (REDCC_SERIES_COMPLETE(redcc_writer),                                                          \
+     (redcc_writer).ends[redcc__k - redcc__tile->row] = (redcc_writer).part)
 /** The first thread adds operands directly while its iterations are the loop's first: it begins
  *  with the scalar's value. */
 #define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \
@@ -92,9 +105,37 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
     if (writer->at == writer->end && !writer->calls->room(writer, k))
         return 0;
     *writer->at++ = operand;
-    writer->part->count++;
     return 1;
 }
+
+/** After the last tile of a band: its thread adds the operands of all its series, after those of
+ *  the band above. */
+#define REDCC_SERIES_BANDS(redcc_count, redcc_sums)                                                \
+    if (redcc__tile.is_last) {                                                                     \
+        redcc__worker->call->calls->series->await_band(redcc__worker);                             \
+        redcc_sums redcc__worker->call->calls->series->end_band(redcc__worker, redcc__writers,     \
+                                                                redcc_count);                      \
+    }
+/** The names are those of REDCC_SERIES_APPLY. */
+#define REDCC_SERIES_BAND(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,   \
+                          redcc_sum, redcc_is_set)                                                 \
+    {                                                                                              \
+        redcc_type redcc__of_band = redcc_sum;                                                     \
+        redcc_size redcc__j;                                                                       \
+        redcc_series_part *redcc__part;                                                            \
+        for (redcc__k = redcc__tile.row; redcc__k < redcc__tile.row_end; redcc__k++)               \
+            for (redcc__part = (redcc_writer).calls->take((redcc_writer).series, redcc__k);        \
+                 redcc__part; redcc__part = redcc__part->more) {                                   \
+                if (!redcc_is_set) {                                                               \
+                    redcc__of_band = redcc_scalar;                                                 \
+                    redcc_is_set = 1;                                                              \
+                }                                                                                  \
+                for (redcc__j = 0; redcc__j < redcc__part->count; redcc__j++)                      \
+                    redcc__of_band = (redcc_type)(redcc__of_band redcc_operator(redcc_operand)     \
+                                                      redcc__part->value[redcc__j]);               \
+            }                                                                                      \
+        redcc_sum = redcc__of_band;                                                                \
+    }
 
 /** Is a chunk handed out once more? */
 #define REDCC_SERIES_AGAIN(redcc_count)                                                            \
@@ -114,9 +155,11 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         redcc_int redcc__i = (redcc_writer).next;                                                  \
         redcc_size redcc__j;                                                                       \
         const redcc_series_part *redcc__part;                                                      \
-        if (!(redcc_writer).adds || (redcc_writer).in_front) {                                     \
+        if ((redcc_is_set) && !(redcc_writer).adds) /* by bands */                                 \
+            redcc_own = redcc_sum;                                                                 \
+        else if (!(redcc_writer).adds || (redcc_writer).in_front) {                                \
             if (!(redcc_writer).added)                                                             \
-                redcc_own = redcc_scalar;                                                          \
+                redcc_own = (redcc_is_set) ? redcc_sum : redcc_scalar;                             \
             while ((redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
                    0)                                                                              \
                 for (redcc__i++; redcc__part; redcc__part = redcc__part->more)                     \

@@ -427,6 +427,10 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
+    /** In tiles, when the thread's band is done; and when its operands were added. */
+    void (*await_band)(redcc_worker *worker);
+    redcc_series_part *(*take)(redcc_series *series, redcc_int k);
+    void (*end_band)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
     /** Frees all memory that the loop's operands were kept in. */
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;

@@ -24,7 +24,7 @@
 
 /** In front of a chunk's declarations: what is handed out may be a tile. Both counters have this
  *  step. */
-#define REDCC_TILED(redcc_step, redcc_call_of_tile)                                                \
+#define REDCC_TILED(redcc_step, redcc_call_of_tile, redcc_after_tile)                              \
     if (__builtin_expect(redcc__asked == REDCC_TILE, 0)) {                                         \
         const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
         const redcc_int redcc__from = redcc__tile.is_first                                         \
@@ -35,7 +35,7 @@
                                         : redcc__lower + (redcc_step)*redcc__tile.column_end;      \
         for (redcc__k = redcc__tile.row; redcc__k < redcc__tile.row_end; redcc__k++)               \
             redcc_call_of_tile;                                                                    \
-        continue;                                                                                  \
+        redcc_after_tile continue;                                                                 \
     }
 
 #endif

@@ -48,6 +48,27 @@ static void pass_on(struct tile_walk *walk, const struct plan *plan) {
                      value_of(plan, grid, walk->band, walk->block));
 }
 
+/* The flag of all bands' sums, and its value after those of `bands` bands. */
+static uint32_t sums_flag(const struct plan *plan) {
+    return TILE_FLAG_WORDS * ((uint32_t)plan->threads + 2);
+}
+
+static unsigned sums_of(const struct tile_walk *walk, const struct plan *plan, uint32_t bands) {
+    return plan->round * walk->grid.bands + bands;
+}
+
+void redcc_tiles_await_sums(struct tile_walk *walk, const struct plan *plan) {
+    assert(walk->is_handed && walk->tile.is_last);
+    pass_on(walk, plan);
+    if (walk->band > 0)
+        redcc_flag_await_past(plan->flags, sums_flag(plan), sums_of(walk, plan, walk->band),
+                              plan->threads);
+}
+
+void redcc_tiles_pass_sums(const struct tile_walk *walk, const struct plan *plan) {
+    redcc_flag_raise(plan->flags, sums_flag(plan), sums_of(walk, plan, walk->band + 1));
+}
+
 /* The band above is done with the block, unless that is none of its blocks. */
 static void await_tile_above(const struct tile_walk *walk, const struct plan *plan) {
     const uint32_t above = walk->band - 1;

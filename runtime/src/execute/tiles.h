@@ -14,7 +14,8 @@
  * one that comes first in the loop is executed first (docs/soundness.md).
  *
  * Bands are taken in order, and a thread waits only for a band before its own, so the thread
- * with the first unfinished band never waits.
+ * with the first unfinished band never waits. Floating sums get the operands of one band after the
+ * other (redcc/series.h).
  */
 #ifndef REDCC_EXECUTE_TILES_H
 #define REDCC_EXECUTE_TILES_H
@@ -40,5 +41,12 @@ void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);
  *  taken. NULL: no tile is left. */
 const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
                                    atomic_uint *claimed);
+
+/** The last tile of the thread's band is done: waits until the sums of all bands above have the
+ *  operands of these. */
+void redcc_tiles_await_sums(struct tile_walk *walk, const struct plan *plan);
+
+/** They have those of the thread's band as well. */
+void redcc_tiles_pass_sums(const struct tile_walk *walk, const struct plan *plan);
 
 #endif

@@ -144,21 +144,40 @@ const char *series_go_on(loop_text *loop) {
     return buffer_take(loop->arena, &out);
 }
 
+/** Arguments of REDCC_SERIES_APPLY and REDCC_SERIES_BAND, up to the scalar. */
+static const char *operation_text(loop_text *loop, unsigned number) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    return arena_format(loop->arena, "redcc__writers[%u], %s, %s, %s, %s",
+                        place_of(loop->facts, number), type_of(update), operand_type_of(update),
+                        ir_operator_spelling(update->op), scalar_text(loop, number));
+}
+
+const char *series_of_band(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    if (!has_series(facts))
+        return "";
+    buffer out = {0};
+    buffer_format(&out, "REDCC_SERIES_BANDS(%u,", count_series(facts));
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (is_first(facts, i))
+            buffer_format(&out, " REDCC_SERIES_BAND(%s, *redcc__sum_%u, *redcc__summed_%u)",
+                          operation_text(loop, i), i, i);
+    buffer_text(&out, ")");
+    return buffer_take(loop->arena, &out);
+}
+
 void finish_series(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     if (!has_series(facts))
         return;
     writer_line(out, "if (redcc__worker->call->calls->series->is_over(redcc__worker)) {");
     out->depth++;
-    for (unsigned i = 0; i < facts->scalar_count; i++) {
-        const scalar_update *update = &facts->scalars[i];
+    for (unsigned i = 0; i < facts->scalar_count; i++)
         if (is_first(facts, i))
             writer_line(out,
-                        "REDCC_SERIES_APPLY(redcc__writers[%u], %s, %s, %s, %s, "
-                        "*redcc__own_sum_%u, *redcc__sum_%u, *redcc__summed_%u)",
-                        place_of(facts, i), type_of(update), operand_type_of(update),
-                        ir_operator_spelling(update->op), scalar_text(loop, i), i, i, i);
-    }
+                        "REDCC_SERIES_APPLY(%s, *redcc__own_sum_%u, *redcc__sum_%u, "
+                        "*redcc__summed_%u)",
+                        operation_text(loop, i), i, i, i);
     out->depth--;
     writer_line(out, "}");
 }

@@ -17,6 +17,8 @@ void declare_thread_series(loop_text *loop, writer *out);
 void join_series(loop_text *loop, writer *out);
 const char *series_go_on(loop_text *loop);
 void finish_series(loop_text *loop, writer *out);
+/** After a tile: the sums of a band that is done. "": there are none. */
+const char *series_of_band(loop_text *loop);
 /** The beginning of an iteration; the text of update number `number`. */
 void begin_series(loop_text *loop, writer *out);
 /** The end of an iteration's turns in a tile. */

@@ -11,9 +11,10 @@
 #include "plan/plan.h"
 #include "plan/tile_grid.h"
 
-/* How far each thread's band is, and the one before the first: in cache lines of their own. */
+/* How far each thread's band is, and the one before the first; how far the sums are: in cache lines
+ * of their own. */
 static uint32_t flags(uint32_t owners) {
-    return TILE_FLAG_WORDS * (owners + 2);
+    return TILE_FLAG_WORDS * (owners + 3);
 }
 
 /* The number of pairs is not known; threads share them evenly. */
