@@ -10,7 +10,6 @@
  * the same holds for each connected patch of the overlap. The boundary of an overlap moves inwards
  * by about an edge a round, hence the number of rounds.
  */
-#include <stdlib.h>
 #include <string.h>
 
 #include "barrier.h"
@@ -34,25 +33,18 @@ typedef struct untangling {
     double longest;      /* m, of one projection */
     int crossings;       /* in this round; */
     int changed;         /* something moved in it */
+    arrays own;
 } untangling;
-
-static void untangling_free(untangling *u) {
-    free(u->part);
-    free(u->side);
-    free(u->patch);
-    free(u->above);
-    free(u->normal);
-}
 
 /* Parts are numbered in the order of their first vertices, bodies behind them. */
 static int untangling_init(untangling *u, barrier *b) {
     const int vertices = b->cloth->vertex_count;
     *u = (untangling){.b = b, .longest = mesh_mean_edge(b->cloth)};
-    u->part = malloc(((size_t)b->surface.vertex_count + 1) * sizeof *u->part);
-    u->normal = malloc(((size_t)b->surface.vertex_count + 1) * sizeof *u->normal);
-    u->patch = malloc(((size_t)vertices + 1) * sizeof *u->patch);
-    u->above = calloc((size_t)vertices + 1, sizeof *u->above);
-    if (!u->part || !u->normal || !u->patch || !u->above)
+    u->part = arrays_add(&u->own, (size_t)b->surface.vertex_count + 1, sizeof *u->part);
+    u->normal = arrays_add(&u->own, (size_t)b->surface.vertex_count + 1, sizeof *u->normal);
+    u->patch = arrays_add(&u->own, (size_t)vertices + 1, sizeof *u->patch);
+    u->above = arrays_add(&u->own, (size_t)vertices + 1, sizeof *u->above);
+    if (u->own.failed)
         return -1;
     for (int i = 0; i < vertices; i++)
         if (b->component[i] == i)
@@ -60,8 +52,8 @@ static int untangling_init(untangling *u, barrier *b) {
     u->parts = u->cloths + b->scene->collider_count;
     for (int i = 0; i < b->surface.vertex_count; i++)
         u->part[i] = i < vertices ? u->part[b->component[i]] : u->cloths + b->collider[i];
-    u->side = calloc((size_t)u->cloths * (size_t)u->parts + 1, sizeof *u->side);
-    return u->side ? 0 : -1;
+    u->side = arrays_add(&u->own, (size_t)u->cloths * (size_t)u->parts + 1, sizeof *u->side);
+    return u->own.failed ? -1 : 0;
 }
 
 static void triangle_normal(const barrier *b, const int vertex[3], double normal[3]) {
@@ -290,6 +282,6 @@ int barrier_untangle(barrier *b) {
         if (status == 0)
             separate_near(&u);
     }
-    untangling_free(&u);
+    arrays_free(&u.own);
     return status;
 }

@@ -12,6 +12,7 @@
 #ifndef FABRIC_COLLISION_H
 #define FABRIC_COLLISION_H
 
+#include "base/arrays.h"
 #include "impulse.h"
 #include "mesh/mesh.h"
 #include "motion.h"
@@ -74,7 +75,6 @@ typedef struct collisions {
     const scene *scene;
     const mesh *mesh;
     const double *mass; /* [vertices] kg */
-    int vertex_count;
     pinned_vertices pinned;
     unsigned char *there; /* [colliders] it exists at present */
     int *near_list;       /* [any_near] those that may touch the cloth in the step being taken,
@@ -93,6 +93,7 @@ typedef struct collisions {
     double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, and of the colliders' matter
                                                   there; NULL: none has keyframes */
     met_triangles met;
+    arrays own; /* of those above, but for met's and the list of those pinned */
 } collisions;
 
 /** Which pin holds the vertex; -1: none does. */

@@ -15,7 +15,7 @@ static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3
     cloth_ball ball = {{0, 0, 0}, 0, 0};
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     double radius = 0, way = 0;
-    for (int i = 0; i < c->vertex_count; i++)
+    for (int i = 0; i < c->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++) {
             low[a] = x[i][a] < low[a] ? x[i][a] : low[a];
             high[a] = x[i][a] > high[a] ? x[i][a] : high[a];
@@ -24,7 +24,7 @@ static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3
         ball.center[a] = (low[a] + high[a]) / 2;
         radius += (high[a] - low[a]) * (high[a] - low[a]) / 4;
     }
-    for (int i = 0; v && i < c->vertex_count; i++) {
+    for (int i = 0; v && i < c->mesh->vertex_count; i++) {
         double speed[3] = {v[i][0], v[i][1], v[i][2]};
         if (dv)
             vector_add_scaled(v[i], 1, dv[i], speed);

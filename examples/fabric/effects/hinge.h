@@ -11,6 +11,7 @@
 #ifndef FABRIC_HINGE_H
 #define FABRIC_HINGE_H
 
+#include "base/arrays.h"
 #include "mesh/mesh.h"
 #include "system/system.h"
 
@@ -29,6 +30,7 @@ typedef struct hinge_elements {
     double (*ahead_x)[3]; /* [vertices] m, at these positions */
     int vertices;         /* one above the hinges' greatest number */
     int has_ahead;        /* and `angle` has not changed since */
+    arrays own;
 } hinge_elements;
 
 typedef struct hinge_material {

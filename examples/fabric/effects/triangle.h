@@ -13,6 +13,7 @@
 #ifndef FABRIC_TRIANGLE_H
 #define FABRIC_TRIANGLE_H
 
+#include "base/arrays.h"
 #include "mesh/mesh.h"
 #include "system/system.h"
 
@@ -26,6 +27,7 @@ typedef struct triangle_elements {
     int (*vertex)[3];    /* [count] ascending, so that the blocks below lie in A's stored half */
     int (*block)[6];     /* [count] in A: (i,i) (i,j) (i,k) (j,j) (j,k) (k,k); NULL until placed */
     triangle_rest *rest; /* [count] */
+    arrays own;
 } triangle_elements;
 
 typedef struct triangle_material {

@@ -35,6 +35,7 @@ struct domain_solver {
     double (*swept)[3];      /* t */
     double (*image)[3];      /* w, then (I + U)^-T w */
     double *sum_direction, *sum_residual; /* [count] partial sums of p . image and r . r */
+    arrays own;                           /* of those above, but for the matrices' */
 };
 
 /** Number of domains of a cloth with this number of vertices, */

@@ -27,6 +27,7 @@ typedef struct factored {
     double (*factor)[3][3]; /* [blocks] F; NULL but for incomplete Cholesky */
     double (*root)[3][3];   /* [rows] C^-1, lower triangles; 0 where a block is not positive */
     double shift;           /* of incomplete Cholesky: diagonal blocks counted 1 + shift times */
+    arrays own;
 } factored;
 
 /** For the layout of A. 0, or -1: out of memory. */

@@ -27,15 +27,7 @@ void barrier_step_free(simulation *sim) {
         return;
     barrier_free(&s->contact);
     barrier_system_free(&s->system);
-    free(s->base);
-    free(s->base_b);
-    free(s->dv);
-    free(s->product);
-    free(s->still);
-    free(s->change);
-    free(s->trial);
-    free(s->descent.direction);
-    free(s->descent.residual);
+    arrays_free(&s->own);
     free(s->kept);
     free(s);
     sim->barrier = NULL;
@@ -43,20 +35,14 @@ void barrier_step_free(simulation *sim) {
 
 static int allocate(simulation *sim) {
     barrier_step *s = sim->barrier;
-    const size_t n = (size_t)sim->mesh->vertex_count + 1;
-    s->base = calloc((size_t)sim->system.A.block_count + 1, sizeof *s->base);
-    s->base_b = calloc(n, sizeof *s->base_b);
-    s->dv = calloc(n, sizeof *s->dv);
-    s->product = calloc(n, sizeof *s->product);
-    s->still = calloc(n, sizeof *s->still);
-    s->change = calloc(n, sizeof *s->change);
-    s->trial = calloc((size_t)s->contact.surface.vertex_count + 1, sizeof *s->trial);
-    s->descent.direction = calloc(n, sizeof *s->descent.direction);
-    s->descent.residual = calloc(n, sizeof *s->descent.residual);
-    return s->base && s->base_b && s->dv && s->product && s->still && s->change && s->trial &&
-                   s->descent.direction && s->descent.residual
-               ? 0
-               : -1;
+    double(**const vectors[])[3] = {&s->base_b,          &s->dv,     &s->product,
+                                    &s->still,           &s->change, &s->descent.direction,
+                                    &s->descent.residual};
+    s->base = arrays_add(&s->own, (size_t)sim->system.A.block_count + 1, sizeof *s->base);
+    s->trial = arrays_add(&s->own, (size_t)s->contact.surface.vertex_count + 1, sizeof *s->trial);
+    for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
+        *vectors[k] = arrays_add(&s->own, (size_t)sim->mesh->vertex_count + 1, sizeof(double[3]));
+    return s->own.failed ? -1 : 0;
 }
 
 /* Which vertices are driven, and where they end a step that ends at `end`. */

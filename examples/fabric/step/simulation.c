@@ -182,8 +182,7 @@ int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
     barrier_step *s = sim->barrier;
     if (!s)
         return 0;
-    s->kept_size = simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS;
-    s->kept = realloc(s->kept, s->kept_size);
+    s->kept = realloc(s->kept, simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS);
     s->stop = s->kept ? stop : NULL;
     return s->kept ? 0 : -1;
 }
