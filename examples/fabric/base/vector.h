@@ -28,6 +28,15 @@ static inline void vector_cross(const double a[3], const double b[3], double pro
     product[2] = z;
 }
 
+/** The normal of the triangle a b c, twice as long as its area. */
+static inline void vector_normal(const double a[3], const double b[3], const double c[3],
+                                 double normal[3]) {
+    double one[3], other[3];
+    vector_subtract(b, a, one);
+    vector_subtract(c, a, other);
+    vector_cross(one, other, normal);
+}
+
 /** sum = a + factor * b */
 static inline void vector_add_scaled(const double a[3], double factor, const double b[3],
                                      double sum[3]) {

@@ -57,10 +57,7 @@ static int untangling_init(untangling *u, barrier *b) {
 }
 
 static void triangle_normal(const barrier *b, const int vertex[3], double normal[3]) {
-    double one[3], other[3];
-    vector_subtract(b->x[vertex[1]], b->x[vertex[0]], one);
-    vector_subtract(b->x[vertex[2]], b->x[vertex[0]], other);
-    vector_cross(one, other, normal);
+    vector_normal(b->x[vertex[0]], b->x[vertex[1]], b->x[vertex[2]], normal);
 }
 
 /* Weighted by the areas of the triangles. */

@@ -121,10 +121,7 @@ int mesh_clean(mesh *m, mesh_problem *found, char *error) {
 
 static void doubled_area(const mesh *m, int t, double area[3]) {
     const int *v = m->triangle[t];
-    double one[3], other[3];
-    vector_subtract(m->position[v[1]], m->position[v[0]], one);
-    vector_subtract(m->position[v[2]], m->position[v[0]], other);
-    vector_cross(one, other, area);
+    vector_normal(m->position[v[0]], m->position[v[1]], m->position[v[2]], area);
 }
 
 /* A triangle is folded over its neighbours if it faces away from all others at its corners, taken

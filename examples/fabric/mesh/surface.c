@@ -62,10 +62,8 @@ static const double *corner(const surface *s, int t, int p) {
 /* The unit normal, and the triangles that have one. */
 static void find_faces(surface *s) {
     for (int t = 0; t < s->mesh.triangle_count; t++) {
-        double one[3], other[3], cross[3];
-        vector_subtract(corner(s, t, 1), corner(s, t, 0), one);
-        vector_subtract(corner(s, t, 2), corner(s, t, 0), other);
-        vector_cross(one, other, cross);
+        double cross[3];
+        vector_normal(corner(s, t, 0), corner(s, t, 1), corner(s, t, 2), cross);
         const double length = vector_length(cross);
         if (!(length > 0) || !isfinite(length))
             continue;
