@@ -50,7 +50,7 @@ static void along(const double cross[3], double length, const double wind[3], do
 void drag_forces(const triangle_elements *e, drag_kind kind, double drag, const double wind[3],
                  double h, const double (*restrict x)[3], const double (*restrict v)[3],
                  linear_system *s) {
-    int t, i, j, k, ii, jj, kk, r, c;
+    int t, i, j, k, p, r, c;
     double cross[3], f[3][3], d[3][3];
     for (t = 0; t < e->count; t++) {
         i = e->vertex[t][0];
@@ -61,20 +61,13 @@ void drag_forces(const triangle_elements *e, drag_kind kind, double drag, const 
             along(cross, vector_length(cross), wind, h * drag, v[i], v[j], v[k], f, d);
         else
             across(cross, vector_length(cross), wind, h * drag, v[i], v[j], v[k], f, d);
-        for (c = 0; c < 3; c++) {
-            s->b[i][c] += f[0][c];
-            s->b[j][c] += f[1][c];
-            s->b[k][c] += f[2][c];
-        }
-        ii = s->A.row_start[i];
-        jj = s->A.row_start[j];
-        kk = s->A.row_start[k];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++) {
-                s->A.value[ii][r][c] += d[r][c];
-                s->A.value[jj][r][c] += d[r][c];
-                s->A.value[kk][r][c] += d[r][c];
-            }
+        for (p = 0; p < 3; p++)
+            for (c = 0; c < 3; c++)
+                s->b[e->vertex[t][p]][c] += f[p][c];
+        for (p = 0; p < 3; p++)
+            for (r = 0; r < 3; r++)
+                for (c = 0; c < 3; c++)
+                    s->A.value[s->A.row_start[e->vertex[t][p]]][r][c] += d[r][c];
     }
 }
 
