@@ -9,7 +9,7 @@
 #include "base/vector.h"
 #include "mesh/mesh_parts.h"
 #include "motion.h"
-#include "solid_mesh.h"
+#include "shape.h"
 
 /* Refuses scenes that the barrier does not support. */
 static int check_scene(const scene *s, char *error) {

@@ -2,7 +2,6 @@
 /* Which pairs there are: the grid's, and each vertex with each plane. */
 #include "barrier.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/vector.h"

@@ -368,8 +368,8 @@ static double keep_out(const collisions *c, int i, double time, double h, const 
     return changed;
 }
 
-double collisions_keep_out(collisions *c, double time, double h, const double *mass,
-                           const double (*x)[3], double (*v)[3], double *work) {
+double collisions_keep_out(collisions *c, double time, double h, const double (*x)[3],
+                           double (*v)[3], double *work) {
     const int count = c->mesh->vertex_count;
     double sum[CHUNK_SUM_MOST] = {0}, largest = 0;
     if (!c->now || !c->any_near)
@@ -380,7 +380,7 @@ double collisions_keep_out(collisions *c, double time, double h, const double *m
             const double before = vector_dot(v[i], v[i]);
             const double changed = keep_out(c, i, time, h, x[i], v[i]);
             if (changed > 0)
-                sum[chunk] += mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
+                sum[chunk] += c->mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
             largest = changed > largest ? changed : largest;
         }
     *work += chunk_sum_all(count, sum);
@@ -422,8 +422,7 @@ static void settle(contact *touch, const collider *k, const double carried[3], d
         touch->slip_speed = stick_speed;
 }
 
-void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
-                       const double (*residual)[3]) {
+void collisions_accept(collisions *c, double h, const double (*v)[3], const double (*residual)[3]) {
     if (!c->now)
         return;
     const int before_empty = c->before_empty;
@@ -437,7 +436,7 @@ void collisions_accept(collisions *c, double h, const double *mass, const double
         for (int n = 0; n < c->now[i].count; n++) {
             contact *touch = &c->now[i].list[n];
             settle(touch, &c->scene->colliders[touch->collider], collisions_carried(c, i, n),
-                   c->stick_speed, h, mass[i], v[i], force);
+                   c->stick_speed, h, c->mass[i], v[i], force);
         }
     }
     vertex_contacts *spare = c->before;

@@ -132,10 +132,9 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
                           const double (*v)[3], const double (*dv)[3]);
 
 /** Last resort for contacts that were missed: changes v so that x + h v stays outside, and adds
- *  the required work to *work, J; mass [vertices] kg. Returns the largest change of a velocity,
- *  m/s. */
-double collisions_keep_out(collisions *c, double time, double h, const double *mass,
-                           const double (*x)[3], double (*v)[3], double *work);
+ *  the required work to *work, J. Returns the largest change of a velocity, m/s. */
+double collisions_keep_out(collisions *c, double time, double h, const double (*x)[3],
+                           double (*v)[3], double *work);
 
 /** Finds the colliders that may touch the cloth in the step, with velocities v + dv (dv NULL: v;
  *  v NULL: at rest). The functions below test only these. */
@@ -166,8 +165,7 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
 
 /** The step of h s is accepted, with velocities v after it; residual as the solver left it. Notes
  *  the contacts' forces, and which stick or slide from now on. */
-void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
-                       const double (*residual)[3]);
+void collisions_accept(collisions *c, double h, const double (*v)[3], const double (*residual)[3]);
 
 /** The work in J of constraints and friction in the step of h s that ends with velocities v; an
  *  upper bound if a collider moves. Colliders at rest do no positive work except to push
@@ -180,9 +178,6 @@ double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 
 /** How many vertices that are not pinned are inside a collider at `time`. */
 long collisions_inside(const collisions *c, double time, const double (*x)[3]);
-
-/** Contacts now; and of them, how many stick. Either may be NULL. */
-void collisions_count(const collisions *c, long *contacts, long *sticking);
 
 /** Sets pin_of[i] = number for each vertex i of the mesh that the pin holds: by where the mesh has
  *  it, before anything moves. pin_of: [vertex_count]. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Work, depth and counts of contacts. */
+/* Work and depth of contacts. */
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "collision.h"
@@ -82,17 +82,4 @@ long collisions_inside(const collisions *c, double time, const double (*x)[3]) {
     for (int i = 0; i < c->mesh->vertex_count && c->any_near > 0; i++)
         inside += depth_of(c, i, time, x[i]) > 0;
     return inside;
-}
-
-void collisions_count(const collisions *c, long *contacts, long *sticking) {
-    long all = 0, still = 0;
-    for (int i = 0; c->before && i < c->mesh->vertex_count; i++)
-        for (int n = 0; n < c->before[i].count; n++) {
-            all++;
-            still += c->before[i].list[n].sticks;
-        }
-    if (contacts)
-        *contacts = all;
-    if (sticking)
-        *sticking = still;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "contact/solid_mesh.h"
+/* Colliders as triangles: for files, and for barriers (barrier.h). */
+#include "contact/shape.h"
 
 #include <math.h>
 #include <string.h>

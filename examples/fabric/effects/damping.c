@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Damping forces (see triangle.h and hinge.h): f = -kd dC (dC . v) for each condition C. */
-#include "damping.h"
-
+#include "hinge.h"
 #include "hinge_gradient.h"
+#include "triangle.h"
 
 /* Direction of w; `axis` where the triangle has collapsed, as in triangle.c. */
 static inline void direction(const double w[3], int axis, double n[3]) {

@@ -138,10 +138,3 @@ double hinge_energy_at(hinge_elements *e, const hinge_material *material, const 
     e->has_ahead = e->ahead != NULL;
     return material->bend * chunk_sum_all(e->count, sum) / 2;
 }
-
-double hinge_energy(const hinge_elements *e, const hinge_material *material) {
-    double sum = 0;
-    for (int t = 0; t < e->count; t++)
-        sum += e->weight[t] * e->angle[t] * e->angle[t];
-    return material->bend * sum / 2;
-}

@@ -48,6 +48,13 @@ void triangle_forces(const triangle_elements *e, const triangle_material *materi
                      const double (*restrict x)[3], const double (*restrict v)[3],
                      linear_system *s);
 
+/** b += h f, f the damping of stretch and shear alone, without its derivatives, at positions x (m)
+ *  and velocities v (m/s): triangle_forces linearises damping together with stiffness; an iteration
+ *  of Newton's method, with independent positions and velocities, needs -h D(x) v separately. */
+void triangle_damping_forces(const triangle_elements *e, const triangle_material *material,
+                             double h, const double (*restrict x)[3], const double (*restrict v)[3],
+                             double (*restrict b)[3]);
+
 /** Energies at positions x, in J. Either pointer may be NULL. */
 void triangle_energies(const triangle_elements *e, const triangle_material *material,
                        const double (*x)[3], double *stretch, double *shear);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "surface_check.h"
+#include "surface.h"
 
 #include <stdlib.h>
 

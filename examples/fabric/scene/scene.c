@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "input/mesh_file.h"
-#include "scene_parts.h"
 #include "scene_value.h"
 
 /** The node at `path` (names and item numbers with dots between), or the nearest above it. */

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "scene.h"
-#include "scene_parts.h"
 #include "scene_value.h"
 
 /** Two structs with the same keys, and where what differs is to be said. */

@@ -4,6 +4,9 @@
 #define FABRIC_SCENE_KEYS_H
 
 #include <stddef.h>
+#include <stdio.h>
+
+#include "scene.h"
 
 typedef enum value_kind {
     VALUE_TEXT,      /* char[64] */
@@ -52,7 +55,14 @@ int scene_kind(const scene_key *keys, const void *struct_);
 /** A file's outermost keys; no name after the last. */
 extern const scene_key scene_keys[];
 
-/** Defaults of a scene (struct scene). */
-extern const struct scene scene_defaults;
+/** Defaults of a scene. */
+extern const scene scene_defaults;
+
+/** The checked mesh of the file, with defects printed on standard error; to be freed by
+ *  mesh_free and free. NULL after a message there or in error[256]. */
+mesh *scene_sheet_read(const char *path, int rest, char *error);
+
+/** Writes one value, no section or list, of the struct at `source`. */
+void scene_write_value(FILE *file, const scene_key *key, const char *source);
 
 #endif

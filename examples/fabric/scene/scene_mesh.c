@@ -8,7 +8,7 @@
 
 #include "input/mesh_file.h"
 #include "mesh/mesh_parts.h"
-#include "scene_parts.h"
+#include "scene_keys.h"
 
 enum { ERROR_SIZE = 256 };
 

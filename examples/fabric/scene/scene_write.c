@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene_parts.h"
+#include "scene_keys.h"
 
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent);

@@ -9,14 +9,11 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/vector.h"
 #include "solver_direct.h"
-#include "solver_domains.h"
 #include "solver_parts.h"
 #include "solver_precondition.h"
-#include "system/sparse_product.h"
 
 void solver_free(solver *s) {
     arrays_free(&s->own);

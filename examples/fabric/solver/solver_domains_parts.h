@@ -7,7 +7,7 @@
 #ifndef FABRIC_SOLVER_DOMAINS_PARTS_H
 #define FABRIC_SOLVER_DOMAINS_PARTS_H
 
-#include "solver_domains.h"
+#include "solver_parts.h"
 #include "system/constraint.h"
 #include "system/system.h"
 

@@ -10,7 +10,6 @@
 #include "base/vector.h"
 #include "forces.h"
 #include "simulation_state.h"
-#include "system/sparse_product.h"
 #include "timing.h"
 
 /* Newton's method ends with a change of no more than this part of the least reach. */

@@ -20,7 +20,6 @@
 #include "base/vector.h"
 #include "cloth.h"
 #include "contact/shape.h"
-#include "contact/solid_mesh.h"
 #include "crossings.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_rest.h"

@@ -11,7 +11,7 @@
 #include <time.h>
 
 #include "base/vector.h"
-#include "contact/solid_mesh.h"
+#include "contact/shape.h"
 #include "crossings.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/surface.h"

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "contact/solid_mesh.h"
+#include "contact/shape.h"
 #include "crossings.h"
 #include "step/barrier_step.h"
 

@@ -8,7 +8,6 @@
 
 #include "base/vector.h"
 #include "cloth.h"
-#include "effects/damping.h"
 #include "step/forces.h"
 #include "step/simulation_state.h"
 
