@@ -116,21 +116,37 @@ void measured_free(measured *m) {
     *m = (measured){0};
 }
 
-double measured_distance(const measured *a, const measured *b, double *largest) {
+double distance_of(int count, const double (*x)[3], const double (*y)[3], double *largest) {
     double sum = 0, most = 0;
-    if (!a->finished || !b->finished) {
-        if (largest)
-            *largest = NAN;
-        return NAN;
-    }
-    for (int i = 0; i < a->vertices; i++) {
-        double square = 0;
-        for (int c = 0; c < 3; c++)
-            square += (a->x[i][c] - b->x[i][c]) * (a->x[i][c] - b->x[i][c]);
+    for (int i = 0; i < count; i++) {
+        double apart[3];
+        vector_subtract(x[i], y[i], apart);
+        const double square = vector_dot(apart, apart);
         sum += square;
         most = square > most ? square : most;
     }
     if (largest)
         *largest = sqrt(most);
-    return sqrt(sum / a->vertices);
+    return sqrt(sum / count);
+}
+
+double measured_distance(const measured *a, const measured *b, double *largest) {
+    if (a->finished && b->finished)
+        return distance_of(a->vertices, read_only(a->x), read_only(b->x), largest);
+    if (largest)
+        *largest = NAN;
+    return NAN;
+}
+
+int move_start(const mesh *from, double most, random_source *source, mesh *to) {
+    *to = *from;
+    to->position = malloc(sizeof *to->position * ((size_t)to->vertex_count + 1));
+    if (!to->position) {
+        fprintf(stderr, "accuracy: out of memory\n");
+        return -1;
+    }
+    for (int i = 0; i < to->vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            to->position[i][a] = from->position[i][a] + most * random_signed(source);
+    return 0;
 }

@@ -3,6 +3,7 @@
 #ifndef FABRIC_ACCURACY_MEASURE_H
 #define FABRIC_ACCURACY_MEASURE_H
 
+#include "base/random.h"
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 #include "step/simulation.h"
@@ -31,6 +32,13 @@ void measured_free(measured *m);
 /** Root mean square and largest distance of the vertices, in m; not a number where either run did
  *  not finish. */
 double measured_distance(const measured *a, const measured *b, double *largest);
+
+/** The same of `count` vertices; `largest` may be NULL. */
+double distance_of(int count, const double (*x)[3], const double (*y)[3], double *largest);
+
+/** The mesh with each coordinate moved by up to `most` m at random; its other arrays are `from`'s,
+ *  its positions to be freed. 0, or -1 after a message. */
+int move_start(const mesh *from, double most, random_source *source, mesh *to);
 
 /** Kinetic, elastic and of position in gravity's field, J; as the monitor knows it. */
 double total_energy(const simulation *sim);

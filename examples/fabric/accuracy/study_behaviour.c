@@ -35,7 +35,7 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     }
     const double first = total_energy(sim);
     for (int n = 0; n < s.time.steps && simulation_step(sim, error) == 0; n++)
-        fprintf(file, "%s,%.6g,%.9g,%ld\n", integrator_names[kind], simulation_time(sim),
+        fprintf(file, "%s,%.6g,%.9g,%ld\n", scene_integrators[kind], simulation_time(sim),
                 total_energy(sim) - first, simulation_steps_rejected(sim));
     simulation_free(sim);
     return 0;
@@ -59,10 +59,10 @@ static int write_survival(study *of, integrator_kind kind, double step, double s
     if (measure(&s, &of->cloth, 1, MOST_REJECTIONS_HERE, &got) != 0)
         return -1;
     const int outcome = !got.finished ? 2 : got.rejected > 0 ? 1 : 0;
-    fprintf(file, "%s,%g,%g,%d,%s,%ld,%.4g\n", integrator_names[kind], step, stretch, outcome,
+    fprintf(file, "%s,%g,%g,%d,%s,%ld,%.4g\n", scene_integrators[kind], step, stretch, outcome,
             outcomes[outcome], got.rejected, got.cpu_seconds);
     fprintf(stderr, "%-13s step %7.4f s  stretch %8.1e N/m  %s (%ld rejected)\n",
-            integrator_names[kind], step, stretch, outcomes[outcome], got.rejected);
+            scene_integrators[kind], step, stretch, outcomes[outcome], got.rejected);
     measured_free(&got);
     return 0;
 }

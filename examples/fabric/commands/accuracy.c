@@ -87,19 +87,17 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
 }
 
 static void print_advice(const scene *s, const advice *a) {
-    static const char *const methods[] = {"conjugate-gradients", "direct"};
-    static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi"};
     const scene *to = &a->settings;
     const int linear = to->time.integrator == INTEGRATOR_LINEAR_EULER;
     const int direct = to->solution.method == METHOD_DIRECT;
-    printf("integrator      %s\n", integrator_names[to->time.integrator]);
+    printf("integrator      %s\n", scene_integrators[to->time.integrator]);
     printf("step            %.3g s: %d steps instead of %d\n", to->time.step, to->time.steps,
            s->time.steps);
     printf("tolerance       %.0e%s\n",
            linear ? to->solution.tolerance : to->solution.newton_tolerance,
            linear ? "" : " of Newton's method");
-    printf("solver          %s\n",
-           direct ? methods[to->solution.method] : preconditioners[to->solution.preconditioner]);
+    printf("solver          %s\n", direct ? scene_methods[to->solution.method]
+                                          : scene_preconditioners[to->solution.preconditioner]);
     printf("error           at most %.3g m rms at the end\n", a->error);
     printf("time            %.3g s of one core of this machine, %.0f iterations\n", a->cpu_seconds,
            a->iterations);
@@ -110,9 +108,9 @@ static void print_advice(const scene *s, const advice *a) {
            "solution.tolerance=%g --set solution.newton_tolerance=%g --set "
            "solution.newton_iterations=%d --set solution.method=%s --set "
            "solution.preconditioner=%s\n",
-           integrator_names[to->time.integrator], to->time.step, to->time.steps,
+           scene_integrators[to->time.integrator], to->time.step, to->time.steps,
            to->solution.tolerance, to->solution.newton_tolerance, to->solution.newton_iterations,
-           methods[to->solution.method], preconditioners[to->solution.preconditioner]);
+           scene_methods[to->solution.method], scene_preconditioners[to->solution.preconditioner]);
 }
 
 static int give_advice(const request *r) {

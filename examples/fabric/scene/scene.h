@@ -143,6 +143,12 @@ typedef struct scene_solution {
     double sleep;            /* m/s, a cloth that is slower for some steps sleeps; 0: never */
 } scene_solution;
 
+/** What a scene's file calls the values of mesh.order, time.integrator, solution.method, ...: in
+ * the order of their enumerations, NULL after the last. */
+extern const char *const scene_orders[], *const scene_integrators[],
+                                             *const scene_methods[], *const scene_preconditioners[],
+                                                                         *const scene_precisions[];
+
 /** Members are called as the sections of the file. */
 typedef struct scene {
     char name[64];

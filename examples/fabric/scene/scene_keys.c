@@ -38,18 +38,18 @@ _Static_assert(sizeof((scene_cloth *)0)->file == FILE_SIZE, "a file fits the sce
 #define END                                                                                        \
     { NULL, VALUE_TEXT, 0, 0, 0, 0.0, 0.0, 0, 0, NULL, NULL, NULL }
 
-static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
+const char *const scene_orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 static const char *const contacts[] = {"constraints", "barrier", NULL};
 static const char *const untangles[] = {"off", "on", NULL};
 static const scene_key contact_keys[] = {CHOICE(scene_contact, method, 0, contacts),
                                          CHOICE(scene_contact, untangle, 0, untangles), END};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
 
-static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
-static const char *const methods[] = {"conjugate-gradients", "direct", NULL};
-static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi",        "none",
-                                              "jacobi",       "incomplete-cholesky", NULL};
-static const char *const precisions[] = {"double", "float", "mixed", NULL};
+const char *const scene_integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
+const char *const scene_methods[] = {"conjugate-gradients", "direct", NULL};
+const char *const scene_preconditioners[] = {"gauss-seidel", "block-jacobi",        "none",
+                                             "jacobi",       "incomplete-cholesky", NULL};
+const char *const scene_precisions[] = {"double", "float", "mixed", NULL};
 
 /* Before all others: which kind the keys that were read make of it. */
 #define KIND_BY_KEYS(struct_, field)                                                               \
@@ -75,7 +75,7 @@ static const scene_key mesh_keys[] = {
      NULL, NULL},
     {"seed", VALUE_SEED, offsetof(scene_cloth, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL,
      NULL},
-    CHOICE(scene_cloth, order, 0, orders),
+    CHOICE(scene_cloth, order, 0, scene_orders),
     VECTOR(scene_cloth, origin, 0, 3),
     DIRECTION(scene_cloth, normal, 0),
     END};
@@ -95,15 +95,15 @@ static const scene_key surroundings_keys[] = {
 
 static const scene_key time_keys[] = {NUMBER(scene_time, step, 1, POSITIVE),
                                       WHOLE(scene_time, steps, 1, BETWEEN(0, 1e9)),
-                                      CHOICE(scene_time, integrator, 0, integrators), END};
+                                      CHOICE(scene_time, integrator, 0, scene_integrators), END};
 
 static const scene_key solution_keys[] = {
     {"tolerance", VALUE_NUMBER, offsetof(scene_solution, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL,
      NULL, NULL},
     WHOLE(scene_solution, max_iterations, 0, BETWEEN(1, 1e9)),
-    CHOICE(scene_solution, method, 0, methods),
-    CHOICE(scene_solution, preconditioner, 0, preconditioners),
-    CHOICE(scene_solution, precision, 0, precisions),
+    CHOICE(scene_solution, method, 0, scene_methods),
+    CHOICE(scene_solution, preconditioner, 0, scene_preconditioners),
+    CHOICE(scene_solution, precision, 0, scene_precisions),
     {"newton_tolerance", VALUE_NUMBER, offsetof(scene_solution, newton_tolerance), 0, 1, 0.0, 0.5,
      1, 0, NULL, NULL, NULL},
     WHOLE(scene_solution, newton_iterations, 0, BETWEEN(1, 1e6)),
