@@ -26,6 +26,11 @@ enum { TEXT_SIZE = 64, FILE_SIZE = 1024, MOST_KEYS = 32 };
 
 typedef struct scene_key scene_key;
 
+typedef struct value_range {
+    double low, high; /* least and greatest value */
+    int above;        /* low itself is out of range */
+} value_range;
+
 /** A list's items and where the struct keeps them. */
 typedef struct scene_list {
     size_t count_offset; /* of the int that counts the items */
@@ -39,9 +44,8 @@ struct scene_key {
     value_kind kind;
     size_t offset; /* in the struct of the section, or of the list's item */
     int required;
-    int components;    /* of a vector */
-    double low, high;  /* least and greatest value */
-    int above;         /* low itself is out of range */
+    int components; /* of a vector */
+    const value_range *range;
     unsigned of_kinds; /* bits of the kinds of item or section that have this key; 0: all */
     const char *const *choices; /* NULL after the last */
     const scene_key *keys;      /* of a section or of a list's items; no name after the last */
@@ -51,6 +55,19 @@ struct scene_key {
 /** Which of its kinds, by which `of_kinds` goes, the section or item in `struct_` is of; -1: it has
  *  no kinds. The first key tells: `kind`, or one that is not in files. */
 int scene_kind(const scene_key *keys, const void *struct_);
+
+/** Has a section or item of this kind the key, in files? */
+static inline int scene_has_key(const scene_key *key, int kind) {
+    return key->name[0] != '\0' &&
+           (key->of_kinds == 0 || (kind >= 0 && (key->of_kinds >> kind & 1u) != 0));
+}
+
+/** The items of the list `key` of the struct at `source`: *count of them. */
+char *scene_items(const scene_key *key, const char *source, int *count);
+/** Frees some items of such a list. */
+void scene_free_items(const scene_list *list, char *items, long count);
+/** Replaces a list's items, and frees the old ones. */
+void scene_set_items(const scene_key *key, char *target, void *items, int count);
 
 /** A file's outermost keys; no name after the last. */
 extern const scene_key scene_keys[];
