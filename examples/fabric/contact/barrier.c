@@ -81,12 +81,6 @@ static int make_surface(barrier *b) {
     return 0;
 }
 
-int barrier_root(int *parent, int i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 /* Rest positions, and which vertices are connected (union-find). */
 static int know_cloth(barrier *b) {
     const mesh *m = b->cloth;
@@ -102,10 +96,10 @@ static int know_cloth(barrier *b) {
     }
     for (int t = 0; t < m->triangle_count; t++)
         for (int p = 1; p < 3; p++)
-            b->component[barrier_root(b->component, m->triangle[t][p])] =
-                barrier_root(b->component, m->triangle[t][0]);
+            b->component[forest_root(b->component, m->triangle[t][p])] =
+                forest_root(b->component, m->triangle[t][0]);
     for (int i = 0; i < m->vertex_count; i++)
-        b->component[i] = barrier_root(b->component, i);
+        b->component[i] = forest_root(b->component, i);
     return 0;
 }
 

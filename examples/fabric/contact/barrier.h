@@ -159,7 +159,4 @@ static inline void barrier_gather(const int vertex[4], const double (*x)[3], dou
             at[k][a] = x[vertex[k]][a];
 }
 
-/** The root of i's tree in a forest (union-find), whose paths it shortens. */
-int barrier_root(int *parent, int i);
-
 #endif

@@ -129,10 +129,10 @@ static void find_patches(untangling *u) {
         for (int p = 0; p < 3; p++) {
             const int i = m->triangle[t][p], j = m->triangle[t][(p + 1) % 3];
             if (u->above[i] != 0 && u->above[j] != 0)
-                u->patch[barrier_root(u->patch, j)] = barrier_root(u->patch, i);
+                u->patch[forest_root(u->patch, j)] = forest_root(u->patch, i);
         }
     for (int i = 0; i < m->vertex_count; i++) {
-        u->patch[i] = barrier_root(u->patch, i);
+        u->patch[i] = forest_root(u->patch, i);
         if (u->patch[i] != i)
             u->above[u->patch[i]] += u->above[i];
     }

@@ -28,6 +28,13 @@ typedef struct self_pair {
  *  order. */
 enum { SELF_PARTS = 64 };
 
+/** The root of i's tree in a forest (union-find), whose paths it shortens. */
+static inline int forest_root(int *parent, int i) {
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
 /** First index of part number `part`. */
 static inline int self_part_start(int count, int part) {
     return (int)((long)count * part / SELF_PARTS);
