@@ -68,28 +68,34 @@ static double shortest_step(const simulation *sim, double nominal) {
     return shortest;
 }
 
-static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
+simulation *study_simulation(const mesh *cloth, const scene *s) {
     char error[256] = "";
     simulation *sim = simulation_new(cloth, s, error);
-    if (!sim) {
+    if (!sim)
         fprintf(stderr, "%s: %s\n", s->name, error);
+    return sim;
+}
+
+static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
+    char error[256] = "";
+    simulation *sim = study_simulation(cloth, s);
+    if (!sim)
         return -1;
-    }
     const double start = cpu_seconds();
     int status = 0, n = 0;
     for (; n < s->time.steps && status == 0; n++)
         if (simulation_step(sim, error) != 0 ||
-            (most_rejections >= 0 && simulation_steps_rejected(sim) > most_rejections))
+            (most_rejections >= 0 && simulation_counts(sim).rejected > most_rejections))
             status = 1;
     const double seconds = cpu_seconds() - start;
     if (seconds < result->cpu_seconds)
         result->cpu_seconds = seconds;
     result->finished = status == 0;
-    result->steps = simulation_steps_taken(sim);
-    result->rejected = simulation_steps_rejected(sim);
+    result->steps = simulation_counts(sim).taken;
+    result->rejected = simulation_counts(sim).rejected;
     result->shortest = shortest_step(sim, s->time.step);
-    result->cg_iterations = simulation_iterations(sim);
-    result->newton_iterations = simulation_newton_iterations(sim);
+    result->cg_iterations = simulation_counts(sim).iterations;
+    result->newton_iterations = simulation_counts(sim).newton_iterations;
     note_end(sim, result);
     memcpy(result->x, simulation_positions(sim), sizeof *result->x * (size_t)result->vertices);
     simulation_free(sim);

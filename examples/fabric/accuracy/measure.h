@@ -24,6 +24,9 @@ typedef struct measured {
 /** No limit on rejected steps. */
 enum { ANY_REJECTIONS = -1 };
 
+/** NULL after a message. */
+simulation *study_simulation(const mesh *cloth, const scene *s);
+
 /** Runs all steps of the scene `repeat` times. 0, or -1 after a message (out of memory, a scene
  * that cannot be set up); a run that does not finish is a result. */
 int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result);

@@ -27,7 +27,6 @@ static void flock_free(flock *all) {
 
 /* 0, or -1 after a message. */
 static int flock_add(flock *all, const study *of, random_source *source) {
-    char error[256] = "";
     const int r = all->count;
     mesh *cloth = &all->cloth[r];
     if (r == 0)
@@ -35,11 +34,8 @@ static int flock_add(flock *all, const study *of, random_source *source) {
     else if (move_start(&of->cloth, moved, source, cloth) != 0)
         return -1;
     all->count++;
-    all->run[r] = simulation_new(cloth, &of->base, error);
-    if (all->run[r])
-        return 0;
-    fprintf(stderr, "%s: %s\n", of->base.name, error);
-    return -1;
+    all->run[r] = study_simulation(cloth, &of->base);
+    return all->run[r] ? 0 : -1;
 }
 
 /* A row for each run; returns the root mean square of their distances from the first, m. */

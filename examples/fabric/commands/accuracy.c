@@ -120,8 +120,7 @@ static int give_advice(const request *r) {
     mesh cloth;
     if (read_scene(&s, r->scene_name, &r->settings) != 0)
         return EXIT_FAILURE;
-    if (scene_mesh(&s, &cloth, NULL, reason) != 0) {
-        fprintf(stderr, "%s: mesh: %s\n", s.name, reason);
+    if (scene_mesh(&s, &cloth, NULL) != 0) {
         scene_free(&s);
         return EXIT_FAILURE;
     }
@@ -160,7 +159,6 @@ static int write_heading(const study *of) {
 }
 
 static int experiment(const request *r) {
-    char error[256] = "";
     study of = {.folder = r->folder, .repeat = (int)r->repeat, .quick = r->quick};
     if (files_make_folder(r->folder) != 0 ||
         read_scene(&of.base, r->scene_name ? r->scene_name : "flap", &r->settings) != 0)
@@ -169,11 +167,9 @@ static int experiment(const request *r) {
     const int least = r->quick ? most / 4 : 8;
     for (int steps = least; steps <= most && of.step_count < MOST_COUNTS; steps *= 2)
         of.steps[of.step_count++] = steps;
-    int status = -1;
-    if (scene_mesh(&of.base, &of.cloth, NULL, error) != 0)
-        fprintf(stderr, "%s: mesh: %s\n", of.base.name, error);
-    else
-        status = write_heading(&of) == 0 ? run_experiments(&of, r->name) : -1;
+    const int status = scene_mesh(&of.base, &of.cloth, NULL) == 0 && write_heading(&of) == 0
+                           ? run_experiments(&of, r->name)
+                           : -1;
     if (status == 0)
         printf("tables are in %s; fabric-view plot draws them\n", r->folder);
     study_free(&of);

@@ -174,11 +174,9 @@ int scene_set(scene *s, const char *assignment);
 void scene_free(scene *s);
 
 /** The scene's cloth: generated or from its file, placed by origin and normal, connected, numbered
- * in its order.
- *  new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 with a message in
- *  error[256].
- */
-int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
+ *  in its order. new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 after a
+ *  message on standard error. */
+int scene_mesh(const scene *s, mesh *m, int *new_of_old);
 
 /** Does moving air act on the cloth at some time? */
 static inline int scene_has_wind(const scene *s) {

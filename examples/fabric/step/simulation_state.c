@@ -228,24 +228,11 @@ const effect_account *simulation_effects(const simulation *sim, int *count) {
     return sim->account.effects;
 }
 
-long simulation_iterations(const simulation *sim) {
-    return sim->account.iterations;
-}
-
-long simulation_newton_iterations(const simulation *sim) {
-    return sim->integrator.iterations;
-}
-
-long simulation_steps_taken(const simulation *sim) {
-    return sim->account.steps_taken;
-}
-
-long simulation_steps_rejected(const simulation *sim) {
-    return sim->account.steps_rejected;
-}
-
-long simulation_steps_slept(const simulation *sim) {
-    return sim->account.steps_slept;
+run_counts simulation_counts(const simulation *sim) {
+    const struct run_account *a = &sim->account;
+    return (run_counts){a->iterations,  sim->integrator.iterations,
+                        a->steps_taken, a->steps_rejected,
+                        a->steps_slept, sim->system.A.block_count};
 }
 
 int simulation_log_rejections(simulation *sim) {
@@ -274,8 +261,4 @@ run_faults simulation_faults(const simulation *sim) {
         .watched = sim->account.effects[EFFECT_MONITOR].active,
         .solved_directly = sim->fallback.solved,
     };
-}
-
-long simulation_matrix_blocks(const simulation *sim) {
-    return sim->system.A.block_count;
 }
