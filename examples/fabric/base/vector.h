@@ -28,6 +28,19 @@ static inline void vector_cross(const double a[3], const double b[3], double pro
     product[2] = z;
 }
 
+static inline void vector_scale(const double a[3], double factor, double scaled[3]) {
+    for (int k = 0; k < 3; k++)
+        scaled[k] = factor * a[k];
+}
+
+/** The direction of a, 0 where that is 0; returns its length. */
+static inline double vector_unit(const double a[3], double unit[3]) {
+    const double length = vector_length(a);
+    for (int k = 0; k < 3; k++)
+        unit[k] = length > 0 ? a[k] / length : 0;
+    return length;
+}
+
 /** The normal of the triangle a b c, twice as long as its area. */
 static inline void vector_normal(const double a[3], const double b[3], const double c[3],
                                  double normal[3]) {

@@ -81,9 +81,7 @@ static void feature_normal(const untangling *u, int count, const int *vertex, do
         if (count == 2)
             vector_add_scaled(normal, 1, u->normal[vertex[1]], normal);
     }
-    const double length = vector_length(normal);
-    for (int a = 0; a < 3; a++)
-        normal[a] = length > 0 ? normal[a] / length : 0;
+    vector_unit(normal, normal);
 }
 
 /* Each vertex' height above or below a triangle counts for its part. */
@@ -151,8 +149,7 @@ static int find_own_direction(const untangling *u, int firsts, const int *first,
         feature_normal(u, seconds, second, direction);
     else
         feature_normal(u, firsts, first, direction);
-    for (int a = 0; a < 3; a++)
-        direction[a] *= sign > 0 ? 1 : -1;
+    vector_scale(direction, sign > 0 ? 1 : -1, direction);
     return sign != 0;
 }
 
@@ -168,8 +165,7 @@ static int find_direction(const untangling *u, int firsts, const int *first, int
         feature_normal(u, firsts, first, direction);
     const double side = u->side[one < other ? one * u->parts + other : other * u->parts + one];
     const double sign = (side > 0) == (one < other) ? 1 : -1;
-    for (int a = 0; a < 3; a++)
-        direction[a] *= sign;
+    vector_scale(direction, sign, direction);
     return 1;
 }
 
@@ -204,8 +200,7 @@ static int separate_crossing(void *context, const barrier *b, const barrier_cros
         vector_subtract(b->x[found->edge[0]], b->x[found->edge[1]], across);
         end = vector_dot(across, direction) > 0;
     } else {
-        for (int a = 0; a < 3; a++)
-            direction[a] = -found->normal[a];
+        vector_scale(found->normal, -1, direction);
     }
     const int vertex[4] = {found->edge[end], found->triangle[0], found->triangle[1],
                            found->triangle[2]};

@@ -2,6 +2,7 @@
 #include "collision.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/chunk_sum.h"
 #include "base/vector.h"
@@ -180,12 +181,11 @@ static void add_contact(const collisions *c, int vertex, const contact *before,
     vertex_contacts *of = &c->now[vertex];
     if (of->count == CONTACTS_PER_VERTEX)
         return;
-    for (int a = 0; c->carried && a < 3; a++)
-        c->carried[vertex][of->count][a] = found->carried[a];
+    if (c->carried)
+        memcpy(c->carried[vertex][of->count], found->carried, sizeof found->carried);
     contact *added = &of->list[of->count++];
     *added = before ? *before : (contact){.collider = index};
-    for (int a = 0; a < 3; a++)
-        added->normal[a] = found->normal[a];
+    memcpy(added->normal, found->normal, sizeof added->normal);
     added->speed = collisions_given_speed(c, k, found, h);
 }
 
@@ -265,8 +265,7 @@ static int demands(const collisions *c, int vertex, const double v[3], double d[
     const vertex_contacts *of = &c->now[vertex];
     int count = 0;
     for (int n = 0; n < of->count; n++, count++) {
-        for (int a = 0; a < 3; a++)
-            d[count][a] = of->list[n].normal[a];
+        memcpy(d[count], of->list[n].normal, sizeof *d);
         change[count] = of->list[n].speed - vector_dot(of->list[n].normal, v);
     }
     for (int n = 0; n < of->count; n++) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The colliders that the cloth may touch in a step. The cost of a step does not grow with the
  * number of the others. */
+#include <string.h>
+
 #include "base/vector.h"
 #include "collision.h"
 #include "shape.h"
@@ -79,8 +81,7 @@ static void look_at_all(collisions *c, const cloth_ball *ball, double time, doub
     out_of_reach *others = &c->others;
     const double margin = ball->radius + 4 * ball->way;
     *others = (out_of_reach){.watched = others->watched, .clearance = INFINITY, .time = time};
-    for (int a = 0; a < 3; a++)
-        others->center[a] = ball->center[a];
+    memcpy(others->center, ball->center, sizeof others->center);
     for (int n = 0; n < c->scene->collider_count; n++) {
         const collider *k = &c->scene->colliders[n];
         if (!c->there[n])

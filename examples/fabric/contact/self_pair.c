@@ -93,9 +93,7 @@ static double distance_between(int is_edges, const double x[4][3], double outsid
 static int set_normal(const double x[4][3], self_contact *found) {
     double apart[3];
     nearest_combine(x, found->weight, apart);
-    found->distance = vector_length(apart);
-    for (int a = 0; a < 3; a++)
-        found->normal[a] = found->distance > 0 ? apart[a] / found->distance : 0;
+    found->distance = vector_unit(apart, found->normal);
     return found->distance > 0;
 }
 

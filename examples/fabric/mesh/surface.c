@@ -67,8 +67,7 @@ static void find_faces(surface *s) {
         const double length = vector_length(cross);
         if (!(length > 0) || !isfinite(length))
             continue;
-        for (int a = 0; a < 3; a++)
-            s->face[t][a] = cross[a] / length;
+        vector_unit(cross, s->face[t]);
         s->order[s->count++] = t;
     }
 }

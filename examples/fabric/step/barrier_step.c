@@ -204,8 +204,7 @@ static solver_status find_way(simulation *sim, double *most) {
 #pragma omp parallel for schedule(static) reduction(max : longest)
     for (int i = 0; i < vertices; i++)
         if (!b->driven[i]) {
-            for (int a = 0; a < 3; a++)
-                b->way[i][a] = sim->step.h * s->change[i][a];
+            vector_scale(s->change[i], sim->step.h, b->way[i]);
             const double length = vector_length(b->way[i]);
             longest = length > longest ? length : longest;
         }
@@ -272,8 +271,8 @@ static void turn_conjugate(simulation *sim) {
     }
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < sim->mesh->vertex_count; i++)
-        for (int a = 0; a < 3 && !b->driven[i]; a++)
-            b->way[i][a] = sim->step.h * d->direction[i][a];
+        if (!b->driven[i])
+            vector_scale(d->direction[i], sim->step.h, b->way[i]);
 }
 
 /* Minimum of the parabola with this slope at 0 and this change after `part`. */
@@ -344,8 +343,7 @@ static solver_status iterate(simulation *sim, int number) {
     const double reach = fmin(drive > 0 ? 1 : most_stretch, s->longest_way / longest_way(b, 0));
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)
-        for (int a = 0; a < 3; a++)
-            b->way[i][a] *= reach;
+        vector_scale(b->way[i], reach, b->way[i]);
     if (barrier_find_pairs(b, read_only(b->x), read_only(b->way)) != 0)
         return SOLVER_NOT_FINITE;
     const double part = barrier_part_of_way(b, read_only(b->x), read_only(b->way));
