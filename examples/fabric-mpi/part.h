@@ -7,7 +7,7 @@
  * nothing is summed over the network. What the elements add to rows of ghosts is not used.
  *
  * Vertices are owned by blocks: of SOLVER_CHUNK vertices with block-Jacobi, the domains with
- * Gauss-Seidel (solver_domains.h). Dot products are sums of a block, and the blocks' sums in order,
+ * Gauss-Seidel (solver_domains.c). Dot products are sums of a block, and the blocks' sums in order,
  * as in the sequential program; and what is in one domain is swept by one rank. With --bits=any
  * they are of SOLVER_CHUNK vertices whatever the preconditioner, and PETSc solves the system.
  *

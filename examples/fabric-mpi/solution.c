@@ -13,7 +13,6 @@
 #include "solution_parts.h"
 #include "solution_petsc.h"
 #include "solver/solver_parts.h"
-#include "system/sparse_product.h"
 
 /* The leader's, of the vertices that the solution constrains; other ghosts are free here. */
 static void receive_constraints(part *p, const constraints *whole) {

@@ -9,7 +9,6 @@
 #include "solution_parts.h"
 #include "solver/solver_domains_parts.h"
 #include "solver/solver_parts.h"
-#include "system/sparse_product.h"
 
 static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;

@@ -6,7 +6,7 @@ foreach(source
     solver/solver_factor.c solver/solver_domains.c solver/solver_domains_layout.c solver/solver_domains_passes.c solver/solver_packed.c solver/solver_direct.c solver/solver_fallback.c
     system/system.c system/sparse_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
-    effects/drag.c effects/drag_along.c effects/drag_work.c effects/damping.c
+    effects/drag.c effects/drag_work.c effects/damping.c
     effects/strain_limit.c effects/strain_limit_list.c
     contact/collision_account.c contact/collision_near.c contact/collision_triangles.c contact/shape_triangle.c contact/impulse.c contact/impact.c contact/impact_zone.c step/monitor.c step/plan.c step/rest.c step/timing.c step/doubts.c contact/self_collision.c contact/self_grid.c contact/self_pair.c
     contact/solid_mesh.c contact/nearest.c contact/barrier.c contact/barrier_pairs.c contact/barrier_part.c contact/barrier_energy.c contact/barrier_start.c contact/barrier_untangle.c contact/barrier_system.c

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What `fabric plan` says that a run takes is within a tenth of what it takes. Argument: FABRIC.
+# What `fabric plan` says that a run takes is within a tenth of what it takes, and a command that
+# simulates nothing loads little. Argument: FABRIC.
 set -euo pipefail
 fabric=$1
 export OMP_NUM_THREADS=1
@@ -36,3 +37,9 @@ expect 1 hanging "${many[@]}" --set solution.method=direct
 expect 1 flap "${many[@]}" --set solution.method=direct
 expect 1 flap "${many[@]}" --set solution.preconditioner=jacobi --set time.integrator=midpoint
 expect 1 flap "${many[@]}" --set solution.preconditioner=incomplete-cholesky
+if command -v valgrind >/dev/null; then
+  count=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$fabric" --version 2>&1 |
+    awk '/Collected/ {print $4}')
+  echo "--version: $count instructions"
+  ((count > 1000000 && count < 5000000))
+fi

@@ -325,14 +325,14 @@ static void test_scenes_of_the_paper(void **unused) {
     static const char *const names[] = {"tablecloth", "hanging"};
     (void)unused;
     for (int k = 0; k < 2; k++) {
-        char path[4096], error[256];
+        char path[4096];
         scene s;
         mesh m;
         snprintf(path, sizeof path, "%s/%s.yaml", SCENES_FOLDER, names[k]);
         assert_int_equal(scene_read(&s, path), 0);
         assert_int_equal(s.time.steps, 76);
         assert_true(s.time.step == 0.033);
-        assert_int_equal(scene_mesh(&s, &m, NULL, error), 0);
+        assert_int_equal(scene_mesh(&s, &m, NULL), 0);
         assert_int_equal(m.vertex_count, 2602);
         assert_int_equal(m.triangle_count, 4982);
         mesh_free(&m);
@@ -344,10 +344,9 @@ static void test_scenes_of_the_paper(void **unused) {
 static void test_placement(void **unused) {
     scene s;
     mesh m;
-    char error[256];
     (void)unused;
     assert_int_equal(read_with(5, "  side: 0.5\n  origin: [1, 2, 3]\n  normal: [0, -2, 0]", &s), 0);
-    assert_int_equal(scene_mesh(&s, &m, NULL, error), 0);
+    assert_int_equal(scene_mesh(&s, &m, NULL), 0);
     for (int v = 0; v < m.vertex_count; v++) {
         assert_true(fabs(m.position[v][0] - 1.0 - m.material[v][0]) < 1e-15);
         assert_true(m.position[v][1] == 2.0);

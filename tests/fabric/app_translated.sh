@@ -6,7 +6,7 @@ set -euo pipefail
 redcc=$1 include=$2 sources=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-for name in effects/triangle effects/hinge effects/drag effects/drag_along effects/strain_limit effects/damping system/sparse_product; do
+for name in effects/triangle effects/hinge effects/drag effects/strain_limit effects/damping system/sparse_product; do
   file=$sources/$name.c
   "$redcc" "$file" -o "$work/out.c" --require --report=json --report-file="$work/report.json" -- \
     -I"$sources"

@@ -5,11 +5,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "accuracy/measure.h"
 #include "accuracy/study.h"
-#include "base/random.h"
 #include "solver/solver.h"
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
@@ -106,7 +104,7 @@ static void say_unreached(const series *r, double error, char *reason) {
     snprintf(reason, 256,
              "runs of %s in %d and %d steps still end %.3g m apart: ask for a larger error than %g "
              "m, for more --most-steps, or for less time",
-             integrator_names[r->integrator], last_of(r)->settings.time.steps / 2,
+             scene_integrators[r->integrator], last_of(r)->settings.time.steps / 2,
              last_of(r)->settings.time.steps, r->difference, error);
 }
 
@@ -128,8 +126,8 @@ static int check_by(adviser *a, const series *one, series *other, char *reason) 
             snprintf(reason, 256,
                      "%s in %d steps and %s in %d end %.3g m apart: nothing can be promised; ask "
                      "for a larger error or for less time",
-                     integrator_names[one->integrator], last_of(one)->settings.time.steps,
-                     integrator_names[other->integrator], last_of(other)->settings.time.steps,
+                     scene_integrators[one->integrator], last_of(one)->settings.time.steps,
+                     scene_integrators[other->integrator], last_of(other)->settings.time.steps,
                      apart);
         if (status != 0)
             return status;
@@ -265,18 +263,11 @@ static int choose_tolerance(const adviser *a, trial *best) {
 
 /* How far a run ends from *best whose start is moved a little, each coordinate at random. */
 static int spread_of(const adviser *a, const trial *best, double *spread) {
-    mesh other = *a->cloth;
+    mesh other;
     measured got = {0};
     random_source source = {1};
-    other.position = malloc(sizeof *other.position * ((size_t)other.vertex_count + 1));
-    if (!other.position) {
-        fprintf(stderr, "%s: out of memory\n", a->base->name);
+    if (move_start(a->cloth, moved * a->error, &source, &other) != 0)
         return -1;
-    }
-    for (int i = 0; i < other.vertex_count; i++)
-        for (int c = 0; c < 3; c++)
-            other.position[i][c] =
-                a->cloth->position[i][c] + moved * a->error * random_signed(&source);
     const int status = measure(&best->settings, &other, 1, ANY_REJECTIONS, &got);
     *spread = status == 0 ? measured_distance(&got, &best->got, NULL) : NAN;
     measured_free(&got);

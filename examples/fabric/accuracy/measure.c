@@ -68,28 +68,34 @@ static double shortest_step(const simulation *sim, double nominal) {
     return shortest;
 }
 
-static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
+simulation *study_simulation(const mesh *cloth, const scene *s) {
     char error[256] = "";
     simulation *sim = simulation_new(cloth, s, error);
-    if (!sim) {
+    if (!sim)
         fprintf(stderr, "%s: %s\n", s->name, error);
+    return sim;
+}
+
+static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
+    char error[256] = "";
+    simulation *sim = study_simulation(cloth, s);
+    if (!sim)
         return -1;
-    }
     const double start = cpu_seconds();
     int status = 0, n = 0;
     for (; n < s->time.steps && status == 0; n++)
         if (simulation_step(sim, error) != 0 ||
-            (most_rejections >= 0 && simulation_steps_rejected(sim) > most_rejections))
+            (most_rejections >= 0 && simulation_counts(sim).rejected > most_rejections))
             status = 1;
     const double seconds = cpu_seconds() - start;
     if (seconds < result->cpu_seconds)
         result->cpu_seconds = seconds;
     result->finished = status == 0;
-    result->steps = simulation_steps_taken(sim);
-    result->rejected = simulation_steps_rejected(sim);
+    result->steps = simulation_counts(sim).taken;
+    result->rejected = simulation_counts(sim).rejected;
     result->shortest = shortest_step(sim, s->time.step);
-    result->cg_iterations = simulation_iterations(sim);
-    result->newton_iterations = simulation_newton_iterations(sim);
+    result->cg_iterations = simulation_counts(sim).iterations;
+    result->newton_iterations = simulation_counts(sim).newton_iterations;
     note_end(sim, result);
     memcpy(result->x, simulation_positions(sim), sizeof *result->x * (size_t)result->vertices);
     simulation_free(sim);
@@ -116,21 +122,37 @@ void measured_free(measured *m) {
     *m = (measured){0};
 }
 
-double measured_distance(const measured *a, const measured *b, double *largest) {
+double distance_of(int count, const double (*x)[3], const double (*y)[3], double *largest) {
     double sum = 0, most = 0;
-    if (!a->finished || !b->finished) {
-        if (largest)
-            *largest = NAN;
-        return NAN;
-    }
-    for (int i = 0; i < a->vertices; i++) {
-        double square = 0;
-        for (int c = 0; c < 3; c++)
-            square += (a->x[i][c] - b->x[i][c]) * (a->x[i][c] - b->x[i][c]);
+    for (int i = 0; i < count; i++) {
+        double apart[3];
+        vector_subtract(x[i], y[i], apart);
+        const double square = vector_dot(apart, apart);
         sum += square;
         most = square > most ? square : most;
     }
     if (largest)
         *largest = sqrt(most);
-    return sqrt(sum / a->vertices);
+    return sqrt(sum / count);
+}
+
+double measured_distance(const measured *a, const measured *b, double *largest) {
+    if (a->finished && b->finished)
+        return distance_of(a->vertices, read_only(a->x), read_only(b->x), largest);
+    if (largest)
+        *largest = NAN;
+    return NAN;
+}
+
+int move_start(const mesh *from, double most, random_source *source, mesh *to) {
+    *to = *from;
+    to->position = malloc(sizeof *to->position * ((size_t)to->vertex_count + 1));
+    if (!to->position) {
+        fprintf(stderr, "accuracy: out of memory\n");
+        return -1;
+    }
+    for (int i = 0; i < to->vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            to->position[i][a] = from->position[i][a] + most * random_signed(source);
+    return 0;
 }

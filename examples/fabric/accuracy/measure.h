@@ -3,6 +3,7 @@
 #ifndef FABRIC_ACCURACY_MEASURE_H
 #define FABRIC_ACCURACY_MEASURE_H
 
+#include "base/random.h"
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 #include "step/simulation.h"
@@ -23,6 +24,9 @@ typedef struct measured {
 /** No limit on rejected steps. */
 enum { ANY_REJECTIONS = -1 };
 
+/** NULL after a message. */
+simulation *study_simulation(const mesh *cloth, const scene *s);
+
 /** Runs all steps of the scene `repeat` times. 0, or -1 after a message (out of memory, a scene
  * that cannot be set up); a run that does not finish is a result. */
 int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result);
@@ -31,6 +35,13 @@ void measured_free(measured *m);
 /** Root mean square and largest distance of the vertices, in m; not a number where either run did
  *  not finish. */
 double measured_distance(const measured *a, const measured *b, double *largest);
+
+/** The same of `count` vertices; `largest` may be NULL. */
+double distance_of(int count, const double (*x)[3], const double (*y)[3], double *largest);
+
+/** The mesh with each coordinate moved by up to `most` m at random; its other arrays are `from`'s,
+ *  its positions to be freed. 0, or -1 after a message. */
+int move_start(const mesh *from, double most, random_source *source, mesh *to);
 
 /** Kinetic, elastic and of position in gravity's field, J; as the monitor knows it. */
 double total_energy(const simulation *sim);

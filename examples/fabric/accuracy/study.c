@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/files.h"
@@ -12,8 +11,6 @@
 
 /* The reference is refined this often at most. */
 enum { MOST_ROUNDS = 4 };
-
-const char *const integrator_names[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
 
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
               const mesh *cloth, double tolerance) {

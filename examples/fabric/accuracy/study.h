@@ -48,8 +48,6 @@ typedef struct study {
     int row_count;
 } study;
 
-extern const char *const integrator_names[]; /* by integrator_kind, NULL after the last */
-
 /** Stretch stiffness over the weight of a strip as long as the sheet: the inverse of the strain
  *  by its own weight. No unit. */
 double scene_stiffness(const scene *s);

@@ -28,15 +28,13 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     s.solution.tolerance = kind == INTEGRATOR_LINEAR_EULER ? 1e-6 : 1e-2;
     s.solution.newton_tolerance = 1e-7;
     s.solution.newton_iterations = 200;
-    simulation *sim = simulation_new(&of->cloth, &s, error);
-    if (!sim) {
-        fprintf(stderr, "%s: %s\n", s.name, error);
+    simulation *sim = study_simulation(&of->cloth, &s);
+    if (!sim)
         return -1;
-    }
     const double first = total_energy(sim);
     for (int n = 0; n < s.time.steps && simulation_step(sim, error) == 0; n++)
-        fprintf(file, "%s,%.6g,%.9g,%ld\n", integrator_names[kind], simulation_time(sim),
-                total_energy(sim) - first, simulation_steps_rejected(sim));
+        fprintf(file, "%s,%.6g,%.9g,%ld\n", scene_integrators[kind], simulation_time(sim),
+                total_energy(sim) - first, simulation_counts(sim).rejected);
     simulation_free(sim);
     return 0;
 }
@@ -59,10 +57,10 @@ static int write_survival(study *of, integrator_kind kind, double step, double s
     if (measure(&s, &of->cloth, 1, MOST_REJECTIONS_HERE, &got) != 0)
         return -1;
     const int outcome = !got.finished ? 2 : got.rejected > 0 ? 1 : 0;
-    fprintf(file, "%s,%g,%g,%d,%s,%ld,%.4g\n", integrator_names[kind], step, stretch, outcome,
+    fprintf(file, "%s,%g,%g,%d,%s,%ld,%.4g\n", scene_integrators[kind], step, stretch, outcome,
             outcomes[outcome], got.rejected, got.cpu_seconds);
     fprintf(stderr, "%-13s step %7.4f s  stretch %8.1e N/m  %s (%ld rejected)\n",
-            integrator_names[kind], step, stretch, outcomes[outcome], got.rejected);
+            scene_integrators[kind], step, stretch, outcomes[outcome], got.rejected);
     measured_free(&got);
     return 0;
 }
@@ -92,7 +90,6 @@ int study_integrator(study *of) {
 int study_mesh(study *of) {
     static const double factors[] = {0.25, 0.5, 1, 2, 4};
     const int count = of->quick ? 3 : 5;
-    char error[256] = "";
     double before = NAN;
     FILE *file =
         study_open(of, "mesh.csv", "vertices,triangles,cg_iterations,cpu_seconds,lowest,change\n");
@@ -103,8 +100,7 @@ int study_mesh(study *of) {
         const scene finer = refined(&of->base, factors[k]);
         scene s = divided(&finer, of->steps[of->step_count - 1]);
         s.solution.tolerance = 1e-5;
-        if (scene_mesh(&s, &cloth, NULL, error) != 0) {
-            fprintf(stderr, "%s: mesh: %s\n", s.name, error);
+        if (scene_mesh(&s, &cloth, NULL) != 0) {
             status = -1;
             break;
         }

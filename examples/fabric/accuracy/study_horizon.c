@@ -3,10 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "accuracy/study.h"
-#include "base/random.h"
 
 /* Number of perturbed runs, and the largest perturbation of a coordinate, m. */
 enum { MOVED_RUNS = 16 };
@@ -29,35 +27,15 @@ static void flock_free(flock *all) {
 
 /* 0, or -1 after a message. */
 static int flock_add(flock *all, const study *of, random_source *source) {
-    char error[256] = "";
     const int r = all->count;
     mesh *cloth = &all->cloth[r];
-    *cloth = of->cloth;
-    if (r > 0) {
-        cloth->position = malloc(sizeof *cloth->position * ((size_t)cloth->vertex_count + 1));
-        if (!cloth->position) {
-            fprintf(stderr, "%s: out of memory\n", of->base.name);
-            return -1;
-        }
-        for (int i = 0; i < cloth->vertex_count; i++)
-            for (int a = 0; a < 3; a++)
-                cloth->position[i][a] = of->cloth.position[i][a] + moved * random_signed(source);
-    }
+    if (r == 0)
+        *cloth = of->cloth;
+    else if (move_start(&of->cloth, moved, source, cloth) != 0)
+        return -1;
     all->count++;
-    all->run[r] = simulation_new(cloth, &of->base, error);
-    if (all->run[r])
-        return 0;
-    fprintf(stderr, "%s: %s\n", of->base.name, error);
-    return -1;
-}
-
-static double distance_rms(const simulation *a, const simulation *b, int count) {
-    const double(*x)[3] = simulation_positions(a), (*y)[3] = simulation_positions(b);
-    double sum = 0;
-    for (int i = 0; i < count; i++)
-        for (int c = 0; c < 3; c++)
-            sum += (x[i][c] - y[i][c]) * (x[i][c] - y[i][c]);
-    return sqrt(sum / count);
+    all->run[r] = study_simulation(cloth, &of->base);
+    return all->run[r] ? 0 : -1;
 }
 
 /* A row for each run; returns the root mean square of their distances from the first, m. */
@@ -66,7 +44,8 @@ static double write_rows(const study *of, const flock *all, FILE *file) {
     double squares = 0;
     for (int r = 0; r < all->count; r++) {
         const simulation *run = all->run[r];
-        const double apart = distance_rms(run, all->run[0], vertices);
+        const double apart = distance_of(vertices, simulation_positions(run),
+                                         simulation_positions(all->run[0]), NULL);
         squares += apart * apart;
         fprintf(file, "%.6g,%d,%.4g,%.6g,%.6g\n", simulation_time(run), r, apart, total_energy(run),
                 lowest_point(vertices, simulation_positions(run)));

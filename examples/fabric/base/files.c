@@ -25,16 +25,6 @@ static int has_suffix(const char *text, const char *suffix) {
     return length > end && strcmp(text + length - end, suffix) == 0;
 }
 
-int files_output(char path[FILE_PATH_SIZE], const char *folder, const char *name,
-                 const char *given) {
-    if (!given)
-        return files_join(path, folder, name);
-    if (snprintf(path, FILE_PATH_SIZE, "%s", given) < FILE_PATH_SIZE)
-        return 0;
-    fprintf(stderr, "%.100s...: path too long\n", given);
-    return -1;
-}
-
 int files_beside_program(char path[FILE_PATH_SIZE], const char *name) {
     const ssize_t length = readlink("/proc/self/exe", path, FILE_PATH_SIZE - 1);
     if (length <= 0)

@@ -17,11 +17,6 @@ int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 /** "folder/name". 0, or -1 after a message when that is too long. */
 int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
 
-/** Where output goes: `given`, or "folder/name" where that is NULL. 0, or -1 after a message when
- * it is too long. */
-int files_output(char path[FILE_PATH_SIZE], const char *folder, const char *name,
-                 const char *given);
-
 /** "FOLDER/name" with the folder of the running program. 0, or -1: unknown. */
 int files_beside_program(char path[FILE_PATH_SIZE], const char *name);
 

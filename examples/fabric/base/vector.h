@@ -28,6 +28,28 @@ static inline void vector_cross(const double a[3], const double b[3], double pro
     product[2] = z;
 }
 
+static inline void vector_scale(const double a[3], double factor, double scaled[3]) {
+    for (int k = 0; k < 3; k++)
+        scaled[k] = factor * a[k];
+}
+
+/** The direction of a, 0 where that is 0; returns its length. */
+static inline double vector_unit(const double a[3], double unit[3]) {
+    const double length = vector_length(a);
+    for (int k = 0; k < 3; k++)
+        unit[k] = length > 0 ? a[k] / length : 0;
+    return length;
+}
+
+/** The normal of the triangle a b c, twice as long as its area. */
+static inline void vector_normal(const double a[3], const double b[3], const double c[3],
+                                 double normal[3]) {
+    double one[3], other[3];
+    vector_subtract(b, a, one);
+    vector_subtract(c, a, other);
+    vector_cross(one, other, normal);
+}
+
 /** sum = a + factor * b */
 static inline void vector_add_scaled(const double a[3], double factor, const double b[3],
                                      double sum[3]) {

@@ -87,19 +87,17 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
 }
 
 static void print_advice(const scene *s, const advice *a) {
-    static const char *const methods[] = {"conjugate-gradients", "direct"};
-    static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi"};
     const scene *to = &a->settings;
     const int linear = to->time.integrator == INTEGRATOR_LINEAR_EULER;
     const int direct = to->solution.method == METHOD_DIRECT;
-    printf("integrator      %s\n", integrator_names[to->time.integrator]);
+    printf("integrator      %s\n", scene_integrators[to->time.integrator]);
     printf("step            %.3g s: %d steps instead of %d\n", to->time.step, to->time.steps,
            s->time.steps);
     printf("tolerance       %.0e%s\n",
            linear ? to->solution.tolerance : to->solution.newton_tolerance,
            linear ? "" : " of Newton's method");
-    printf("solver          %s\n",
-           direct ? methods[to->solution.method] : preconditioners[to->solution.preconditioner]);
+    printf("solver          %s\n", direct ? scene_methods[to->solution.method]
+                                          : scene_preconditioners[to->solution.preconditioner]);
     printf("error           at most %.3g m rms at the end\n", a->error);
     printf("time            %.3g s of one core of this machine, %.0f iterations\n", a->cpu_seconds,
            a->iterations);
@@ -110,9 +108,9 @@ static void print_advice(const scene *s, const advice *a) {
            "solution.tolerance=%g --set solution.newton_tolerance=%g --set "
            "solution.newton_iterations=%d --set solution.method=%s --set "
            "solution.preconditioner=%s\n",
-           integrator_names[to->time.integrator], to->time.step, to->time.steps,
+           scene_integrators[to->time.integrator], to->time.step, to->time.steps,
            to->solution.tolerance, to->solution.newton_tolerance, to->solution.newton_iterations,
-           methods[to->solution.method], preconditioners[to->solution.preconditioner]);
+           scene_methods[to->solution.method], scene_preconditioners[to->solution.preconditioner]);
 }
 
 static int give_advice(const request *r) {
@@ -122,8 +120,7 @@ static int give_advice(const request *r) {
     mesh cloth;
     if (read_scene(&s, r->scene_name, &r->settings) != 0)
         return EXIT_FAILURE;
-    if (scene_mesh(&s, &cloth, NULL, reason) != 0) {
-        fprintf(stderr, "%s: mesh: %s\n", s.name, reason);
+    if (scene_mesh(&s, &cloth, NULL) != 0) {
         scene_free(&s);
         return EXIT_FAILURE;
     }
@@ -162,7 +159,6 @@ static int write_heading(const study *of) {
 }
 
 static int experiment(const request *r) {
-    char error[256] = "";
     study of = {.folder = r->folder, .repeat = (int)r->repeat, .quick = r->quick};
     if (files_make_folder(r->folder) != 0 ||
         read_scene(&of.base, r->scene_name ? r->scene_name : "flap", &r->settings) != 0)
@@ -171,11 +167,9 @@ static int experiment(const request *r) {
     const int least = r->quick ? most / 4 : 8;
     for (int steps = least; steps <= most && of.step_count < MOST_COUNTS; steps *= 2)
         of.steps[of.step_count++] = steps;
-    int status = -1;
-    if (scene_mesh(&of.base, &of.cloth, NULL, error) != 0)
-        fprintf(stderr, "%s: mesh: %s\n", of.base.name, error);
-    else
-        status = write_heading(&of) == 0 ? run_experiments(&of, r->name) : -1;
+    const int status = scene_mesh(&of.base, &of.cloth, NULL) == 0 && write_heading(&of) == 0
+                           ? run_experiments(&of, r->name)
+                           : -1;
     if (status == 0)
         printf("tables are in %s; fabric-view plot draws them\n", r->folder);
     study_free(&of);

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "commands/commands.h"
 #include "input/mesh_file.h"
@@ -15,8 +14,6 @@ enum { ERROR_SIZE = 256 };
 
 static const char *const actions[] = {"generate", "reorder", "info", NULL};
 enum { GENERATE, REORDER, INFO };
-
-static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 
 /** Arguments of the command line. */
 typedef struct request {
@@ -41,7 +38,7 @@ static const option mesh_options[] = {
     {"--seed", "N", "generate, reorder: random seed (default 1)", OPTION_WHOLE, VALUE(seed),
      .low = 0, .high = 4294967295},
     {"--order", "ORDER", "generated, sorted (reverse Cuthill-McKee), shuffled, hilbert or metis",
-     OPTION_CHOICE, VALUE(order), .choices = orders},
+     OPTION_CHOICE, VALUE(order), .choices = scene_orders},
     {"--numbers", "FILE", "output file for the new number of each vertex, one a line",
      .offset = VALUE(numbers)},
     {"--restore", "FILE", "reorder: undo a renumbering by such a file", .offset = VALUE(restore)},

@@ -62,7 +62,7 @@ static void print_memory(const memory_account *before, const scene *s, const sim
 static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
     int count;
     const effect_account *effects = simulation_effects(sim, &count);
-    const double blocks = (double)simulation_matrix_blocks(sim);
+    const double blocks = (double)simulation_counts(sim).matrix_blocks;
     const double mesh_bytes =
         (double)m->vertex_count * (sizeof *m->position + sizeof *m->material) +
         (double)m->triangle_count * sizeof *m->triangle + (double)m->edge_count * sizeof *m->edge +
@@ -84,10 +84,8 @@ static int plan(const scene *s) {
     char error[ERROR_SIZE] = "";
     mesh m = {0};
     const memory_account before = {memory_most(), memory_allocated()};
-    if (scene_mesh(s, &m, NULL, error) != 0) {
-        fprintf(stderr, "%s: mesh: %s\n", s->name, error);
+    if (scene_mesh(s, &m, NULL) != 0)
         return EXIT_FAILURE;
-    }
     scene_doubts(s, &m, stderr);
     simulation *sim = simulation_new(&m, s, error);
     if (sim) {

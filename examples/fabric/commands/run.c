@@ -125,23 +125,21 @@ static int begin(cloth_run *run, const run_request *r) {
 }
 
 static int make_mesh(cloth_run *run) {
-    char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
-    int *new_of_old = malloc((size_t)run->of.mesh.vertices * sizeof *new_of_old);
+    int *new_of_old = malloc((size_t)run->of.mesh.vertices * sizeof *new_of_old), status = -1;
     run->original = malloc((size_t)run->of.mesh.vertices * sizeof *run->original);
     if (!new_of_old || !run->original)
-        snprintf(error, sizeof error, "out of memory");
-    else if (scene_mesh(&run->of, &run->cloth, new_of_old, error) == 0) {
-        for (int v = 0; v < run->of.mesh.vertices; v++)
-            run->original[new_of_old[v]] = v;
-        run->account.mesh_seconds = clock_seconds() - start;
-        scene_doubts(&run->of, &run->cloth, stderr);
-        free(new_of_old);
-        return 0;
-    }
-    fprintf(stderr, "%s: mesh: %s\n", run->of.name, error);
+        fprintf(stderr, "%s: mesh: out of memory\n", run->of.name);
+    else
+        status = scene_mesh(&run->of, &run->cloth, new_of_old);
+    for (int v = 0; status == 0 && v < run->of.mesh.vertices; v++)
+        run->original[new_of_old[v]] = v;
     free(new_of_old);
-    return -1;
+    if (status != 0)
+        return -1;
+    run->account.mesh_seconds = clock_seconds() - start;
+    scene_doubts(&run->of, &run->cloth, stderr);
+    return 0;
 }
 
 /** 0; 1: it was interrupted, and the step is not taken; or -1 after a message. */
@@ -184,7 +182,7 @@ static int take_steps(cloth_run *run, const run_request *r) {
         ends = interrupted || run->record.step >= last;
         if (taken == 0)
             progress_tell(&told, run->record.step, simulation_time(run->sim),
-                          simulation_iterations(run->sim), run->record.seconds - before);
+                          simulation_counts(run->sim).iterations, run->record.seconds - before);
         if (status == 0)
             status = keep_step(run, ends);
     }

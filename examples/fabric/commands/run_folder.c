@@ -128,7 +128,7 @@ int run_write_frame(const cloth_run *run) {
 int run_write_results(const cloth_run *run) {
     char path[FILE_PATH_SIZE];
     state s = state_of(run, STATE_VELOCITIES | STATE_TRIANGLES | STATE_ORIGINAL);
-    s.step = simulation_steps_taken(run->sim);
+    s.step = simulation_counts(run->sim).taken;
     return files_join(path, run->folder, "final.state") == 0 && state_write(&s, path) == 0 &&
                    files_join(path, run->folder, "summary.json") == 0 &&
                    summary_write(&run->account, path) == 0

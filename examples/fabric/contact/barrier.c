@@ -2,7 +2,6 @@
 /* Making the surface of cloth and bodies, and where bodies are. */
 #include "barrier.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,17 +9,7 @@
 #include "base/vector.h"
 #include "mesh/mesh_parts.h"
 #include "motion.h"
-#include "solid_mesh.h"
-
-void *barrier_grow(void *array, int *room, long count, size_t size) {
-    const long more = count + count / 2 + 1, wanted = more < INT_MAX ? more : INT_MAX;
-    if (array && count <= *room)
-        return array;
-    void *grown = count <= INT_MAX ? realloc(array, (size_t)wanted * size) : NULL;
-    if (grown)
-        *room = (int)wanted;
-    return grown;
-}
+#include "shape.h"
 
 /* Refuses scenes that the barrier does not support. */
 static int check_scene(const scene *s, char *error) {
@@ -92,19 +81,13 @@ static int make_surface(barrier *b) {
     return 0;
 }
 
-int barrier_root(int *parent, int i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 /* Rest positions, and which vertices are connected (union-find). */
 static int know_cloth(barrier *b) {
     const mesh *m = b->cloth;
     const size_t n = (size_t)m->vertex_count + 1;
-    b->rest = calloc(n, sizeof *b->rest);
-    b->component = calloc(n, sizeof *b->component);
-    if (!b->rest || !b->component)
+    b->rest = arrays_add(&b->own, n, sizeof *b->rest);
+    b->component = arrays_add(&b->own, n, sizeof *b->component);
+    if (b->own.failed)
         return -1;
     for (int i = 0; i < m->vertex_count; i++) {
         b->component[i] = i;
@@ -113,10 +96,10 @@ static int know_cloth(barrier *b) {
     }
     for (int t = 0; t < m->triangle_count; t++)
         for (int p = 1; p < 3; p++)
-            b->component[barrier_root(b->component, m->triangle[t][p])] =
-                barrier_root(b->component, m->triangle[t][0]);
+            b->component[forest_root(b->component, m->triangle[t][p])] =
+                forest_root(b->component, m->triangle[t][0]);
     for (int i = 0; i < m->vertex_count; i++)
-        b->component[i] = barrier_root(b->component, i);
+        b->component[i] = forest_root(b->component, i);
     return 0;
 }
 
@@ -151,29 +134,22 @@ int barrier_init(barrier *b, const mesh *cloth, const scene *s, const double *ma
     b->search.bodies_from = cloth->triangle_count;
     b->margin = reach / 2;
     const size_t n = (size_t)b->surface.vertex_count + 1;
-    b->driven = calloc(n, 1);
-    b->begin = calloc(n, sizeof *b->begin);
-    b->x = calloc(n, sizeof *b->x);
-    b->way = calloc(n, sizeof *b->way);
-    b->goal = calloc(n, sizeof *b->goal);
-    b->searched = calloc(n, sizeof *b->searched);
+    b->driven = arrays_add(&b->own, n, 1);
+    b->begin = arrays_add(&b->own, n, sizeof *b->begin);
+    b->x = arrays_add(&b->own, n, sizeof *b->x);
+    b->way = arrays_add(&b->own, n, sizeof *b->way);
+    b->goal = arrays_add(&b->own, n, sizeof *b->goal);
+    b->searched = arrays_add(&b->own, n, sizeof *b->searched);
     set_stiffness(b, reach, mass);
-    return b->driven && b->begin && b->x && b->way && b->goal && b->searched ? 0 : -1;
+    return b->own.failed ? -1 : 0;
 }
 
 void barrier_free(barrier *b) {
     self_collision_free(&b->search);
+    arrays_free(&b->own);
     free(b->surface.position);
     free(b->surface.triangle);
-    free(b->rest);
-    free(b->component);
     free(b->collider);
-    free(b->driven);
-    free(b->begin);
-    free(b->x);
-    free(b->way);
-    free(b->goal);
-    free(b->searched);
     free(b->list.pair);
     free(b->list.contact);
     free(b->list.grip);

@@ -21,6 +21,7 @@
 #ifndef FABRIC_BARRIER_H
 #define FABRIC_BARRIER_H
 
+#include "base/arrays.h"
 #include "mesh/mesh.h"
 #include "nearest.h"
 #include "scene/scene.h"
@@ -83,6 +84,7 @@ typedef struct barrier {
     double (*x)[3];     /* current ones, */
     double (*way)[3];   /* and their planned displacement */
     double (*goal)[3];  /* m, final positions of driven vertices */
+    arrays own;         /* of those above, all but the surface, its owners and the lists */
 } barrier;
 
 /** Keeps references to scene and cloth; mass [vertices] kg. 0, or -1 with a message in
@@ -156,12 +158,5 @@ static inline void barrier_gather(const int vertex[4], const double (*x)[3], dou
         for (int a = 0; a < 3; a++)
             at[k][a] = x[vertex[k]][a];
 }
-
-/** The root of i's tree in a forest (union-find), whose paths it shortens. */
-int barrier_root(int *parent, int i);
-
-/** The array, grown where it has not room for `count` items of `size` bytes: *room is how many it
- *  has room for. NULL: out of memory, the array is as it was. */
-void *barrier_grow(void *array, int *room, long count, size_t size);
 
 #endif

@@ -199,10 +199,8 @@ static double friction_of(const barrier *b, const barrier_pair *pair) {
 int barrier_grip_contacts(barrier *b) {
     barrier_list *list = &b->list;
     list->grips = 0;
-    barrier_grip *grown = barrier_grow(list->grip, &list->grip_room, list->contacts, sizeof *grown);
-    if (!grown)
+    if (array_grow(&list->grip, &list->grip_room, list->contacts, sizeof *list->grip) != 0)
         return -1;
-    list->grip = grown;
     for (int k = 0; k < list->contacts; k++) {
         const barrier_contact *touch = &list->contact[k];
         const double most =
@@ -216,11 +214,9 @@ int barrier_grip_contacts(barrier *b) {
 int barrier_make_elements(barrier *b, double h, const double (*x)[3]) {
     barrier_list *list = &b->list;
     list->elements = 0;
-    barrier_element *grown = barrier_grow(list->element, &list->element_room,
-                                          (long)list->contacts + list->grips, sizeof *grown);
-    if (!grown)
+    if (array_grow(&list->element, &list->element_room, (long)list->contacts + list->grips,
+                   sizeof *list->element) != 0)
         return -1;
-    list->element = grown;
     list->elements = list->contacts + list->grips;
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < list->elements; k++) {

@@ -2,7 +2,6 @@
 /* Which pairs there are: the grid's, and each vertex with each plane. */
 #include "barrier.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/vector.h"
@@ -168,10 +167,8 @@ int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3])
         return -1;
     const int found = b->search.pair_count;
     const long all = found + (long)vertices * count_planes(b);
-    barrier_pair *grown = barrier_grow(list->pair, &list->pair_room, all, sizeof *grown);
-    if (!grown)
+    if (array_grow(&list->pair, &list->pair_room, all, sizeof *list->pair) != 0)
         return -1;
-    list->pair = grown;
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < found; k++) {
         list->pair[k] = pair_of(b, &b->search.pair[k]);
@@ -193,11 +190,8 @@ int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3])
 int barrier_find_contacts(barrier *b, const double (*x)[3]) {
     barrier_list *list = &b->list;
     list->contacts = 0;
-    barrier_contact *grown =
-        barrier_grow(list->contact, &list->contact_room, list->pairs, sizeof *grown);
-    if (!grown)
+    if (array_grow(&list->contact, &list->contact_room, list->pairs, sizeof *list->contact) != 0)
         return -1;
-    list->contact = grown;
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < list->pairs; k++) {
         double at[4][3];

@@ -8,8 +8,6 @@
  */
 #include "barrier.h"
 
-#include <string.h>
-
 #include "base/vector.h"
 
 /* A pair keeps at least this fraction of its distance, less the minimum below. */

@@ -40,11 +40,9 @@ static extent extent_of(const barrier *b, int triangle) {
 
 /* Six times the volume of the four points. */
 static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
-    double ab[3], ac[3], ad[3], cross[3];
-    vector_subtract(b, a, ab);
-    vector_subtract(c, a, ac);
+    double ad[3], cross[3];
     vector_subtract(d, a, ad);
-    vector_cross(ab, ac, cross);
+    vector_normal(a, b, c, cross);
     return vector_dot(cross, ad);
 }
 
@@ -54,7 +52,7 @@ static int crosses(const barrier *b, const int edge[2], const int triangle[3],
                    barrier_crossing *found) {
     const double *p = b->x[edge[0]], *q = b->x[edge[1]], *x[3];
     const double rounding = 1e-9; /* of the edge's length */
-    double one[3], other[3], along[3], *weight = found->weight;
+    double along[3], *weight = found->weight;
     for (int k = 0; k < 3; k++) {
         x[k] = b->x[triangle[k]];
         if (triangle[k] == edge[0] || triangle[k] == edge[1])
@@ -66,9 +64,7 @@ static int crosses(const barrier *b, const int edge[2], const int triangle[3],
     const int side = weight[2] > 0;
     if ((above > 0) == (below > 0) || (weight[0] > 0) != side || (weight[1] > 0) != side)
         return 0;
-    vector_subtract(x[1], x[0], one);
-    vector_subtract(x[2], x[0], other);
-    vector_cross(one, other, found->normal);
+    vector_normal(x[0], x[1], x[2], found->normal);
     vector_subtract(q, p, along);
     const double area = vector_length(found->normal), sum = weight[0] + weight[1] + weight[2];
     memcpy(found->edge, edge, sizeof found->edge);

@@ -43,11 +43,8 @@ static void couple_cloth(const barrier *b, const int vertex[4], int couple[4]) {
 
 static int lay_out(barrier_system *s, const barrier *b) {
     const int count = b->list.elements;
-    void *couple = barrier_grow(s->couple, &s->couple_room, count, sizeof *s->couple);
-    s->couple = couple ? couple : s->couple;
-    void *place = barrier_grow(s->place, &s->place_room, count, sizeof *s->place);
-    s->place = place ? place : s->place;
-    if (!couple || !place)
+    if (array_grow(&s->couple, &s->couple_room, count, sizeof *s->couple) != 0 ||
+        array_grow(&s->place, &s->place_room, count, sizeof *s->place) != 0)
         return -1;
 #pragma omp parallel for schedule(static)
     for (int e = 0; e < count; e++)

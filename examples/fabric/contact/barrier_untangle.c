@@ -10,7 +10,6 @@
  * the same holds for each connected patch of the overlap. The boundary of an overlap moves inwards
  * by about an edge a round, hence the number of rounds.
  */
-#include <stdlib.h>
 #include <string.h>
 
 #include "barrier.h"
@@ -34,25 +33,18 @@ typedef struct untangling {
     double longest;      /* m, of one projection */
     int crossings;       /* in this round; */
     int changed;         /* something moved in it */
+    arrays own;
 } untangling;
-
-static void untangling_free(untangling *u) {
-    free(u->part);
-    free(u->side);
-    free(u->patch);
-    free(u->above);
-    free(u->normal);
-}
 
 /* Parts are numbered in the order of their first vertices, bodies behind them. */
 static int untangling_init(untangling *u, barrier *b) {
     const int vertices = b->cloth->vertex_count;
     *u = (untangling){.b = b, .longest = mesh_mean_edge(b->cloth)};
-    u->part = malloc(((size_t)b->surface.vertex_count + 1) * sizeof *u->part);
-    u->normal = malloc(((size_t)b->surface.vertex_count + 1) * sizeof *u->normal);
-    u->patch = malloc(((size_t)vertices + 1) * sizeof *u->patch);
-    u->above = calloc((size_t)vertices + 1, sizeof *u->above);
-    if (!u->part || !u->normal || !u->patch || !u->above)
+    u->part = arrays_add(&u->own, (size_t)b->surface.vertex_count + 1, sizeof *u->part);
+    u->normal = arrays_add(&u->own, (size_t)b->surface.vertex_count + 1, sizeof *u->normal);
+    u->patch = arrays_add(&u->own, (size_t)vertices + 1, sizeof *u->patch);
+    u->above = arrays_add(&u->own, (size_t)vertices + 1, sizeof *u->above);
+    if (u->own.failed)
         return -1;
     for (int i = 0; i < vertices; i++)
         if (b->component[i] == i)
@@ -60,15 +52,12 @@ static int untangling_init(untangling *u, barrier *b) {
     u->parts = u->cloths + b->scene->collider_count;
     for (int i = 0; i < b->surface.vertex_count; i++)
         u->part[i] = i < vertices ? u->part[b->component[i]] : u->cloths + b->collider[i];
-    u->side = calloc((size_t)u->cloths * (size_t)u->parts + 1, sizeof *u->side);
-    return u->side ? 0 : -1;
+    u->side = arrays_add(&u->own, (size_t)u->cloths * (size_t)u->parts + 1, sizeof *u->side);
+    return u->own.failed ? -1 : 0;
 }
 
 static void triangle_normal(const barrier *b, const int vertex[3], double normal[3]) {
-    double one[3], other[3];
-    vector_subtract(b->x[vertex[1]], b->x[vertex[0]], one);
-    vector_subtract(b->x[vertex[2]], b->x[vertex[0]], other);
-    vector_cross(one, other, normal);
+    vector_normal(b->x[vertex[0]], b->x[vertex[1]], b->x[vertex[2]], normal);
 }
 
 /* Weighted by the areas of the triangles. */
@@ -92,9 +81,7 @@ static void feature_normal(const untangling *u, int count, const int *vertex, do
         if (count == 2)
             vector_add_scaled(normal, 1, u->normal[vertex[1]], normal);
     }
-    const double length = vector_length(normal);
-    for (int a = 0; a < 3; a++)
-        normal[a] = length > 0 ? normal[a] / length : 0;
+    vector_unit(normal, normal);
 }
 
 /* Each vertex' height above or below a triangle counts for its part. */
@@ -140,10 +127,10 @@ static void find_patches(untangling *u) {
         for (int p = 0; p < 3; p++) {
             const int i = m->triangle[t][p], j = m->triangle[t][(p + 1) % 3];
             if (u->above[i] != 0 && u->above[j] != 0)
-                u->patch[barrier_root(u->patch, j)] = barrier_root(u->patch, i);
+                u->patch[forest_root(u->patch, j)] = forest_root(u->patch, i);
         }
     for (int i = 0; i < m->vertex_count; i++) {
-        u->patch[i] = barrier_root(u->patch, i);
+        u->patch[i] = forest_root(u->patch, i);
         if (u->patch[i] != i)
             u->above[u->patch[i]] += u->above[i];
     }
@@ -162,8 +149,7 @@ static int find_own_direction(const untangling *u, int firsts, const int *first,
         feature_normal(u, seconds, second, direction);
     else
         feature_normal(u, firsts, first, direction);
-    for (int a = 0; a < 3; a++)
-        direction[a] *= sign > 0 ? 1 : -1;
+    vector_scale(direction, sign > 0 ? 1 : -1, direction);
     return sign != 0;
 }
 
@@ -179,8 +165,7 @@ static int find_direction(const untangling *u, int firsts, const int *first, int
         feature_normal(u, firsts, first, direction);
     const double side = u->side[one < other ? one * u->parts + other : other * u->parts + one];
     const double sign = (side > 0) == (one < other) ? 1 : -1;
-    for (int a = 0; a < 3; a++)
-        direction[a] *= sign;
+    vector_scale(direction, sign, direction);
     return 1;
 }
 
@@ -215,8 +200,7 @@ static int separate_crossing(void *context, const barrier *b, const barrier_cros
         vector_subtract(b->x[found->edge[0]], b->x[found->edge[1]], across);
         end = vector_dot(across, direction) > 0;
     } else {
-        for (int a = 0; a < 3; a++)
-            direction[a] = -found->normal[a];
+        vector_scale(found->normal, -1, direction);
     }
     const int vertex[4] = {found->edge[end], found->triangle[0], found->triangle[1],
                            found->triangle[2]};
@@ -290,6 +274,6 @@ int barrier_untangle(barrier *b) {
         if (status == 0)
             separate_near(&u);
     }
-    untangling_free(&u);
+    arrays_free(&u.own);
     return status;
 }

@@ -2,6 +2,7 @@
 #include "collision.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/chunk_sum.h"
 #include "base/vector.h"
@@ -23,19 +24,19 @@ static void find_pins(collisions *c, double time) {
     c->pinned.count = 0;
     if (!c->pinned.pin_of)
         return;
-    for (int i = 0; i < c->vertex_count; i++)
+    for (int i = 0; i < c->mesh->vertex_count; i++)
         c->pinned.pin_of[i] = c->mass[i] > 0 ? -1 : s->pin_count;
     for (int p = s->pin_count - 1; p >= 0; p--)
         if (lasts(0, s->pins[p].until, time))
             pin_find(&s->pins[p], c->mesh, p, c->pinned.pin_of);
-    for (int i = 0; i < c->vertex_count; i++)
+    for (int i = 0; i < c->mesh->vertex_count; i++)
         if (c->pinned.pin_of[i] >= 0)
             c->pinned.list[c->pinned.count++] = i;
 }
 
 /* Is there a vertex that is held at some time? */
 static int any_pins(const collisions *c) {
-    for (int i = 0; i < c->vertex_count && c->scene->pin_count == 0; i++)
+    for (int i = 0; i < c->mesh->vertex_count && c->scene->pin_count == 0; i++)
         if (!(c->mass[i] > 0))
             return 1;
     return c->scene->pin_count > 0;
@@ -76,39 +77,30 @@ static int any_keyframes(const scene *s) {
 }
 
 static int allocate(collisions *c) {
-    const size_t n = (size_t)c->vertex_count + 1;
-    const size_t pins = (size_t)c->scene->pin_count + 1;
+    const size_t n = (size_t)c->mesh->vertex_count + 1;
     const size_t colliders = (size_t)c->scene->collider_count + 1;
-    const int held = any_pins(c);
-    c->pinned.pin_of = held ? calloc(n, sizeof *c->pinned.pin_of) : NULL;
-    c->pinned.list = held ? calloc(n, sizeof *c->pinned.list) : NULL;
-    c->pinned.speed = calloc(pins, sizeof *c->pinned.speed);
-    c->there = calloc(colliders, 1);
-    c->near_list = calloc(colliders, sizeof *c->near_list);
-    c->others.watched = calloc(colliders, sizeof *c->others.watched);
-    if (!c->pinned.speed || !c->there || !c->near_list || !c->others.watched ||
-        (held && (!c->pinned.pin_of || !c->pinned.list)))
-        return -1;
-    if (c->scene->collider_count == 0)
-        return 0;
-    if (any_keyframes(c->scene)) {
-        c->motion = calloc(colliders, sizeof *c->motion);
-        c->carried = calloc(n, sizeof *c->carried);
-        if (!c->motion || !c->carried)
-            return -1;
+    if (any_pins(c)) {
+        c->pinned.pin_of = arrays_add(&c->own, n, sizeof *c->pinned.pin_of);
+        c->pinned.list = calloc(n, sizeof *c->pinned.list);
+        c->own.failed |= !c->pinned.list;
     }
-    c->before = calloc(n, sizeof *c->before);
-    c->now = calloc(n, sizeof *c->now);
-    return c->before && c->now ? 0 : -1;
+    c->pinned.speed = arrays_add(&c->own, (size_t)c->scene->pin_count + 1, sizeof *c->pinned.speed);
+    c->there = arrays_add(&c->own, colliders, 1);
+    c->near_list = arrays_add(&c->own, colliders, sizeof *c->near_list);
+    c->others.watched = arrays_add(&c->own, colliders, sizeof *c->others.watched);
+    if (any_keyframes(c->scene)) {
+        c->motion = arrays_add(&c->own, colliders, sizeof *c->motion);
+        c->carried = arrays_add(&c->own, n, sizeof *c->carried);
+    }
+    if (c->scene->collider_count > 0) {
+        c->before = arrays_add(&c->own, n, sizeof *c->before);
+        c->now = arrays_add(&c->own, n, sizeof *c->now);
+    }
+    return c->own.failed ? -1 : 0;
 }
 
 int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass) {
-    *c = (collisions){.scene = s,
-                      .mesh = m,
-                      .mass = mass,
-                      .vertex_count = m->vertex_count,
-                      .now_empty = 1,
-                      .before_empty = 1};
+    *c = (collisions){.scene = s, .mesh = m, .mass = mass, .now_empty = 1, .before_empty = 1};
     c->stick_speed = 0.01 * s->time.step * vector_length(s->surroundings.gravity);
     if (!(c->stick_speed > 1e-5))
         c->stick_speed = 1e-5;
@@ -127,16 +119,8 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
 }
 
 void collisions_free(collisions *c) {
-    free(c->pinned.pin_of);
+    arrays_free(&c->own);
     free(c->pinned.list);
-    free(c->pinned.speed);
-    free(c->there);
-    free(c->near_list);
-    free(c->motion);
-    free(c->carried);
-    free(c->others.watched);
-    free(c->before);
-    free(c->now);
     free(c->met.list);
     free(c->met.distance);
     free(c->met.is_near);
@@ -197,12 +181,11 @@ static void add_contact(const collisions *c, int vertex, const contact *before,
     vertex_contacts *of = &c->now[vertex];
     if (of->count == CONTACTS_PER_VERTEX)
         return;
-    for (int a = 0; c->carried && a < 3; a++)
-        c->carried[vertex][of->count][a] = found->carried[a];
+    if (c->carried)
+        memcpy(c->carried[vertex][of->count], found->carried, sizeof found->carried);
     contact *added = &of->list[of->count++];
     *added = before ? *before : (contact){.collider = index};
-    for (int a = 0; a < 3; a++)
-        added->normal[a] = found->normal[a];
+    memcpy(added->normal, found->normal, sizeof added->normal);
     added->speed = collisions_given_speed(c, k, found, h);
 }
 
@@ -221,7 +204,7 @@ static void add_friction(const contact *touch, double friction, const double car
 }
 
 static void clear_contacts(collisions *c) {
-    for (int i = 0; i < c->vertex_count && !c->now_empty; i++)
+    for (int i = 0; i < c->mesh->vertex_count && !c->now_empty; i++)
         c->now[i].count = 0;
     c->now_empty = 1;
 }
@@ -237,9 +220,9 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
         return;
     }
     c->now_empty = 0;
-    c->visits += (long)c->vertex_count * c->any_near;
+    c->visits += (long)c->mesh->vertex_count * c->any_near;
 #pragma omp parallel for schedule(static)
-    for (int i = 0; i < c->vertex_count; i++) {
+    for (int i = 0; i < c->mesh->vertex_count; i++) {
         double expected[3];
         vector_add_scaled(v[i], 1, dv[i], expected);
         c->now[i].count = 0;
@@ -263,7 +246,7 @@ void collisions_add_friction(collisions *c, double h, const double (*v)[3], line
     if (!c->now || c->now_empty)
         return;
 #pragma omp parallel for schedule(static) reduction(+ : visits)
-    for (int i = 0; i < c->vertex_count; i++)
+    for (int i = 0; i < c->mesh->vertex_count; i++)
         for (int n = 0; n < c->now[i].count; n++) {
             const int number = c->now[i].list[n].collider;
             const contact *before = find_contact(&c->before[i], number);
@@ -282,8 +265,7 @@ static int demands(const collisions *c, int vertex, const double v[3], double d[
     const vertex_contacts *of = &c->now[vertex];
     int count = 0;
     for (int n = 0; n < of->count; n++, count++) {
-        for (int a = 0; a < 3; a++)
-            d[count][a] = of->list[n].normal[a];
+        memcpy(d[count], of->list[n].normal, sizeof *d);
         change[count] = of->list[n].speed - vector_dot(of->list[n].normal, v);
     }
     for (int n = 0; n < of->count; n++) {
@@ -313,11 +295,11 @@ int collisions_constrain(const collisions *c, const double (*v)[3], constraints 
     const int contacts = c->now && !c->now_empty;
     if (c->pinned.count == 0 && !contacts && given->used == 0)
         return 0;
-    for (int i = 0; i < c->vertex_count; i++)
+    for (int i = 0; i < c->mesh->vertex_count; i++)
         if (is_given(c, i, contacts) && constraint_place(given, i) != 0)
             return -1;
 #pragma omp parallel for schedule(static)
-    for (int i = 0; i < c->vertex_count; i++) {
+    for (int i = 0; i < c->mesh->vertex_count; i++) {
         double d[CONTACTS_PER_VERTEX + 3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         double change[CONTACTS_PER_VERTEX + 3];
         int count = 0;
@@ -345,7 +327,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
         return 0;
     c->now_empty = 0;
 #pragma omp parallel for schedule(static) reduction(+ : added)
-    for (int i = 0; i < c->vertex_count; i++) {
+    for (int i = 0; i < c->mesh->vertex_count; i++) {
         double after[3];
         vector_add_scaled(v[i], 1, dv[i], after);
         if (collisions_pin_of(c, i) >= 0)
@@ -385,9 +367,9 @@ static double keep_out(const collisions *c, int i, double time, double h, const 
     return changed;
 }
 
-double collisions_keep_out(collisions *c, double time, double h, const double *mass,
-                           const double (*x)[3], double (*v)[3], double *work) {
-    const int count = c->vertex_count;
+double collisions_keep_out(collisions *c, double time, double h, const double (*x)[3],
+                           double (*v)[3], double *work) {
+    const int count = c->mesh->vertex_count;
     double sum[CHUNK_SUM_MOST] = {0}, largest = 0;
     if (!c->now || !c->any_near)
         return 0;
@@ -397,7 +379,7 @@ double collisions_keep_out(collisions *c, double time, double h, const double *m
             const double before = vector_dot(v[i], v[i]);
             const double changed = keep_out(c, i, time, h, x[i], v[i]);
             if (changed > 0)
-                sum[chunk] += mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
+                sum[chunk] += c->mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
             largest = changed > largest ? changed : largest;
         }
     *work += chunk_sum_all(count, sum);
@@ -439,8 +421,7 @@ static void settle(contact *touch, const collider *k, const double carried[3], d
         touch->slip_speed = stick_speed;
 }
 
-void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
-                       const double (*residual)[3]) {
+void collisions_accept(collisions *c, double h, const double (*v)[3], const double (*residual)[3]) {
     if (!c->now)
         return;
     const int before_empty = c->before_empty;
@@ -449,12 +430,12 @@ void collisions_accept(collisions *c, double h, const double *mass, const double
     if (c->before_empty && c->now_empty)
         return;
 #pragma omp parallel for schedule(static)
-    for (int i = 0; i < c->vertex_count; i++) {
+    for (int i = 0; i < c->mesh->vertex_count; i++) {
         const double force[3] = {-residual[i][0] / h, -residual[i][1] / h, -residual[i][2] / h};
         for (int n = 0; n < c->now[i].count; n++) {
             contact *touch = &c->now[i].list[n];
             settle(touch, &c->scene->colliders[touch->collider], collisions_carried(c, i, n),
-                   c->stick_speed, h, mass[i], v[i], force);
+                   c->stick_speed, h, c->mass[i], v[i], force);
         }
     }
     vertex_contacts *spare = c->before;

@@ -12,6 +12,7 @@
 #ifndef FABRIC_COLLISION_H
 #define FABRIC_COLLISION_H
 
+#include "base/arrays.h"
 #include "impulse.h"
 #include "mesh/mesh.h"
 #include "motion.h"
@@ -74,7 +75,6 @@ typedef struct collisions {
     const scene *scene;
     const mesh *mesh;
     const double *mass; /* [vertices] kg */
-    int vertex_count;
     pinned_vertices pinned;
     unsigned char *there; /* [colliders] it exists at present */
     int *near_list;       /* [any_near] those that may touch the cloth in the step being taken,
@@ -93,6 +93,7 @@ typedef struct collisions {
     double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, and of the colliders' matter
                                                   there; NULL: none has keyframes */
     met_triangles met;
+    arrays own; /* of those above, but for met's and the list of those pinned */
 } collisions;
 
 /** Which pin holds the vertex; -1: none does. */
@@ -131,10 +132,9 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
                           const double (*v)[3], const double (*dv)[3]);
 
 /** Last resort for contacts that were missed: changes v so that x + h v stays outside, and adds
- *  the required work to *work, J; mass [vertices] kg. Returns the largest change of a velocity,
- *  m/s. */
-double collisions_keep_out(collisions *c, double time, double h, const double *mass,
-                           const double (*x)[3], double (*v)[3], double *work);
+ *  the required work to *work, J. Returns the largest change of a velocity, m/s. */
+double collisions_keep_out(collisions *c, double time, double h, const double (*x)[3],
+                           double (*v)[3], double *work);
 
 /** Finds the colliders that may touch the cloth in the step, with velocities v + dv (dv NULL: v;
  *  v NULL: at rest). The functions below test only these. */
@@ -165,8 +165,7 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
 
 /** The step of h s is accepted, with velocities v after it; residual as the solver left it. Notes
  *  the contacts' forces, and which stick or slide from now on. */
-void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
-                       const double (*residual)[3]);
+void collisions_accept(collisions *c, double h, const double (*v)[3], const double (*residual)[3]);
 
 /** The work in J of constraints and friction in the step of h s that ends with velocities v; an
  *  upper bound if a collider moves. Colliders at rest do no positive work except to push
@@ -179,9 +178,6 @@ double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 
 /** How many vertices that are not pinned are inside a collider at `time`. */
 long collisions_inside(const collisions *c, double time, const double (*x)[3]);
-
-/** Contacts now; and of them, how many stick. Either may be NULL. */
-void collisions_count(const collisions *c, long *contacts, long *sticking);
 
 /** Sets pin_of[i] = number for each vertex i of the mesh that the pin holds: by where the mesh has
  *  it, before anything moves. pin_of: [vertex_count]. */

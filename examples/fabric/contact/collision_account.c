@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Work, depth and counts of contacts. */
+/* Work and depth of contacts. */
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "collision.h"
@@ -31,7 +31,7 @@ static int is_held_at_rest(const collisions *c, int vertex) {
  * meaningful: at single vertices the solver's tolerance appears with either sign. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]) {
-    const int count = c->vertex_count, contacts = c->now && !c->now_empty;
+    const int count = c->mesh->vertex_count, contacts = c->now && !c->now_empty;
     double moving[CHUNK_SUM_MOST] = {0}, resting[CHUNK_SUM_MOST] = {0};
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
@@ -69,7 +69,7 @@ double collisions_depth(const collisions *c, double time, const double (*x)[3]) 
     if (!c->now || !c->any_near)
         return 0;
 #pragma omp parallel for schedule(static) reduction(max : deepest)
-    for (int i = 0; i < c->vertex_count; i++) {
+    for (int i = 0; i < c->mesh->vertex_count; i++) {
         const double depth = depth_of(c, i, time, x[i]);
         if (depth > deepest)
             deepest = depth;
@@ -79,20 +79,7 @@ double collisions_depth(const collisions *c, double time, const double (*x)[3]) 
 
 long collisions_inside(const collisions *c, double time, const double (*x)[3]) {
     long inside = 0;
-    for (int i = 0; i < c->vertex_count && c->any_near > 0; i++)
+    for (int i = 0; i < c->mesh->vertex_count && c->any_near > 0; i++)
         inside += depth_of(c, i, time, x[i]) > 0;
     return inside;
-}
-
-void collisions_count(const collisions *c, long *contacts, long *sticking) {
-    long all = 0, still = 0;
-    for (int i = 0; c->before && i < c->vertex_count; i++)
-        for (int n = 0; n < c->before[i].count; n++) {
-            all++;
-            still += c->before[i].list[n].sticks;
-        }
-    if (contacts)
-        *contacts = all;
-    if (sticking)
-        *sticking = still;
 }

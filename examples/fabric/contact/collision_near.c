@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The colliders that the cloth may touch in a step. The cost of a step does not grow with the
  * number of the others. */
+#include <string.h>
+
 #include "base/vector.h"
 #include "collision.h"
 #include "shape.h"
@@ -15,7 +17,7 @@ static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3
     cloth_ball ball = {{0, 0, 0}, 0, 0};
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     double radius = 0, way = 0;
-    for (int i = 0; i < c->vertex_count; i++)
+    for (int i = 0; i < c->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++) {
             low[a] = x[i][a] < low[a] ? x[i][a] : low[a];
             high[a] = x[i][a] > high[a] ? x[i][a] : high[a];
@@ -24,7 +26,7 @@ static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3
         ball.center[a] = (low[a] + high[a]) / 2;
         radius += (high[a] - low[a]) * (high[a] - low[a]) / 4;
     }
-    for (int i = 0; v && i < c->vertex_count; i++) {
+    for (int i = 0; v && i < c->mesh->vertex_count; i++) {
         double speed[3] = {v[i][0], v[i][1], v[i][2]};
         if (dv)
             vector_add_scaled(v[i], 1, dv[i], speed);
@@ -79,8 +81,7 @@ static void look_at_all(collisions *c, const cloth_ball *ball, double time, doub
     out_of_reach *others = &c->others;
     const double margin = ball->radius + 4 * ball->way;
     *others = (out_of_reach){.watched = others->watched, .clearance = INFINITY, .time = time};
-    for (int a = 0; a < 3; a++)
-        others->center[a] = ball->center[a];
+    memcpy(others->center, ball->center, sizeof others->center);
     for (int n = 0; n < c->scene->collider_count; n++) {
         const collider *k = &c->scene->colliders[n];
         if (!c->there[n])

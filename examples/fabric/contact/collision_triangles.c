@@ -2,6 +2,7 @@
 /* Colliders that come between the vertices of a triangle: a thin rod, a tip, a small ball. */
 #include <stdlib.h>
 
+#include "base/arrays.h"
 #include "base/vector.h"
 #include "collision.h"
 #include "shape_triangle.h"
@@ -61,11 +62,11 @@ static int find_clearances(collisions *c, int number, double time, double h, con
     if (k->kind == COLLIDER_MESH)
         return 0;
     if (!c->met.distance)
-        c->met.distance = malloc(((size_t)c->vertex_count + 1) * sizeof *c->met.distance);
+        c->met.distance = malloc(((size_t)c->mesh->vertex_count + 1) * sizeof *c->met.distance);
     if (!c->met.distance)
         return -1;
 #pragma omp parallel for schedule(static) reduction(max : way)
-    for (int i = 0; i < c->vertex_count; i++) {
+    for (int i = 0; i < c->mesh->vertex_count; i++) {
         double p[3], u[3], normal[3];
         motion_enter(k, motion, time, h, x[i], v[i], p, u);
         c->met.distance[i] = shape_distance(k, p, normal);
@@ -91,14 +92,8 @@ static int is_far(const clearances *known, const collider *k, const int corner[3
 }
 
 static int add(met_triangles *met, int triangle, int collider_number, double gap) {
-    if (met->count == met->room) {
-        const int room = met->room > 0 ? 2 * met->room : 256;
-        met_triangle *more = realloc(met->list, (size_t)room * sizeof *more);
-        if (!more)
-            return -1;
-        met->list = more;
-        met->room = room;
-    }
+    if (array_grow(&met->list, &met->room, (long)met->count + 1, sizeof *met->list) != 0)
+        return -1;
     met->gap = fmin(met->gap, gap);
     met->list[met->count++] = (met_triangle){triangle, collider_number};
     return 0;

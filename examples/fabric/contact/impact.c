@@ -11,8 +11,7 @@ static double push(impact_step *s, double *own_work, double *body_work) {
     double largest = 0;
     if (s->itself)
         largest = self_collision_push(s->itself, &s->of, s->h, s->x, s->v, own_work);
-    largest = fmax(
-        largest, collisions_keep_out(s->bodies, s->time, s->h, s->of.mass, s->x, s->v, body_work));
+    largest = fmax(largest, collisions_keep_out(s->bodies, s->time, s->h, s->x, s->v, body_work));
     return fmax(largest,
                 collisions_push_triangles(s->bodies, &s->of, s->time, s->h, s->x, s->v, body_work));
 }

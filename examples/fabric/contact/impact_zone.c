@@ -16,14 +16,6 @@ typedef struct zone {
     double inertia[3][3], spin[3];       /* about the centre, kg m^2; kg m^2/s */
 } zone;
 
-static int root_of(int *parent, int i) {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
 /* Joins the vertices of the pairs that pass; returns how many pairs those are. */
 static int join(const self_collision *s, int *parent, double h, const double (*x)[3],
                 const double (*v)[3]) {
@@ -34,8 +26,8 @@ static int join(const self_collision *s, int *parent, double h, const double (*x
             continue;
         passing++;
         for (int k = 1; k < 4; k++) {
-            const int one = root_of(parent, pair->vertex[0]);
-            const int other = root_of(parent, pair->vertex[k]);
+            const int one = forest_root(parent, pair->vertex[0]);
+            const int other = forest_root(parent, pair->vertex[k]);
             parent[one < other ? other : one] = one < other ? one : other;
         }
     }
@@ -47,7 +39,7 @@ static void sum_up(const self_collision *s, const movable *of, int *parent, cons
     const int count = s->mesh->vertex_count;
     memset(zones, 0, sizeof *zones * (size_t)count);
     for (int i = 0; i < count; i++) {
-        zone *z = &zones[root_of(parent, i)];
+        zone *z = &zones[forest_root(parent, i)];
         z->count++;
         z->mass += of->mass[i];
         vector_add_scaled(z->center, of->mass[i], x[i], z->center);
@@ -58,7 +50,7 @@ static void sum_up(const self_collision *s, const movable *of, int *parent, cons
         }
     }
     for (int i = 0; i < count; i++) {
-        zone *z = &zones[root_of(parent, i)];
+        zone *z = &zones[forest_root(parent, i)];
         double arm[3], turn[3];
         for (int a = 0; a < 3; a++)
             arm[a] = x[i][a] - (z->mass > 0 ? z->center[a] / z->mass : 0);
@@ -93,7 +85,7 @@ static double move_together(const self_collision *s, const movable *of, int *par
                             const double (*x)[3], double (*v)[3], const zone *zones) {
     double work = 0;
     for (int i = 0; i < s->mesh->vertex_count; i++) {
-        const zone *z = &zones[root_of(parent, i)];
+        const zone *z = &zones[forest_root(parent, i)];
         double turn[3] = {0, 0, 0}, arm[3], around[3], change[3];
         if (z->count < 2 || !(z->mass > 0))
             continue;

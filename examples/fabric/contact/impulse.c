@@ -56,8 +56,7 @@ static void response(const movable *of, int i, const double v[3], const double d
     movable_part(of, i, v, d, change);
     if (!(vector_dot(change, d) >= least_part * vector_dot(d, d)))
         light = 0;
-    for (int a = 0; a < 3; a++)
-        change[a] *= light;
+    vector_scale(change, light, change);
 }
 
 /* The change of the feature's velocity along the unit vector d, for an impulse of 1 kg m/s. */
@@ -66,8 +65,7 @@ static double mobility(const movable *of, const feature *f, const double (*v)[3]
     double sum = 0;
     for (int k = 0; k < f->count; k++) {
         double pushed[3], change[3];
-        for (int a = 0; a < 3; a++)
-            pushed[a] = f->weight[k] * d[a];
+        vector_scale(d, f->weight[k], pushed);
         response(of, f->vertex[k], v[f->vertex[k]], pushed, change);
         sum += vector_dot(pushed, change);
     }
@@ -86,8 +84,7 @@ static double apply(const movable *of, const feature *f, const double impulse[3]
     for (int k = 0; k < f->count; k++) {
         const int i = f->vertex[k];
         double pushed[3], moved[3];
-        for (int a = 0; a < 3; a++)
-            pushed[a] = f->weight[k] * impulse[a];
+        vector_scale(impulse, f->weight[k], pushed);
         response(of, i, v[i], pushed, moved);
         const double before = vector_dot(v[i], v[i]);
         movable_move(of, i, moved, v[i]);
@@ -104,13 +101,10 @@ static void find_friction(const movable *of, const feature *f, const double norm
     if (base)
         vector_subtract(slip, base, slip);
     vector_add_scaled(slip, -vector_dot(slip, normal), normal, slip);
-    const double speed = vector_length(slip);
-    for (int a = 0; a < 3; a++)
-        slip[a] /= speed > 0 ? speed : 1;
+    const double speed = vector_unit(slip, slip);
     const double light = mobility(of, f, v, slip);
     const double stops = light > 0 ? speed / light : 0;
-    for (int a = 0; a < 3; a++)
-        impulse[a] = -(stops < most ? stops : most) * slip[a];
+    vector_scale(slip, -(stops < most ? stops : most), impulse);
 }
 
 int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3],

@@ -12,6 +12,8 @@
 #ifndef FABRIC_MOTION_H
 #define FABRIC_MOTION_H
 
+#include <string.h>
+
 #include "scene/scene.h"
 
 /** A place and three axes: a point of the body at p is at origin + turn p in space. */
@@ -78,8 +80,7 @@ static inline void motion_carry(const collider *k, const body_motion *m, const d
     if (motion_has_keys(k))
         motion_carry_keyed(m, p, normal, carried);
     else
-        for (int a = 0; a < 3; a++)
-            carried[a] = k->velocity[a];
+        memcpy(carried, k->velocity, sizeof k->velocity);
 }
 
 #endif

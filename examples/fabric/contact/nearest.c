@@ -11,9 +11,7 @@
 static void measure(const double x[4][3], nearest *found) {
     double apart[3];
     nearest_combine(x, found->weight, apart);
-    found->distance = vector_length(apart);
-    for (int a = 0; a < 3; a++)
-        found->normal[a] = found->distance > 0 ? apart[a] / found->distance : 0;
+    found->distance = vector_unit(apart, found->normal);
 }
 
 /* *square: of the least distance so far. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/vector.h"
 #include "mesh/mesh_sides.h"
 
@@ -40,19 +41,18 @@ int self_collision_init(self_collision *s, const mesh *m, double gap, double fri
                           .friction = friction,
                           .step = step,
                           .bodies_from = m->triangle_count};
-    s->grid.box = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.box);
-    s->grid.owned = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.owned);
-    s->turns.vertex = calloc((size_t)m->vertex_count + 1, sizeof *s->turns.vertex);
-    s->turns.v = calloc((size_t)m->vertex_count + 1, sizeof *s->turns.v);
-    if (s->grid.box && s->grid.owned && s->turns.vertex && s->turns.v && share_out(s) == 0)
+    s->grid.box = arrays_add(&s->own, (size_t)m->triangle_count + 1, sizeof *s->grid.box);
+    s->grid.owned = arrays_add(&s->own, (size_t)m->triangle_count + 1, sizeof *s->grid.owned);
+    s->turns.vertex = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->turns.vertex);
+    s->turns.v = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->turns.v);
+    if (!s->own.failed && share_out(s) == 0)
         return 0;
     self_collision_free(s);
     return -1;
 }
 
 void self_collision_free(self_collision *s) {
-    free(s->grid.box);
-    free(s->grid.owned);
+    arrays_free(&s->own);
     free(s->grid.start);
     free(s->grid.first);
     free(s->grid.entry);
@@ -60,8 +60,6 @@ void self_collision_free(self_collision *s) {
     for (int part = 0; part < SELF_PARTS; part++)
         free(s->grid.part[part].pair);
     free(s->pair);
-    free(s->turns.vertex);
-    free(s->turns.v);
     free(s->turns.pair);
     free(s->turns.demand);
     *s = (self_collision){0};
@@ -190,14 +188,8 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
 
 /* For pairs that were just found. 0, or -1: out of memory. */
 static int forget_turns(self_turns *turns, int vertices, int pairs) {
-    if (turns->pair_room < pairs) {
-        free(turns->pair);
-        free(turns->demand);
-        turns->pair = malloc((size_t)pairs * sizeof *turns->pair);
-        turns->demand = malloc((size_t)pairs * sizeof *turns->demand);
-        turns->pair_room = turns->pair && turns->demand ? pairs : 0;
-    }
-    if (turns->pair_room < pairs)
+    if (array_grow(&turns->pair, &turns->pair_room, pairs, sizeof *turns->pair) != 0 ||
+        array_grow(&turns->demand, &turns->demand_room, pairs, sizeof *turns->demand) != 0)
         return -1;
     turns->now = 0;
     memset(turns->vertex, 0, (size_t)vertices * sizeof *turns->vertex);

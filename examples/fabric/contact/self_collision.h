@@ -12,6 +12,7 @@
 #ifndef FABRIC_SELF_COLLISION_H
 #define FABRIC_SELF_COLLISION_H
 
+#include "base/arrays.h"
 #include "impulse.h"
 #include "mesh/mesh.h"
 
@@ -26,6 +27,13 @@ typedef struct self_pair {
 /** Searches have this number of parts, for any number of threads; the results are joined in
  *  order. */
 enum { SELF_PARTS = 64 };
+
+/** The root of i's tree in a forest (union-find), whose paths it shortens. */
+static inline int forest_root(int *parent, int i) {
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
 
 /** First index of part number `part`. */
 static inline int self_part_start(int count, int part) {
@@ -47,7 +55,7 @@ typedef struct self_grid {
     struct self_entry *loose; /* the entries by triangle, */
     struct self_entry *entry; /* and by bucket: */
     int *start;               /* [buckets + 2] a bucket's first entry */
-    int bucket_room, entry_room;
+    int bucket_room, entry_room, loose_room;
     self_pairs part[SELF_PARTS]; /* results of the last search */
 } self_grid;
 
@@ -73,7 +81,7 @@ typedef struct self_turns {
     double (*v)[3];      /* [vertices] m/s, at the end of the last round */
     int *pair;           /* [pairs] when it needed no impulse; -1: never */
     self_demand *demand; /* [pairs] of those that are not skipped, when the round began */
-    int pair_room;
+    int pair_room, demand_room;
 } self_turns;
 
 typedef struct self_collision {
@@ -87,6 +95,7 @@ typedef struct self_collision {
     self_turns turns;
     int left; /* pairs that still pass through each other, of the step treated last */
     long visits;
+    arrays own; /* of those above, [triangles] and [vertices] */
 } self_collision;
 
 /** The mesh by reference. 0, or -1: out of memory. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/vector.h"
 #include "self_collision.h"
 
@@ -108,21 +109,13 @@ static double count_entries(const self_collision *s, double size) {
 }
 
 static int make_room(self_grid *g, int triangles, int entries, int buckets) {
-    if (g->entry_room < entries) {
-        free(g->entry);
-        free(g->loose);
-        g->entry = malloc((size_t)entries * sizeof *g->entry);
-        g->loose = malloc((size_t)entries * sizeof *g->loose);
-        g->entry_room = g->entry && g->loose ? entries : 0;
-    }
-    if (g->bucket_room < buckets) {
-        free(g->start);
-        g->start = malloc(((size_t)buckets + 2) * sizeof *g->start);
-        g->bucket_room = g->start ? buckets : 0;
-    }
     if (!g->first)
         g->first = malloc(((size_t)triangles + 1) * sizeof *g->first);
-    return g->first && g->entry_room >= entries && g->start ? 0 : -1;
+    return g->first && array_grow(&g->entry, &g->entry_room, entries, sizeof *g->entry) == 0 &&
+                   array_grow(&g->loose, &g->loose_room, entries, sizeof *g->loose) == 0 &&
+                   array_grow(&g->start, &g->bucket_room, (long)buckets + 2, sizeof *g->start) == 0
+               ? 0
+               : -1;
 }
 
 /* The entries, triangle by triangle. */
@@ -187,14 +180,9 @@ static int fill(self_collision *s, double *size) {
 }
 
 static int add_pair(self_pairs *to, const self_pair *added) {
-    if (to->count == to->room) {
-        const int room = to->room > 0 ? 2 * to->room : 64;
-        self_pair *more = realloc(to->pair, (size_t)room * sizeof *more);
-        if (!more)
-            return -1;
-        to->pair = more;
-        to->room = room;
-    }
+    if (to->count == to->room &&
+        array_grow(&to->pair, &to->room, (long)to->count + 1, sizeof *to->pair) != 0)
+        return -1;
     to->pair[to->count++] = *added;
     return 0;
 }
@@ -304,15 +292,7 @@ static int join(self_collision *s) {
     long count = 0;
     for (int part = 0; part < SELF_PARTS; part++)
         count += s->grid.part[part].count;
-    if (count > INT_MAX)
-        return -1;
-    if (s->pair_room < count) {
-        const long room = count + count / 8 < INT_MAX ? count + count / 8 : INT_MAX;
-        free(s->pair);
-        s->pair = malloc((size_t)room * sizeof *s->pair);
-        s->pair_room = s->pair ? (int)room : 0;
-    }
-    if (count > 0 && !s->pair)
+    if (array_grow(&s->pair, &s->pair_room, count, sizeof *s->pair) != 0)
         return -1;
     for (int part = 0; part < SELF_PARTS; part++) {
         const self_pairs *from = &s->grid.part[part];

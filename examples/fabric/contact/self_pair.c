@@ -76,19 +76,30 @@ static double foot_in_plane(const double x[4][3], double weight[4]) {
     return v < u ? (v < w ? v : w) : (u < w ? u : w);
 }
 
-int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found) {
+/* The features' distance, and the weights of their nearest points; infinite where the vertex' foot
+ * lies outside of the triangle by more than `outside`. */
+static double distance_between(int is_edges, const double x[4][3], double outside,
+                               double weight[4]) {
     double apart[3];
     if (is_edges)
-        nearest_on_edges(x, found->weight);
-    else if (foot_in_plane(x, found->weight) < 0)
-        return 0;
+        nearest_on_edges(x, weight);
+    else if (foot_in_plane(x, weight) < -outside)
+        return INFINITY;
+    nearest_combine(x, weight, apart);
+    return vector_length(apart);
+}
+
+/* From the second feature to the first, as they lie at the start. */
+static int set_normal(const double x[4][3], self_contact *found) {
+    double apart[3];
     nearest_combine(x, found->weight, apart);
-    found->distance = vector_length(apart);
-    if (!(found->distance < gap) || !(found->distance > 1e-6 * gap))
-        return 0;
-    for (int a = 0; a < 3; a++)
-        found->normal[a] = apart[a] / found->distance;
-    return 1;
+    found->distance = vector_unit(apart, found->normal);
+    return found->distance > 0;
+}
+
+int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found) {
+    const double distance = distance_between(is_edges, x, 0, found->weight);
+    return distance < gap && distance > 1e-6 * gap && set_normal(x, found);
 }
 
 /* Six times the volume of the four points at time t: 0 where they lie in a plane. */
@@ -139,30 +150,13 @@ static int turning_points(const double c[4], double at[2]) {
 /* Do the features touch where the four points lie in a plane, at time t? */
 static int touch_at(int is_edges, const double x[4][3], const double y[4][3], double t,
                     self_contact *found) {
-    double at[4][3], apart[3];
-    double size = 0;
+    double at[4][3], size = 0;
     for (int k = 0; k < 4; k++)
         for (int a = 0; a < 3; a++) {
             at[k][a] = (1 - t) * x[k][a] + t * y[k][a];
             size = fmax(size, fabs(at[k][a] - at[0][a]));
         }
-    const double(*now)[3] = (const double(*)[3])at;
-    if (is_edges)
-        nearest_on_edges(now, found->weight);
-    else if (foot_in_plane(now, found->weight) < -1e-9)
-        return 0;
-    nearest_combine(now, found->weight, apart);
-    return vector_length(apart) <= 1e-6 * size;
-}
-
-/* From the second feature to the first, as they lie at the start. */
-static int set_normal(const double x[4][3], self_contact *found) {
-    double apart[3];
-    nearest_combine(x, found->weight, apart);
-    found->distance = vector_length(apart);
-    for (int a = 0; a < 3; a++)
-        found->normal[a] = found->distance > 0 ? apart[a] / found->distance : 0;
-    return found->distance > 0;
+    return distance_between(is_edges, (const double(*)[3])at, 1e-9, found->weight) <= 1e-6 * size;
 }
 
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3],
@@ -192,11 +186,5 @@ int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3],
 
 int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
                         self_contact *found) {
-    double apart[3];
-    if (is_edges)
-        nearest_on_edges(y, found->weight);
-    else if (foot_in_plane(y, found->weight) < 0)
-        return 0;
-    nearest_combine(y, found->weight, apart);
-    return vector_length(apart) < gap && set_normal(x, found);
+    return distance_between(is_edges, y, 0, found->weight) < gap && set_normal(x, found);
 }

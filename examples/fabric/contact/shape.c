@@ -1,32 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "shape.h"
 
+#include <string.h>
+
 #include "base/vector.h"
 #include "mesh/surface.h"
 
-/* Distance for points such as a ball's centre, at which all directions are equal. */
-static void set_up(double normal[3]) {
-    normal[0] = normal[1] = 0;
-    normal[2] = 1;
-}
-
 static double sphere_distance(double radius, const double p[3], double normal[3]) {
-    const double length = vector_length(p);
-    if (length > 0)
-        for (int c = 0; c < 3; c++)
-            normal[c] = p[c] / length;
-    else
-        set_up(normal);
+    const double length = vector_unit(p, normal);
+    if (!(length > 0))
+        normal[2] = 1; /* its centre, at which all directions are equal */
     return length - radius;
 }
 
-/* The same on a cylinder's axis: some direction square to it. */
+/* On a cylinder's axis: some direction square to it. */
 static void set_across(const double axis[3], double normal[3]) {
     const double other[3] = {fabs(axis[0]) < 0.5 ? 1 : 0, fabs(axis[0]) < 0.5 ? 0 : 1, 0};
     vector_cross(axis, other, normal);
-    const double length = vector_length(normal);
-    for (int c = 0; c < 3; c++)
-        normal[c] /= length;
+    vector_unit(normal, normal);
 }
 
 /* From the nearest point of the box, or inside it, from the nearest face. */
@@ -82,8 +73,7 @@ double shape_distance(const collider *k, const double p[3], double normal[3]) {
     case COLLIDER_PLANE:
         break;
     }
-    for (int c = 0; c < 3; c++)
-        normal[c] = k->axis[c];
+    memcpy(normal, k->axis, sizeof k->axis);
     return vector_dot(p, k->axis);
 }
 

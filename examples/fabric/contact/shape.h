@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Colliders as distances, and whether a moving point would come too near to one. */
+/** Colliders as distances, whether a moving point would come too near to one, and their triangles.
+ */
 #ifndef FABRIC_SHAPE_H
 #define FABRIC_SHAPE_H
 
@@ -25,5 +26,10 @@ typedef struct approach {
  * meet another side, which the next step finds.
  */
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found);
+
+/** The collider's surface, counter-clockwise from outside, around its position as the origin; a
+ *  plane as a square around the point of it nearest to `middle`, out to `reach` (m). No edges, no
+ *  hinges; mesh_free frees it. 0, or -1: out of memory. */
+int solid_mesh(const collider *c, const double middle[3], double reach, mesh *m);
 
 #endif

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "shape_triangle.h"
 
+#include <string.h>
+
 #include "base/vector.h"
 
 /* Depth of subdivision and number of parts: more would not pay for a triangle of many thousand
@@ -55,10 +57,8 @@ static void look_through(search *s, const double (*corner)[3], int depth) {
     const double distance = shape_distance(s->k, middle, normal);
     if (distance < s->distance) {
         s->distance = distance;
-        for (int a = 0; a < 3; a++) {
-            s->weight[a] = weight[a];
-            s->normal[a] = normal[a];
-        }
+        memcpy(s->weight, weight, sizeof weight);
+        memcpy(s->normal, normal, sizeof normal);
     }
     if (depth == deepest || ++s->looked > most_parts ||
         !(lower_bound(s, corner, middle, distance, normal) < s->distance - allowed(s)))
@@ -136,10 +136,8 @@ int shape_meets_triangle(const collider *k, const double p[3][3], const double u
     mix((const double(*)[3])at, s.weight, there);
     vector_subtract(start, there, start);
     mix(u, s.weight, moved);
-    for (int a = 0; a < 3; a++) {
-        weight[a] = s.weight[a];
-        found->normal[a] = s.normal[a];
-    }
+    memcpy(weight, s.weight, sizeof s.weight);
+    memcpy(found->normal, s.normal, sizeof s.normal);
     found->room = vector_dot(s.normal, start) + s.distance - kept;
     found->beyond = -vector_dot(s.normal, moved) - found->room;
     return found->beyond > 0;

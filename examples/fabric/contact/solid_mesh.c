@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "contact/solid_mesh.h"
+/* Colliders as triangles: for files, and for barriers (barrier.h). */
+#include "contact/shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -71,9 +72,7 @@ static int sphere_mesh(const collider *c, mesh *m) {
 static void axes_across(const double axis[3], double first[3], double second[3]) {
     const double other[3] = {fabs(axis[0]) < 0.9 ? 1 : 0, fabs(axis[0]) < 0.9 ? 0 : 1, 0};
     vector_cross(other, axis, second);
-    const double length = vector_length(second);
-    for (int a = 0; a < 3; a++)
-        second[a] /= length;
+    vector_unit(second, second);
     vector_cross(second, axis, first);
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Damping forces (see triangle.h and hinge.h): f = -kd dC (dC . v) for each condition C. */
-#include "damping.h"
-
+#include "hinge.h"
 #include "hinge_gradient.h"
+#include "triangle.h"
 
 /* Direction of w; `axis` where the triangle has collapsed, as in triangle.c. */
 static inline void direction(const double w[3], int axis, double n[3]) {
@@ -37,41 +37,31 @@ static void triangle_damping(const triangle_rest *rest, const triangle_material 
 void triangle_damping_forces(const triangle_elements *e, const triangle_material *material,
                              double h, const double (*restrict x)[3], const double (*restrict v)[3],
                              double (*restrict b)[3]) {
-    int t, i, j, k, c;
+    int t, p, c;
     double f[3][3];
     for (t = 0; t < e->count; t++) {
-        i = e->vertex[t][0];
-        j = e->vertex[t][1];
-        k = e->vertex[t][2];
-        triangle_damping(&e->rest[t], material, h, x, v, i, j, k, f);
-        for (c = 0; c < 3; c++) {
-            b[i][c] += f[0][c];
-            b[j][c] += f[1][c];
-            b[k][c] += f[2][c];
-        }
+        triangle_damping(&e->rest[t], material, h, x, v, e->vertex[t][0], e->vertex[t][1],
+                         e->vertex[t][2], f);
+        for (p = 0; p < 3; p++)
+            for (c = 0; c < 3; c++)
+                b[e->vertex[t][p]][c] += f[p][c];
     }
 }
 
 void hinge_damping_forces(const hinge_elements *e, const hinge_material *material, double h,
                           const double (*restrict x)[3], const double (*restrict v)[3],
                           double (*restrict b)[3]) {
-    int t, i, j, k, l, c;
+    int t, p, c;
     double rate;
     double g[4][3];
     for (t = 0; t < e->count; t++) {
-        i = e->corner[t][0];
-        j = e->corner[t][1];
-        k = e->corner[t][2];
-        l = e->corner[t][3];
-        hinge_gradient(x[i], x[j], x[k], x[l], g);
-        rate = vector_dot(g[0], v[i]) + vector_dot(g[1], v[j]) + vector_dot(g[2], v[k]) +
-               vector_dot(g[3], v[l]);
+        const int *at = e->corner[t];
+        hinge_gradient(x[at[0]], x[at[1]], x[at[2]], x[at[3]], g);
+        rate = vector_dot(g[0], v[at[0]]) + vector_dot(g[1], v[at[1]]) +
+               vector_dot(g[2], v[at[2]]) + vector_dot(g[3], v[at[3]]);
         rate = -h * material->bend_damping * e->weight[t] * rate;
-        for (c = 0; c < 3; c++) {
-            b[i][c] += rate * g[0][c];
-            b[j][c] += rate * g[1][c];
-            b[k][c] += rate * g[2][c];
-            b[l][c] += rate * g[3][c];
-        }
+        for (p = 0; p < 4; p++)
+            for (c = 0; c < 3; c++)
+                b[e->corner[t][p]][c] += rate * g[p][c];
     }
 }

@@ -12,22 +12,16 @@
 #include "system/system.h"
 #include "triangle.h"
 
-/** Adds the drag's part of A and b at positions x (m) and velocities v (m/s), for a step of h s. */
-void drag_forces(const triangle_elements *e, double drag, const double wind[3], double h,
-                 const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
+typedef enum drag_kind { DRAG_ACROSS, DRAG_ALONG } drag_kind;
 
-/** The same for the drag along the cloth. */
-void drag_forces_along(const triangle_elements *e, double drag, const double wind[3], double h,
-                       const double (*restrict x)[3], const double (*restrict v)[3],
-                       linear_system *s);
+/** Adds the drag's part of A and b at positions x (m) and velocities v (m/s), for a step of h s. */
+void drag_forces(const triangle_elements *e, drag_kind kind, double drag, const double wind[3],
+                 double h, const double (*restrict x)[3], const double (*restrict v)[3],
+                 linear_system *s);
 
 /** The work in J that drag did in a step of h s that began at positions x and ended with velocities
  *  v, by the same formula: positive where wind drives the cloth. */
-double drag_work(const triangle_elements *e, double drag, const double wind[3], double h,
-                 const double (*x)[3], const double (*v)[3]);
-
-/** The same for the drag along the cloth. */
-double drag_work_along(const triangle_elements *e, double drag, const double wind[3], double h,
-                       const double (*x)[3], const double (*v)[3]);
+double drag_work(const triangle_elements *e, drag_kind kind, double drag, const double wind[3],
+                 double h, const double (*x)[3], const double (*v)[3]);
 
 #endif

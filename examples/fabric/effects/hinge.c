@@ -45,62 +45,30 @@ static void hinge_force(const int corner[4], const int role[4], double stiffness
 
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s) {
-    int t, i, j, k, l, r, c;
-    int ii, ij, ik, il, jj, jk, jl, kk, kl, ll;
+    int t, p, r, c;
     double f[4][3], df[10][3][3];
     for (t = 0; t < e->count; t++) {
-        i = e->vertex[t][0];
-        j = e->vertex[t][1];
-        k = e->vertex[t][2];
-        l = e->vertex[t][3];
         hinge_force(e->corner[t], e->role[t], material->bend * e->weight[t],
                     material->bend_damping * e->weight[t], e->angle[t], h, x, v, f, df);
-        for (c = 0; c < 3; c++) {
-            s->b[i][c] += f[0][c];
-            s->b[j][c] += f[1][c];
-            s->b[k][c] += f[2][c];
-            s->b[l][c] += f[3][c];
-        }
-        ii = e->block[t][0];
-        ij = e->block[t][1];
-        ik = e->block[t][2];
-        il = e->block[t][3];
-        jj = e->block[t][4];
-        jk = e->block[t][5];
-        jl = e->block[t][6];
-        kk = e->block[t][7];
-        kl = e->block[t][8];
-        ll = e->block[t][9];
-        /* A loop a block: ten blocks at once are more addresses than there are registers. */
-        for (r = 0; r < 3; r++)
+        for (p = 0; p < 4; p++)
             for (c = 0; c < 3; c++)
-                s->A.value[ii][r][c] += df[0][r][c];
+                s->b[e->vertex[t][p]][c] += f[p][c];
+        /* In two loops: ten blocks at once are more addresses than there are registers. */
         for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[ij][r][c] += df[1][r][c];
+            for (c = 0; c < 3; c++) {
+                s->A.value[e->block[t][0]][r][c] += df[0][r][c];
+                s->A.value[e->block[t][1]][r][c] += df[1][r][c];
+                s->A.value[e->block[t][2]][r][c] += df[2][r][c];
+                s->A.value[e->block[t][3]][r][c] += df[3][r][c];
+                s->A.value[e->block[t][4]][r][c] += df[4][r][c];
+            }
         for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[ik][r][c] += df[2][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[il][r][c] += df[3][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[jj][r][c] += df[4][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[jk][r][c] += df[5][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[jl][r][c] += df[6][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[kk][r][c] += df[7][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[kl][r][c] += df[8][r][c];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                s->A.value[ll][r][c] += df[9][r][c];
+            for (c = 0; c < 3; c++) {
+                s->A.value[e->block[t][5]][r][c] += df[5][r][c];
+                s->A.value[e->block[t][6]][r][c] += df[6][r][c];
+                s->A.value[e->block[t][7]][r][c] += df[7][r][c];
+                s->A.value[e->block[t][8]][r][c] += df[8][r][c];
+                s->A.value[e->block[t][9]][r][c] += df[9][r][c];
+            }
     }
 }

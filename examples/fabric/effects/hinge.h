@@ -11,6 +11,7 @@
 #ifndef FABRIC_HINGE_H
 #define FABRIC_HINGE_H
 
+#include "base/arrays.h"
 #include "mesh/mesh.h"
 #include "system/system.h"
 
@@ -29,6 +30,7 @@ typedef struct hinge_elements {
     double (*ahead_x)[3]; /* [vertices] m, at these positions */
     int vertices;         /* one above the hinges' greatest number */
     int has_ahead;        /* and `angle` has not changed since */
+    arrays own;
 } hinge_elements;
 
 typedef struct hinge_material {
@@ -54,11 +56,13 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
+/** b += h f, f the damping of bending: as triangle_damping_forces. */
+void hinge_damping_forces(const hinge_elements *e, const hinge_material *material, double h,
+                          const double (*restrict x)[3], const double (*restrict v)[3],
+                          double (*restrict b)[3]);
+
 /** Energy at positions x, in J. Chooses the angles nearest to the stored ones, which it keeps. A
  *  hinge_update_angles at the same positions then costs nothing, if angles are precomputed. */
 double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]);
-
-/** Energy of the angles remembered, in J. */
-double hinge_energy(const hinge_elements *e, const hinge_material *material);
 
 #endif

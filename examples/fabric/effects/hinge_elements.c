@@ -2,7 +2,6 @@
 /* The hinges' rest shape, their angles and energy. */
 #include "hinge.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/chunk_sum.h"
@@ -57,14 +56,13 @@ static double hinge_angle(const double (*x)[3], const int corner[4]) {
 int hinge_elements_init(hinge_elements *e, const mesh *m) {
     const size_t count = (size_t)m->hinge_count + 1;
     *e = (hinge_elements){0};
-    e->corner = calloc(count, sizeof *e->corner);
-    e->vertex = calloc(count, sizeof *e->vertex);
-    e->role = calloc(count, sizeof *e->role);
-    e->weight = calloc(count, sizeof *e->weight);
-    e->angle = calloc(count, sizeof *e->angle);
-    e->at_rest = m->bent_at_rest ? calloc(count, sizeof *e->at_rest) : NULL;
-    if (!e->corner || !e->vertex || !e->role || !e->weight || !e->angle ||
-        (m->bent_at_rest && !e->at_rest)) {
+    e->corner = arrays_add(&e->own, count, sizeof *e->corner);
+    e->vertex = arrays_add(&e->own, count, sizeof *e->vertex);
+    e->role = arrays_add(&e->own, count, sizeof *e->role);
+    e->weight = arrays_add(&e->own, count, sizeof *e->weight);
+    e->angle = arrays_add(&e->own, count, sizeof *e->angle);
+    e->at_rest = m->bent_at_rest ? arrays_add(&e->own, count, sizeof *e->at_rest) : NULL;
+    if (e->own.failed) {
         hinge_elements_free(e);
         return -1;
     }
@@ -85,13 +83,13 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
 }
 
 int hinge_elements_look_ahead(hinge_elements *e) {
-    e->ahead = calloc((size_t)e->count + 1, sizeof *e->ahead);
-    e->ahead_x = calloc((size_t)e->vertices + 1, sizeof *e->ahead_x);
-    return e->ahead && e->ahead_x ? 0 : -1;
+    e->ahead = arrays_add(&e->own, (size_t)e->count + 1, sizeof *e->ahead);
+    e->ahead_x = arrays_add(&e->own, (size_t)e->vertices + 1, sizeof *e->ahead_x);
+    return e->own.failed ? -1 : 0;
 }
 
 int hinge_elements_place(hinge_elements *e, const block_matrix *A) {
-    e->block = calloc((size_t)e->count + 1, sizeof *e->block);
+    e->block = arrays_add(&e->own, (size_t)e->count + 1, sizeof *e->block);
     if (!e->block)
         return -1;
     const element_list list = {e->count, 4, &e->vertex[0][0]};
@@ -100,15 +98,7 @@ int hinge_elements_place(hinge_elements *e, const block_matrix *A) {
 }
 
 void hinge_elements_free(hinge_elements *e) {
-    free(e->block);
-    free(e->corner);
-    free(e->vertex);
-    free(e->role);
-    free(e->weight);
-    free(e->at_rest);
-    free(e->angle);
-    free(e->ahead);
-    free(e->ahead_x);
+    arrays_free(&e->own);
     *e = (hinge_elements){0};
 }
 
@@ -147,11 +137,4 @@ double hinge_energy_at(hinge_elements *e, const hinge_material *material, const 
         memcpy(e->ahead_x, x, sizeof *e->ahead_x * (size_t)e->vertices);
     e->has_ahead = e->ahead != NULL;
     return material->bend * chunk_sum_all(e->count, sum) / 2;
-}
-
-double hinge_energy(const hinge_elements *e, const hinge_material *material) {
-    double sum = 0;
-    for (int t = 0; t < e->count; t++)
-        sum += e->weight[t] * e->angle[t] * e->angle[t];
-    return material->bend * sum / 2;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Forces that depend on where the cloth is, how it moves and what surrounds it, and that keep
- * nothing of their own. effects.def names them; each has a file.
+ * nothing of their own. effects.def names them.
  */
 #ifndef FABRIC_OUTER_FORCE_H
 #define FABRIC_OUTER_FORCE_H

@@ -57,34 +57,18 @@ static void limit_force(const triangle_rest *rest, unsigned over, double rest_le
 void strain_limit_forces(const strain_limit *l, const triangle_elements *e, double h,
                          const double (*restrict x)[3], const double (*restrict v)[3],
                          linear_system *s) {
-    int n, t, i, j, k, r, c;
-    int ii, ij, ik, jj, jk, kk;
+    int n, t, p, r, c;
     double f[3][3], df[6][3][3];
     for (n = 0; n < l->count; n++) {
         t = l->triangle[n];
-        i = e->vertex[t][0];
-        j = e->vertex[t][1];
-        k = e->vertex[t][2];
-        limit_force(&e->rest[t], l->over[t], 1 + l->limit, l->stiffness, h, x, v, i, j, k, f, df);
-        for (c = 0; c < 3; c++) {
-            s->b[i][c] += f[0][c];
-            s->b[j][c] += f[1][c];
-            s->b[k][c] += f[2][c];
-        }
-        ii = e->block[t][0];
-        ij = e->block[t][1];
-        ik = e->block[t][2];
-        jj = e->block[t][3];
-        jk = e->block[t][4];
-        kk = e->block[t][5];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++) {
-                s->A.value[ii][r][c] += df[0][r][c];
-                s->A.value[ij][r][c] += df[1][r][c];
-                s->A.value[ik][r][c] += df[2][r][c];
-                s->A.value[jj][r][c] += df[3][r][c];
-                s->A.value[jk][r][c] += df[4][r][c];
-                s->A.value[kk][r][c] += df[5][r][c];
-            }
+        limit_force(&e->rest[t], l->over[t], 1 + l->limit, l->stiffness, h, x, v, e->vertex[t][0],
+                    e->vertex[t][1], e->vertex[t][2], f, df);
+        for (p = 0; p < 3; p++)
+            for (c = 0; c < 3; c++)
+                s->b[e->vertex[t][p]][c] += f[p][c];
+        for (p = 0; p < 6; p++)
+            for (r = 0; r < 3; r++)
+                for (c = 0; c < 3; c++)
+                    s->A.value[e->block[t][p]][r][c] += df[p][r][c];
     }
 }

@@ -20,6 +20,7 @@ typedef struct strain_limit {
     int count;           /* of the list */
     int *triangle;       /* [triangles] those that are limited in this step */
     unsigned char *over; /* [triangles] bit 0: w_u is, bit 1: w_v is */
+    arrays own;
 } strain_limit;
 
 /** 0, or -1: out of memory. */

@@ -1,24 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Which triangles are limited, and their energy. */
-#include <stdlib.h>
-
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "strain_limit.h"
 
 int strain_limit_init(strain_limit *l, const triangle_elements *e, double limit, double stretch) {
     *l = (strain_limit){.limit = limit, .stiffness = STRAIN_LIMIT_FACTOR * stretch};
-    l->triangle = calloc((size_t)e->count + 1, sizeof *l->triangle);
-    l->over = calloc((size_t)e->count + 1, sizeof *l->over);
-    if (l->triangle && l->over)
-        return 0;
-    strain_limit_free(l);
-    return -1;
+    l->triangle = arrays_add(&l->own, (size_t)e->count + 1, sizeof *l->triangle);
+    l->over = arrays_add(&l->own, (size_t)e->count + 1, sizeof *l->over);
+    return l->own.failed ? -1 : 0;
 }
 
 void strain_limit_free(strain_limit *l) {
-    free(l->triangle);
-    free(l->over);
+    arrays_free(&l->own);
     *l = (strain_limit){0};
 }
 

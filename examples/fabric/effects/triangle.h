@@ -13,6 +13,7 @@
 #ifndef FABRIC_TRIANGLE_H
 #define FABRIC_TRIANGLE_H
 
+#include "base/arrays.h"
 #include "mesh/mesh.h"
 #include "system/system.h"
 
@@ -26,6 +27,7 @@ typedef struct triangle_elements {
     int (*vertex)[3];    /* [count] ascending, so that the blocks below lie in A's stored half */
     int (*block)[6];     /* [count] in A: (i,i) (i,j) (i,k) (j,j) (j,k) (k,k); NULL until placed */
     triangle_rest *rest; /* [count] */
+    arrays own;
 } triangle_elements;
 
 typedef struct triangle_material {
@@ -45,6 +47,13 @@ void triangle_elements_free(triangle_elements *e);
 void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
                      const double (*restrict x)[3], const double (*restrict v)[3],
                      linear_system *s);
+
+/** b += h f, f the damping of stretch and shear alone, without its derivatives, at positions x (m)
+ *  and velocities v (m/s): triangle_forces linearises damping together with stiffness; an iteration
+ *  of Newton's method, with independent positions and velocities, needs -h D(x) v separately. */
+void triangle_damping_forces(const triangle_elements *e, const triangle_material *material,
+                             double h, const double (*restrict x)[3], const double (*restrict v)[3],
+                             double (*restrict b)[3]);
 
 /** Energies at positions x, in J. Either pointer may be NULL. */
 void triangle_energies(const triangle_elements *e, const triangle_material *material,

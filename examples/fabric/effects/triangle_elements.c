@@ -2,8 +2,6 @@
 /* The triangles' rest shape, their places in A, energies and strain. */
 #include "triangle.h"
 
-#include <stdlib.h>
-
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "mesh/mesh_rest.h"
@@ -36,9 +34,9 @@ static int rest_shape(const mesh *m, const int vertex[3], triangle_rest *rest) {
 
 int triangle_elements_init(triangle_elements *e, const mesh *m) {
     *e = (triangle_elements){0};
-    e->vertex = calloc((size_t)m->triangle_count + 1, sizeof *e->vertex);
-    e->rest = calloc((size_t)m->triangle_count + 1, sizeof *e->rest);
-    if (!e->vertex || !e->rest) {
+    e->vertex = arrays_add(&e->own, (size_t)m->triangle_count + 1, sizeof *e->vertex);
+    e->rest = arrays_add(&e->own, (size_t)m->triangle_count + 1, sizeof *e->rest);
+    if (e->own.failed) {
         triangle_elements_free(e);
         return -1;
     }
@@ -50,7 +48,7 @@ int triangle_elements_init(triangle_elements *e, const mesh *m) {
 }
 
 int triangle_elements_place(triangle_elements *e, const block_matrix *A) {
-    e->block = calloc((size_t)e->count + 1, sizeof *e->block);
+    e->block = arrays_add(&e->own, (size_t)e->count + 1, sizeof *e->block);
     if (!e->block)
         return -1;
     const element_list list = {e->count, 3, &e->vertex[0][0]};
@@ -59,9 +57,7 @@ int triangle_elements_place(triangle_elements *e, const block_matrix *A) {
 }
 
 void triangle_elements_free(triangle_elements *e) {
-    free(e->vertex);
-    free(e->block);
-    free(e->rest);
+    arrays_free(&e->own);
     *e = (triangle_elements){0};
 }
 

@@ -5,7 +5,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "mesh/surface_check.h"
 #include "output/obj.h"
 
 enum { ERROR_SIZE = 256, PLACE_SIZE = 64 };

@@ -17,7 +17,7 @@ int mesh_file_read(mesh *m, const char *path);
 int mesh_file_prepare(mesh *m, const char *name, mesh_problem *found, char *error);
 
 /** NULL with a message in error[256] that names the defect, its position and the expected value:
- *  the file cannot be read, or is not the surface of a solid (surface_check.h). */
+ *  the file cannot be read, or is not the surface of a solid (surface_check). */
 surface *surface_read(const char *path, char *error);
 
 #endif

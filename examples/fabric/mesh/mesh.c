@@ -8,15 +8,9 @@
 
 #include "base/vector.h"
 #include "mesh_parts.h"
+#include "mesh_sides.h"
 
 enum { ERROR_SIZE = 256 };
-
-/** A triangle's side, seen from its lower vertex. */
-typedef struct half_edge {
-    int low, high; /* the side's vertices, low < high */
-    int wing;      /* the triangle's third vertex */
-    int forward;   /* the triangle runs from low to high */
-} half_edge;
 
 int mesh_allocate(mesh *m, int vertices, int triangles) {
     assert(vertices >= 0 && triangles >= 0);
@@ -40,40 +34,8 @@ void mesh_free(mesh *m) {
     *m = (mesh){0};
 }
 
-/** Sides by their lower vertex: those of vertex v at sides[start[v]] .. sides[start[v + 1] - 1],
- *  in the order of their triangles. start: [vertex_count + 1], zeroed. */
-static void collect_sides(const mesh *m, half_edge *sides, int *start) {
-    for (int t = 0; t < m->triangle_count; t++)
-        for (int k = 0; k < 3; k++) {
-            const int a = m->triangle[t][k], b = m->triangle[t][(k + 1) % 3];
-            start[a < b ? a : b]++;
-        }
-    for (int v = 0, sum = 0; v <= m->vertex_count; v++) {
-        sum += start[v];
-        start[v] = sum;
-    }
-    for (int t = m->triangle_count - 1; t >= 0; t--)
-        for (int k = 2; k >= 0; k--) {
-            const int a = m->triangle[t][k], b = m->triangle[t][(k + 1) % 3];
-            const int low = a < b ? a : b;
-            sides[--start[low]] =
-                (half_edge){low, a < b ? b : a, m->triangle[t][(k + 2) % 3], a < b};
-        }
-}
-
-/** Insertion sort by the higher vertex: stable, and a vertex has few sides. */
-static void sort_by_high(half_edge *sides, int count) {
-    for (int i = 1; i < count; i++) {
-        const half_edge moving = sides[i];
-        int k = i;
-        for (; k > 0 && sides[k - 1].high > moving.high; k--)
-            sides[k] = sides[k - 1];
-        sides[k] = moving;
-    }
-}
-
 /** One edge from the `count` sides that coincide in it, and its hinge if it has one. */
-static void add_edge(mesh *m, const half_edge *sides, int count) {
+static void add_edge(mesh *m, const mesh_side *sides, int count) {
     assert(count >= 1 && sides[0].low < sides[0].high && sides[0].high < m->vertex_count);
     int *edge = m->edge[m->edge_count++];
     edge[0] = sides[0].low;
@@ -82,52 +44,39 @@ static void add_edge(mesh *m, const half_edge *sides, int count) {
         return;
     /* Wing 2 is left of the edge, wing 3 right, if the triangles have the same orientation. */
     int *hinge = m->hinge[m->hinge_count++];
-    const int left = sides[0].forward || !sides[1].forward ? 0 : 1;
+    const int left = mesh_side_ascends(m, &sides[0]) || !mesh_side_ascends(m, &sides[1]) ? 0 : 1;
     hinge[0] = edge[0];
     hinge[1] = edge[1];
-    hinge[2] = sides[left].wing;
-    hinge[3] = sides[1 - left].wing;
-}
-
-static void join_sides(mesh *m, half_edge *sides, const int *start, int *non_manifold) {
-    for (int v = 0; v < m->vertex_count; v++) {
-        sort_by_high(sides + start[v], start[v + 1] - start[v]);
-        for (int i = start[v], next; i < start[v + 1]; i = next) {
-            for (next = i + 1; next < start[v + 1] && sides[next].high == sides[i].high;)
-                next++;
-            add_edge(m, sides + i, next - i);
-            *non_manifold += next - i > 2;
-        }
-    }
+    hinge[2] = mesh_side_wing(m, &sides[left]);
+    hinge[3] = mesh_side_wing(m, &sides[1 - left]);
 }
 
 int mesh_connect(mesh *m, int *non_manifold, char *error) {
-    const size_t side_count = 3 * (size_t)m->triangle_count;
-    half_edge *sides = malloc(side_count * sizeof *sides);
-    int *start = calloc((size_t)m->vertex_count + 1, sizeof *start);
+    const int side_count = 3 * m->triangle_count;
+    mesh_side *sides = mesh_sides_new(m);
     free(m->edge);
     free(m->hinge);
     m->edge_count = m->hinge_count = 0;
-    m->edge = malloc(side_count * sizeof *m->edge);
-    m->hinge = malloc(side_count / 2 * sizeof *m->hinge);
+    m->edge = malloc((size_t)side_count * sizeof *m->edge);
+    m->hinge = malloc((size_t)side_count / 2 * sizeof *m->hinge);
     *non_manifold = 0;
-    int status = -1;
-    if (sides && start && m->edge && m->hinge) {
-        collect_sides(m, sides, start);
-        assert(start[0] == 0 && (size_t)start[m->vertex_count] == side_count);
-        join_sides(m, sides, start, non_manifold);
-        assert((size_t)m->edge_count <= side_count && m->hinge_count <= m->edge_count);
-        status = 0;
-    } else {
+    if (!sides || !m->edge || !m->hinge) {
         free(m->edge);
         free(m->hinge);
+        free(sides);
         m->edge = NULL;
         m->hinge = NULL;
         snprintf(error, ERROR_SIZE, "out of memory");
+        return -1;
     }
+    for (int i = 0, together; i < side_count; i += together) {
+        together = mesh_sides_together(&sides[i], side_count - i);
+        add_edge(m, &sides[i], together);
+        *non_manifold += together > 2;
+    }
+    assert(m->edge_count <= side_count && m->hinge_count <= m->edge_count);
     free(sides);
-    free(start);
-    return status;
+    return 0;
 }
 
 double mesh_mean_edge(const mesh *m) {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/vector.h"
 #include "mesh_rest.h"
 
@@ -120,10 +121,7 @@ int mesh_clean(mesh *m, mesh_problem *found, char *error) {
 
 static void doubled_area(const mesh *m, int t, double area[3]) {
     const int *v = m->triangle[t];
-    double one[3], other[3];
-    vector_subtract(m->position[v[1]], m->position[v[0]], one);
-    vector_subtract(m->position[v[2]], m->position[v[0]], other);
-    vector_cross(one, other, area);
+    vector_normal(m->position[v[0]], m->position[v[1]], m->position[v[2]], area);
 }
 
 /* A triangle is folded over its neighbours if it faces away from all others at its corners, taken
@@ -193,19 +191,16 @@ static void check_seams(const mesh *m, mesh_problem *found, place *places, unsig
 }
 
 int mesh_check(const mesh *m, mesh_problem *found) {
-    place *places = malloc(((size_t)m->vertex_count + 1) * sizeof *places);
-    double(*around)[3] = calloc((size_t)m->vertex_count + 1, sizeof *around);
-    unsigned char *used = calloc((size_t)m->vertex_count + 1, 1);
-    unsigned char *twin = calloc((size_t)m->vertex_count + 1, 1);
-    const int status = places && around && used && twin ? 0 : -1;
-    if (status == 0) {
+    arrays own = {0};
+    place *places = arrays_add(&own, (size_t)m->vertex_count + 1, sizeof *places);
+    double(*around)[3] = arrays_add(&own, (size_t)m->vertex_count + 1, sizeof *around);
+    unsigned char *used = arrays_add(&own, (size_t)m->vertex_count + 1, 1);
+    unsigned char *twin = arrays_add(&own, (size_t)m->vertex_count + 1, 1);
+    if (!own.failed) {
         check_triangles(m, found, used);
         check_folds(m, found, around);
         check_seams(m, found, places, twin);
     }
-    free(places);
-    free(around);
-    free(used);
-    free(twin);
-    return status;
+    arrays_free(&own);
+    return own.failed ? -1 : 0;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/arrays.h"
 #include "mesh_parts.h"
 
 enum { ERROR_SIZE = 256 };
@@ -34,23 +35,22 @@ static void take_neighbours_once(const mesh_graph *g, idx_t *start, idx_t *neigh
 static int dissect(const mesh_graph *g, int *new_of_old) {
     idx_t count = g->vertex_count, options[METIS_NOPTIONS];
     const size_t room = (size_t)count;
-    idx_t *start = malloc((room + 1) * sizeof *start);
-    idx_t *neighbour = malloc((size_t)g->start[count] * sizeof *neighbour + 1);
-    idx_t *old_of_new = malloc(room * sizeof *old_of_new), *to = malloc(room * sizeof *to);
+    arrays own = {0};
+    idx_t *start = arrays_add(&own, room + 1, sizeof *start);
+    idx_t *neighbour = arrays_add(&own, (size_t)g->start[count], sizeof *neighbour);
+    idx_t *old_of_new = arrays_add(&own, room, sizeof *old_of_new);
+    idx_t *to = arrays_add(&own, room, sizeof *to);
     int status = -1;
     METIS_SetDefaultOptions(options);
     options[METIS_OPTION_SEED] = 1; /* the same order each time */
-    if (start && neighbour && old_of_new && to) {
+    if (!own.failed) {
         take_neighbours_once(g, start, neighbour);
         if (METIS_NodeND(&count, start, neighbour, NULL, options, old_of_new, to) == METIS_OK)
             status = 0;
     }
     for (idx_t v = 0; status == 0 && v < count; v++)
         new_of_old[v] = (int)to[v];
-    free(start);
-    free(neighbour);
-    free(old_of_new);
-    free(to);
+    arrays_free(&own);
     return status;
 }
 

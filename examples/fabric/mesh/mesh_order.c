@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/random.h"
 #include "mesh_parts.h"
 
@@ -154,12 +155,13 @@ static int order_part(const mesh_graph *g, search *s, int *order, int start) {
 static int sorted_order(const mesh *m, int *new_of_old) {
     mesh_graph g = {0};
     search s = {0};
+    arrays own = {0};
     const size_t count = (size_t)m->vertex_count;
     int status = -1, done = 0;
-    s.order = malloc(count * sizeof *s.order);
-    s.mark = calloc(count, sizeof *s.mark);
-    s.level = malloc(count * sizeof *s.level);
-    if (s.order && s.mark && s.level && mesh_graph_make(&g, m) == 0) {
+    s.order = arrays_add(&own, count, sizeof *s.order);
+    s.mark = arrays_add(&own, count, sizeof *s.mark);
+    s.level = arrays_add(&own, count, sizeof *s.level);
+    if (!own.failed && mesh_graph_make(&g, m) == 0) {
         for (int v = 0; v < m->vertex_count; v++)
             if (s.mark[v] == 0)
                 done += order_part(&g, &s, s.order + done, v);
@@ -169,9 +171,7 @@ static int sorted_order(const mesh *m, int *new_of_old) {
         status = 0;
     }
     mesh_graph_free(&g);
-    free(s.order);
-    free(s.mark);
-    free(s.level);
+    arrays_free(&own);
     return status;
 }
 

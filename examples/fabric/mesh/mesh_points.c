@@ -2,9 +2,9 @@
 #include "mesh_parts.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/random.h"
 
 enum { RELAXATIONS = 16 };
@@ -117,6 +117,7 @@ static void relax(cell_grid *grid, double (*points)[2], double (*moved)[2], int 
 
 int mesh_points(double (*points)[2], int count, int boundary, unsigned seed) {
     random_source source = {seed};
+    arrays own = {0};
     /* A border point has half of the area of one inside. */
     const double area = 1.0 / (count - boundary + 0.5 * boundary - 1.0);
     const double spacing = sqrt(1.1547005383792515 * area); /* triangular lattice: 2 / sqrt(3) */
@@ -125,14 +126,11 @@ int mesh_points(double (*points)[2], int count, int boundary, unsigned seed) {
         grid.side = 1;
     place_border(points, boundary, &source);
     place_inside(points + boundary, count - boundary, spacing, &source);
-    grid.start = malloc(((size_t)grid.side * (size_t)grid.side + 1) * sizeof *grid.start);
-    grid.item = malloc((size_t)count * sizeof *grid.item);
-    double(*moved)[2] = malloc((size_t)count * sizeof *moved);
-    const int status = grid.start && grid.item && moved ? 0 : -1;
-    for (int k = 0; status == 0 && k < RELAXATIONS; k++)
+    grid.start = arrays_add(&own, (size_t)grid.side * (size_t)grid.side + 1, sizeof *grid.start);
+    grid.item = arrays_add(&own, (size_t)count, sizeof *grid.item);
+    double(*moved)[2] = arrays_add(&own, (size_t)count, sizeof *moved);
+    for (int k = 0; !own.failed && k < RELAXATIONS; k++)
         relax(&grid, points, moved, count, boundary, spacing);
-    free(grid.start);
-    free(grid.item);
-    free(moved);
-    return status;
+    arrays_free(&own);
+    return own.failed ? -1 : 0;
 }

@@ -3,27 +3,47 @@
 
 #include <stdlib.h>
 
+/* Of sides with the same lower vertex. */
 static int compare(const void *left, const void *right) {
     const mesh_side *a = left, *b = right;
-    if (a->low != b->low)
-        return a->low < b->low ? -1 : 1;
     if (a->high != b->high)
         return a->high < b->high ? -1 : 1;
     return a->triangle != b->triangle ? (a->triangle < b->triangle ? -1 : 1)
                                       : a->number - b->number;
 }
 
-mesh_side *mesh_sides_new(const mesh *m) {
-    const size_t count = 3 * (size_t)m->triangle_count;
-    mesh_side *sides = malloc(sizeof *sides * (count + 1));
-    if (!sides)
-        return NULL;
+/* By their lower vertex: those of vertex v at sides[start[v]] .. sides[start[v + 1] - 1]. start:
+ * [vertex_count + 1], zeroed. */
+static void collect(const mesh *m, mesh_side *sides, int *start) {
     for (int t = 0; t < m->triangle_count; t++)
-        for (int p = 0; p < 3; p++) {
-            const int a = m->triangle[t][p], b = m->triangle[t][(p + 1) % 3];
-            sides[3 * t + p] = (mesh_side){a < b ? a : b, a < b ? b : a, t, p};
+        for (int k = 0; k < 3; k++) {
+            const int a = m->triangle[t][k], b = m->triangle[t][(k + 1) % 3];
+            start[a < b ? a : b]++;
         }
-    qsort(sides, count, sizeof *sides, compare);
+    for (int v = 0, sum = 0; v <= m->vertex_count; v++) {
+        sum += start[v];
+        start[v] = sum;
+    }
+    for (int t = m->triangle_count - 1; t >= 0; t--)
+        for (int k = 2; k >= 0; k--) {
+            const int a = m->triangle[t][k], b = m->triangle[t][(k + 1) % 3];
+            const int low = a < b ? a : b;
+            sides[--start[low]] = (mesh_side){low, a < b ? b : a, t, k};
+        }
+}
+
+mesh_side *mesh_sides_new(const mesh *m) {
+    mesh_side *sides = malloc(sizeof *sides * (3 * (size_t)m->triangle_count + 1));
+    int *start = calloc((size_t)m->vertex_count + 1, sizeof *start);
+    if (sides && start) {
+        collect(m, sides, start);
+        for (int v = 0; v < m->vertex_count; v++)
+            qsort(sides + start[v], (size_t)(start[v + 1] - start[v]), sizeof *sides, compare);
+    } else {
+        free(sides);
+        sides = NULL;
+    }
+    free(start);
     return sides;
 }
 

@@ -15,6 +15,16 @@ typedef struct mesh_side {
  *  (mesh_connect). NULL: out of memory. */
 mesh_side *mesh_sides_new(const mesh *m);
 
+/** The triangle's third vertex. */
+static inline int mesh_side_wing(const mesh *m, const mesh_side *side) {
+    return m->triangle[side->triangle][(side->number + 2) % 3];
+}
+
+/** Does the triangle go along the side from its lower vertex to its higher? */
+static inline int mesh_side_ascends(const mesh *m, const mesh_side *side) {
+    return m->triangle[side->triangle][side->number] == side->low;
+}
+
 /** How many of the `count` >= 1 sides from the first on lie in one edge. */
 int mesh_sides_together(const mesh_side *first, int count);
 

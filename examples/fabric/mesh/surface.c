@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arrays.h"
 #include "base/vector.h"
 #include "mesh_sides.h"
 
@@ -18,8 +19,7 @@ typedef struct tree_node {
 } tree_node;
 
 struct surface {
-    mesh *mesh; /* &own */
-    mesh own;
+    mesh mesh;
     int count; /* of triangles with area */
     int node_count;
     int *order;           /* [count] triangles, as the leaves hold them */
@@ -27,10 +27,11 @@ struct surface {
     double (*face)[3];    /* [triangles] unit normals */
     double (*edge)[3][3]; /* [triangles] pseudonormals of corners 0-1, 1-2, 2-0 */
     double (*vertex)[3];  /* [vertices] pseudonormals */
+    arrays own;
 };
 
 const mesh *surface_mesh(const surface *s) {
-    return s->mesh;
+    return &s->mesh;
 }
 
 double surface_reach(const surface *s) {
@@ -49,31 +50,24 @@ const double *surface_normal(const surface *s, int vertex) {
 void surface_free(surface *s) {
     if (!s)
         return;
-    free(s->order);
-    free(s->node);
-    free(s->face);
-    free(s->edge);
-    free(s->vertex);
-    mesh_free(&s->own);
+    arrays_free(&s->own);
+    mesh_free(&s->mesh);
     free(s);
 }
 
 static const double *corner(const surface *s, int t, int p) {
-    return s->mesh->position[s->mesh->triangle[t][p % 3]];
+    return s->mesh.position[s->mesh.triangle[t][p % 3]];
 }
 
 /* The unit normal, and the triangles that have one. */
 static void find_faces(surface *s) {
-    for (int t = 0; t < s->mesh->triangle_count; t++) {
-        double one[3], other[3], cross[3];
-        vector_subtract(corner(s, t, 1), corner(s, t, 0), one);
-        vector_subtract(corner(s, t, 2), corner(s, t, 0), other);
-        vector_cross(one, other, cross);
+    for (int t = 0; t < s->mesh.triangle_count; t++) {
+        double cross[3];
+        vector_normal(corner(s, t, 0), corner(s, t, 1), corner(s, t, 2), cross);
         const double length = vector_length(cross);
         if (!(length > 0) || !isfinite(length))
             continue;
-        for (int a = 0; a < 3; a++)
-            s->face[t][a] = cross[a] / length;
+        vector_unit(cross, s->face[t]);
         s->order[s->count++] = t;
     }
 }
@@ -83,7 +77,7 @@ static void find_vertex_normals(surface *s) {
         const int t = s->order[n];
         for (int p = 0; p < 3; p++) {
             double one[3], other[3], cross[3];
-            double *sum = s->vertex[s->mesh->triangle[t][p]];
+            double *sum = s->vertex[s->mesh.triangle[t][p]];
             vector_subtract(corner(s, t, p + 1), corner(s, t, p), one);
             vector_subtract(corner(s, t, p + 2), corner(s, t, p), other);
             vector_cross(one, other, cross);
@@ -95,8 +89,8 @@ static void find_vertex_normals(surface *s) {
 
 /* A triangle without area has no face, and adds nothing. */
 static int find_edge_normals(surface *s) {
-    const int count = 3 * s->mesh->triangle_count;
-    mesh_side *sides = mesh_sides_new(s->mesh);
+    const int count = 3 * s->mesh.triangle_count;
+    mesh_side *sides = mesh_sides_new(&s->mesh);
     if (!sides)
         return -1;
     for (int i = 0, together; i < count; i += together) {
@@ -168,14 +162,13 @@ surface *surface_new(mesh *m, char *error) {
     snprintf(error, ERROR_SIZE, "out of memory");
     if (!s)
         return NULL;
-    s->own = *m;
-    s->mesh = &s->own;
-    s->order = calloc(triangles, sizeof *s->order);
-    s->node = calloc(2 * triangles, sizeof *s->node);
-    s->face = calloc(triangles, sizeof *s->face);
-    s->edge = calloc(triangles, sizeof *s->edge);
-    s->vertex = calloc((size_t)m->vertex_count + 1, sizeof *s->vertex);
-    if (s->order && s->node && s->face && s->edge && s->vertex) {
+    s->mesh = *m;
+    s->order = arrays_add(&s->own, triangles, sizeof *s->order);
+    s->node = arrays_add(&s->own, 2 * triangles, sizeof *s->node);
+    s->face = arrays_add(&s->own, triangles, sizeof *s->face);
+    s->edge = arrays_add(&s->own, triangles, sizeof *s->edge);
+    s->vertex = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->vertex);
+    if (!s->own.failed) {
         find_faces(s);
         find_vertex_normals(s);
         if (s->count == 0)
@@ -187,7 +180,7 @@ surface *surface_new(mesh *m, char *error) {
             return s;
         }
     }
-    s->own = (mesh){0};
+    s->mesh = (mesh){0};
     surface_free(s);
     return NULL;
 }
@@ -203,7 +196,7 @@ typedef struct nearest {
  * plane that p is above (Ericson 2005, Real-Time Collision Detection, 5.1.5). */
 static void take_triangle(const surface *s, int t, const double p[3], nearest *best) {
     const double *a = corner(s, t, 0), *b = corner(s, t, 1), *c = corner(s, t, 2);
-    const int *v = s->mesh->triangle[t];
+    const int *v = s->mesh.triangle[t];
     const double *normal = s->face[t];
     double ab[3], ac[3], from[3], u = 0, w = 0; /* the point: a + u ab + w ac */
     vector_subtract(b, a, ab);

@@ -1,24 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "surface_check.h"
+#include "surface.h"
 
 #include <stdlib.h>
 
 #include "base/vector.h"
 #include "mesh_sides.h"
 
-static int opposite(const mesh *m, const mesh_side *side) {
-    return m->triangle[side->triangle][(side->number + 2) % 3];
-}
-
-/* Does the triangle go along the side from its lower vertex to its higher? */
-static int ascends(const mesh *m, const mesh_side *side) {
-    return m->triangle[side->triangle][side->number] == side->low;
-}
-
 /* Checks an edge with all its `count` triangles. */
 static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fault *fault) {
     for (int k = 1; k < count; k++)
-        if (opposite(m, &of[k]) == opposite(m, &of[0])) {
+        if (mesh_side_wing(m, &of[k]) == mesh_side_wing(m, &of[0])) {
             *fault = (surface_fault){"has the three vertices of another, expected each once",
                                      of[k].triangle, of[0].triangle};
             return;
@@ -26,7 +17,7 @@ static void check_edge(const mesh *m, const mesh_side *of, int count, surface_fa
     if (count > 2)
         *fault = (surface_fault){"is the third at an edge, expected two at most", of[2].triangle,
                                  of[0].triangle};
-    else if (count == 2 && ascends(m, &of[0]) == ascends(m, &of[1]))
+    else if (count == 2 && mesh_side_ascends(m, &of[0]) == mesh_side_ascends(m, &of[1]))
         *fault = (surface_fault){
             "faces the other way than its neighbour, expected all counter-clockwise from outside",
             of[1].triangle, of[0].triangle};

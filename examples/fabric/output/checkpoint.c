@@ -4,11 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/files.h"
 #include "mesh/surface.h"
 #include "output/sealed_file.h"
-
-static const sealed_kind CHECKPOINT_KIND = {"FABRICCP", 1, "a checkpoint", 1};
 
 /** Start of the payload. */
 typedef struct prologue {
@@ -19,6 +16,12 @@ typedef struct prologue {
     uint64_t zero;
 } prologue;
 _Static_assert(sizeof(prologue) == 64, "the payload's beginning has no padding");
+
+static int check_header(const sealed_header *header) {
+    return header->payload_size < sizeof(prologue) ? -1 : 0;
+}
+
+static const sealed_kind CHECKPOINT_KIND = {"FABRICCP", 1, "a checkpoint", 1, check_header};
 
 static uint64_t hash_mesh(uint64_t hash, const mesh *m) {
     const size_t vertices = (size_t)m->vertex_count, triangles = (size_t)m->triangle_count;
@@ -103,31 +106,13 @@ static int unpack(checkpoint *c, const sealed_header *header, const char *path) 
     return scene_read_text(&c->of, c->text, c->text_size, path);
 }
 
-static int read_file(checkpoint *c, FILE *file, const char *path) {
-    sealed_header header;
-    if (sealed_file_read_header(&CHECKPOINT_KIND, &header, file, path) != 0)
-        return -1;
-    if (header.payload_size < sizeof(prologue))
-        return sealed_file_complain(path, "damaged: its header contradicts itself");
-    if (sealed_file_check_size(&header, file, path) != 0)
-        return -1;
-    c->memory = malloc(header.payload_size);
-    if (!c->memory)
-        return sealed_file_complain(path, "out of memory");
-    return sealed_file_read_payload(&header, c->memory, file, path) == 0 ? unpack(c, &header, path)
-                                                                         : -1;
-}
-
 int checkpoint_read(checkpoint *c, const char *path) {
-    *c = (checkpoint){.memory = NULL};
-    FILE *file = files_open(path);
-    if (!file)
-        return -1;
-    const int status = read_file(c, file, path);
-    fclose(file);
-    if (status != 0)
-        checkpoint_free(c);
-    return status;
+    sealed_header header;
+    *c = (checkpoint){.memory = sealed_file_read(&CHECKPOINT_KIND, &header, path)};
+    if (c->memory && unpack(c, &header, path) == 0)
+        return 0;
+    checkpoint_free(c);
+    return -1;
 }
 
 void checkpoint_free(checkpoint *c) {

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "output/sealed_file.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/files.h"
 #include "output/fresh_file.h"
 
 _Static_assert(sizeof(sealed_header) == 64, "the file's header has no padding");
@@ -48,8 +50,8 @@ int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void
     return fresh_file_close(&f, kind->durable ? fresh_file_sync(&f) : 0);
 }
 
-int sealed_file_read_header(const sealed_kind *kind, sealed_header *header, FILE *file,
-                            const char *path) {
+static int read_header(const sealed_kind *kind, sealed_header *header, FILE *file,
+                       const char *path) {
     const size_t found = fread(header, 1, sizeof *header, file);
     if (found < sizeof header->magic ||
         memcmp(header->magic, kind->magic, sizeof header->magic) != 0) {
@@ -67,10 +69,14 @@ int sealed_file_read_header(const sealed_kind *kind, sealed_header *header, FILE
                 header->version, kind->version);
         return -1;
     }
+    if (kind->check(header) != 0)
+        return sealed_file_complain(path, "damaged: its header contradicts itself");
     return 0;
 }
 
-int sealed_file_check_size(const sealed_header *header, FILE *file, const char *path) {
+/* Whether the file has no fewer bytes than the header claims, as far as a file of its sort can
+ * tell: asked before memory is taken for them. */
+static int check_size(const sealed_header *header, FILE *file, const char *path) {
     struct stat status;
     if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode))
         return 0;
@@ -80,8 +86,7 @@ int sealed_file_check_size(const sealed_header *header, FILE *file, const char *
     return 0;
 }
 
-int sealed_file_read_payload(const sealed_header *header, void *payload, FILE *file,
-                             const char *path) {
+static int read_payload(const sealed_header *header, void *payload, FILE *file, const char *path) {
     const size_t found = fread(payload, 1, header->payload_size, file);
     if (found < header->payload_size)
         return complain_torn(path, found + sizeof *header, header);
@@ -90,4 +95,22 @@ int sealed_file_read_payload(const sealed_header *header, void *payload, FILE *f
     if (checksum(*header, payload) != header->checksum)
         return sealed_file_complain(path, "damaged: its checksum differs");
     return 0;
+}
+
+void *sealed_file_read(const sealed_kind *kind, sealed_header *header, const char *path) {
+    void *payload = NULL;
+    FILE *file = files_open(path);
+    if (!file)
+        return NULL;
+    if (read_header(kind, header, file, path) == 0 && check_size(header, file, path) == 0) {
+        payload = malloc(header->payload_size + 1);
+        if (!payload)
+            sealed_file_complain(path, "out of memory");
+        else if (read_payload(header, payload, file, path) != 0) {
+            free(payload);
+            payload = NULL;
+        }
+    }
+    fclose(file);
+    return payload;
 }

@@ -41,6 +41,7 @@ typedef struct sealed_kind {
     uint32_t version; /* the one that this program writes and reads */
     const char *name; /* "a state": the kind of file, in messages */
     int durable; /* it is on the disk before it gets its name, whatever happens to the machine */
+    int (*check)(const sealed_header *); /* does the rest of the header make sense? 0, or -1 */
 } sealed_kind;
 
 /** Writes a temporary file and renames it, so that a file of that name is always complete. The
@@ -49,17 +50,9 @@ typedef struct sealed_kind {
 int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void *payload,
                       const char *path);
 
-/** Reads and checks the header. 0, or -1 after a message about the defect. */
-int sealed_file_read_header(const sealed_kind *kind, sealed_header *header, FILE *file,
-                            const char *path);
-
-/** Whether the file has no fewer bytes than the header claims, as far as a file of its sort can
- *  tell: to be asked before memory is taken for them. 0, or -1 after a message. */
-int sealed_file_check_size(const sealed_header *header, FILE *file, const char *path);
-
-/** Reads the payload, [header->payload_size], and checks the sum. 0, or -1 after a message. */
-int sealed_file_read_payload(const sealed_header *header, void *payload, FILE *file,
-                             const char *path);
+/** Reads and checks the file. Its payload, [header->payload_size], to be freed; NULL after a
+ * message about the defect. */
+void *sealed_file_read(const sealed_kind *kind, sealed_header *header, const char *path);
 
 /** "path: what" on standard error. Returns -1. */
 int sealed_file_complain(const char *path, const char *what);

@@ -4,10 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/files.h"
 #include "output/sealed_file.h"
 
-static const sealed_kind STATE_KIND = {"FABRICST", 1, "a state", 0};
 enum { KNOWN_PARTS = STATE_VELOCITIES | STATE_TRIANGLES | STATE_ORIGINAL | STATE_SINGLE };
 enum { SINGLE_WITH_VELOCITIES = STATE_SINGLE | STATE_VELOCITIES }; /* would not be aligned */
 
@@ -29,6 +27,19 @@ static layout layout_of(unsigned parts, int vertex_count, int triangle_count) {
 static size_t layout_size(layout l) {
     return l.positions + l.velocities + l.triangles + l.originals;
 }
+
+static int check_header(const sealed_header *header) {
+    const unsigned parts = header->parts;
+    return header->vertex_count <= 0 || header->triangle_count < 0 ||
+                   (parts & ~(unsigned)KNOWN_PARTS) != 0 ||
+                   (parts & SINGLE_WITH_VELOCITIES) == SINGLE_WITH_VELOCITIES ||
+                   header->payload_size !=
+                       layout_size(layout_of(parts, header->vertex_count, header->triangle_count))
+               ? -1
+               : 0;
+}
+
+static const sealed_kind STATE_KIND = {"FABRICST", 1, "a state", 0, check_header};
 
 static char *append(char *to, const void *from, size_t size) {
     if (size > 0)
@@ -66,16 +77,6 @@ int state_write(const state *s, const char *path) {
     return status;
 }
 
-static int check_header(const sealed_header *header, const char *path) {
-    if (header->vertex_count <= 0 || header->triangle_count < 0 ||
-        (header->parts & ~(unsigned)KNOWN_PARTS) != 0 ||
-        (header->parts & SINGLE_WITH_VELOCITIES) == SINGLE_WITH_VELOCITIES ||
-        header->payload_size !=
-            layout_size(layout_of(header->parts, header->vertex_count, header->triangle_count)))
-        return sealed_file_complain(path, "damaged: its header contradicts itself");
-    return 0;
-}
-
 static int check_numbers(const int *numbers, size_t count, int below) {
     for (size_t k = 0; k < count; k++)
         if (numbers[k] < 0 || numbers[k] >= below)
@@ -83,16 +84,27 @@ static int check_numbers(const int *numbers, size_t count, int below) {
     return 0;
 }
 
-/** Points the state's arrays into memory: positions as double, then the payload as it is. */
-static void unpack(state *s, layout l, double *positions, const char *payload) {
-    if ((s->parts & STATE_SINGLE) != 0)
-        for (size_t k = 0; k < 3 * (size_t)s->vertex_count; k++) {
+/** Points the state's arrays into the payload, in s->memory; single positions become double ones
+ *  behind it. */
+static int unpack(state *s, layout l, const char *path) {
+    const size_t count = 3 * (size_t)s->vertex_count;
+    const size_t behind = (layout_size(l) + sizeof(double)) / sizeof(double) * sizeof(double);
+    if ((s->parts & STATE_SINGLE) != 0) {
+        void *more = realloc(s->memory, behind + count * sizeof(double));
+        if (!more)
+            return sealed_file_complain(path, "out of memory");
+        s->memory = more;
+    }
+    char *payload = s->memory;
+    double *positions = (double *)(void *)payload;
+    if ((s->parts & STATE_SINGLE) != 0) {
+        positions = (double *)(void *)(payload + behind);
+        for (size_t k = 0; k < count; k++) {
             float single;
             memcpy(&single, payload + k * sizeof single, sizeof single);
             positions[k] = (double)single;
         }
-    else
-        memcpy(positions, payload, l.positions);
+    }
     s->position = positions;
     payload += l.positions;
     if (l.velocities > 0)
@@ -103,27 +115,6 @@ static void unpack(state *s, layout l, double *positions, const char *payload) {
     payload += l.triangles;
     if (l.originals > 0)
         s->original = (const int *)(const void *)payload;
-}
-
-static int read_state(state *s, FILE *file, const char *path) {
-    sealed_header header;
-    if (sealed_file_read_header(&STATE_KIND, &header, file, path) != 0 ||
-        check_header(&header, path) != 0 || sealed_file_check_size(&header, file, path) != 0)
-        return -1;
-    const layout l = layout_of(header.parts, header.vertex_count, header.triangle_count);
-    const size_t as_double = 3 * (size_t)header.vertex_count * sizeof(double);
-    s->memory = malloc(as_double + header.payload_size);
-    if (!s->memory)
-        return sealed_file_complain(path, "out of memory");
-    char *payload = (char *)s->memory + as_double;
-    if (sealed_file_read_payload(&header, payload, file, path) != 0)
-        return -1;
-    s->vertex_count = header.vertex_count;
-    s->triangle_count = header.triangle_count;
-    s->time = header.time;
-    s->step = (long)header.step;
-    s->parts = header.parts;
-    unpack(s, l, s->memory, payload);
     if ((s->triangle &&
          check_numbers(s->triangle, 3 * (size_t)s->triangle_count, s->vertex_count) != 0) ||
         (s->original && check_numbers(s->original, (size_t)s->vertex_count, s->vertex_count) != 0))
@@ -132,15 +123,19 @@ static int read_state(state *s, FILE *file, const char *path) {
 }
 
 int state_read(state *s, const char *path) {
-    *s = (state){0};
-    FILE *file = files_open(path);
-    if (!file)
+    sealed_header header;
+    *s = (state){.memory = sealed_file_read(&STATE_KIND, &header, path)};
+    if (!s->memory)
         return -1;
-    const int status = read_state(s, file, path);
-    fclose(file);
-    if (status != 0)
-        state_free(s);
-    return status;
+    s->vertex_count = header.vertex_count;
+    s->triangle_count = header.triangle_count;
+    s->time = header.time;
+    s->step = (long)header.step;
+    s->parts = header.parts;
+    if (unpack(s, layout_of(s->parts, s->vertex_count, s->triangle_count), path) == 0)
+        return 0;
+    state_free(s);
+    return -1;
 }
 
 void state_free(state *s) {

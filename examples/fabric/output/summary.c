@@ -5,7 +5,6 @@
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "output/fresh_file.h"
@@ -95,11 +94,11 @@ static json_t *summary_of(const run_account *run) {
         run->threads, "threads_at_last", threads_at_last(run), "particles", m->vertex_count,
         "triangles", m->triangle_count, "edges", m->edge_count, "hinges", m->hinge_count,
         "simulated_seconds", simulation_time(run->sim), "steps", "taken",
-        (json_int_t)simulation_steps_taken(run->sim), "rejected",
-        (json_int_t)simulation_steps_rejected(run->sim), "slept",
-        (json_int_t)simulation_steps_slept(run->sim), "cg_iterations",
-        (json_int_t)simulation_iterations(run->sim), "matrix_blocks",
-        (json_int_t)simulation_matrix_blocks(run->sim), "mesh_seconds", run->mesh_seconds,
+        (json_int_t)simulation_counts(run->sim).taken, "rejected",
+        (json_int_t)simulation_counts(run->sim).rejected, "slept",
+        (json_int_t)simulation_counts(run->sim).slept, "cg_iterations",
+        (json_int_t)simulation_counts(run->sim).iterations, "matrix_blocks",
+        (json_int_t)simulation_counts(run->sim).matrix_blocks, "mesh_seconds", run->mesh_seconds,
         "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "most_memory_bytes",
         (json_int_t)memory_most(), "phases", phases_of(run->sim), "effects",
         effects_of(run->sim, 1), "inactive_effects", effects_of(run->sim, 0), "rejections",
@@ -155,11 +154,11 @@ void summary_print(const run_account *run) {
     const phase *phases = simulation_phases(sim);
     printf("%s: %d particles, %d triangles; %ld steps taken, %ld rejected; %.3f s simulated\n",
            run->of->name, run->cloth->vertex_count, run->cloth->triangle_count,
-           simulation_steps_taken(sim), simulation_steps_rejected(sim), simulation_time(sim));
+           simulation_counts(sim).taken, simulation_counts(sim).rejected, simulation_time(sim));
     printf("%.3f s on %d thread%s", run->step_seconds, run->threads, run->threads == 1 ? "" : "s");
     if (threads_at_last(run) != run->threads)
         printf(" at most, %d at last", threads_at_last(run));
-    printf(", %ld iterations of conjugate gradients\n", simulation_iterations(sim));
+    printf(", %ld iterations of conjugate gradients\n", simulation_counts(sim).iterations);
     int count;
     const rejection *rejected = simulation_rejections(sim, &count);
     for (int k = 0; k < count && k < 5; k++)

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "input/mesh_file.h"
-#include "scene_parts.h"
 #include "scene_value.h"
 
 /** The node at `path` (names and item numbers with dots between), or the nearest above it. */
@@ -16,20 +15,15 @@ static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     const yaml_node_t *node = yaml_document_get_root_node(from->document);
     while (*path) {
         const size_t length = strcspn(path, ".");
-        int next = 0;
-        if (node->type == YAML_SEQUENCE_NODE)
-            next = node->data.sequence.items.start[atoi(path)];
-        else if (node->type == YAML_MAPPING_NODE)
-            for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
-                 pair < node->data.mapping.pairs.top; pair++) {
-                const yaml_node_t *key = yaml_document_get_node(from->document, pair->key);
-                if (key->data.scalar.length == length &&
-                    memcmp(key->data.scalar.value, path, length) == 0)
-                    next = pair->value;
-            }
-        if (next == 0)
+        const yaml_node_t *next =
+            node->type == YAML_SEQUENCE_NODE
+                ? yaml_document_get_node(from->document,
+                                         node->data.sequence.items.start[atoi(path)])
+            : node->type == YAML_MAPPING_NODE ? scene_value_of(from, node, path, length)
+                                              : NULL;
+        if (!next)
             break;
-        node = yaml_document_get_node(from->document, next);
+        node = next;
         path += length + (path[length] == '.');
     }
     return node;
@@ -179,12 +173,12 @@ static int read_document(scene *s, scene_source *from, FILE *file) {
     return status;
 }
 
-int scene_read(scene *s, const char *path) {
-    scene_source from = {path, 1, NULL};
+/** `file` NULL: it cannot be read, as `wrong` says. */
+static int read_from(scene *s, const char *name, FILE *file, const char *wrong) {
+    scene_source from = {name, 1, NULL};
     *s = scene_defaults;
-    FILE *file = fopen(path, "rb");
     if (!file)
-        return scene_complain(&from, NULL, "cannot be read: %s", strerror(errno));
+        return scene_complain(&from, NULL, "%s", wrong);
     const int status = read_document(s, &from, file);
     fclose(file);
     if (status != 0)
@@ -192,17 +186,16 @@ int scene_read(scene *s, const char *path) {
     return status;
 }
 
+int scene_read(scene *s, const char *path) {
+    char wrong[256];
+    FILE *file = fopen(path, "rb");
+    snprintf(wrong, sizeof wrong, "cannot be read: %s", strerror(errno));
+    return read_from(s, path, file, wrong);
+}
+
 int scene_read_text(scene *s, char *text, size_t size, const char *name) {
-    scene_source from = {name, 1, NULL};
-    *s = scene_defaults;
-    FILE *file = size > 0 ? fmemopen(text, size, "rb") : NULL;
-    if (!file)
-        return scene_complain(&from, NULL, "its scene cannot be read");
-    const int status = read_document(s, &from, file);
-    fclose(file);
-    if (status != 0)
-        scene_free(s);
-    return status;
+    return read_from(s, name, size > 0 ? fmemopen(text, size, "rb") : NULL,
+                     "its scene cannot be read");
 }
 
 void scene_free(scene *s) {
@@ -219,10 +212,9 @@ void scene_free(scene *s) {
 /** The address of item `number` of a list, NULL after a message. */
 static void *find_item(const scene_source *from, const scene_key *key, char *target,
                        const char *number) {
-    char *items, *end;
+    char *end;
     int count;
-    memcpy(&items, target + key->offset, sizeof items);
-    memcpy(&count, target + key->list->count_offset, sizeof count);
+    char *items = scene_items(key, target, &count);
     const long index = strtol(number, &end, 10);
     if (end != number && *end == '\0' && index >= 0 && index < count)
         return items + (size_t)index * key->list->item_size;

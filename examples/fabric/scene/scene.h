@@ -143,6 +143,12 @@ typedef struct scene_solution {
     double sleep;            /* m/s, a cloth that is slower for some steps sleeps; 0: never */
 } scene_solution;
 
+/** What a scene's file calls the values of mesh.order, time.integrator, solution.method, ...: in
+ * the order of their enumerations, NULL after the last. */
+extern const char *const scene_orders[], *const scene_integrators[],
+                                             *const scene_methods[], *const scene_preconditioners[],
+                                                                         *const scene_precisions[];
+
 /** Members are called as the sections of the file. */
 typedef struct scene {
     char name[64];
@@ -168,11 +174,9 @@ int scene_set(scene *s, const char *assignment);
 void scene_free(scene *s);
 
 /** The scene's cloth: generated or from its file, placed by origin and normal, connected, numbered
- * in its order.
- *  new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 with a message in
- *  error[256].
- */
-int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
+ *  in its order. new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 after a
+ *  message on standard error. */
+int scene_mesh(const scene *s, mesh *m, int *new_of_old);
 
 /** Does moving air act on the cloth at some time? */
 static inline int scene_has_wind(const scene *s) {

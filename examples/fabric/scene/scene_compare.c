@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "scene.h"
-#include "scene_parts.h"
 #include "scene_value.h"
 
 /** Two structs with the same keys, and where what differs is to be said. */
@@ -53,12 +52,9 @@ static int compare_within(comparison *of, const char *a, const char *b, const sc
 
 static int compare_lists(comparison *of, const scene_key *key, const char *path) {
     char item_path[PATH_SIZE];
-    const char *one, *other;
     int count, other_count;
-    memcpy(&one, of->a + key->offset, sizeof one);
-    memcpy(&other, of->b + key->offset, sizeof other);
-    memcpy(&count, of->a + key->list->count_offset, sizeof count);
-    memcpy(&other_count, of->b + key->list->count_offset, sizeof other_count);
+    const char *one = scene_items(key, of->a, &count);
+    const char *other = scene_items(key, of->b, &other_count);
     if (count != other_count) {
         snprintf(of->said, 256, "'%.100s' has %d items, there %d", path, count, other_count);
         return 1;
@@ -83,7 +79,7 @@ static int compare_keys(comparison *of, const scene_key *keys, const char *path)
         char name[PATH_SIZE];
         int differ = 0;
         snprintf(name, sizeof name, "%.80s%s%.40s", path, path[0] ? "." : "", key->name);
-        if (key->name[0] == '\0' || (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0))
+        if (!scene_has_key(key, kind))
             continue;
         if (key->kind == VALUE_SECTION)
             differ = compare_within(of, of->a + key->offset, of->b + key->offset, key->keys, name);

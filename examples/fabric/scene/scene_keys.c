@@ -13,47 +13,47 @@ _Static_assert(sizeof((collider *)0)->file == FILE_SIZE, "a file fits the collid
 
 _Static_assert(sizeof((scene_cloth *)0)->file == FILE_SIZE, "a file fits the scene's");
 
-#define ANY -1e300, 1e300, 0
-#define POSITIVE 0.0, 1e300, 1
-#define NOT_NEGATIVE 0.0, 1e300, 0
-#define BETWEEN(low, high) low, high, 0
+static const value_range any = {-1e300, 1e300, 0};
+static const value_range positive = {0.0, 1e300, 1};
+static const value_range not_negative = {0.0, 1e300, 0};
+#define BETWEEN(low, high) (&(const value_range){low, high, 0})
 
+/* A key called like its field; `of`: bits of the kinds that have it, 0: all. */
+#define KEY(struct_, field, kind, required, components, range, of)                                 \
+    { #field, kind, offsetof(struct_, field), required, components, range, of, NULL, NULL, NULL }
 #define WHOLE(struct_, field, required, range)                                                     \
-    { #field, VALUE_WHOLE, offsetof(struct_, field), required, 1, range, 0, NULL, NULL, NULL }
+    KEY(struct_, field, VALUE_WHOLE, required, 1, range, 0)
 #define NUMBER(struct_, field, required, range)                                                    \
-    { #field, VALUE_NUMBER, offsetof(struct_, field), required, 1, range, 0, NULL, NULL, NULL }
+    KEY(struct_, field, VALUE_NUMBER, required, 1, range, 0)
 #define VECTOR(struct_, field, required, components)                                               \
-    {                                                                                              \
-#field, VALUE_VECTOR, offsetof(struct_, field), required, components, ANY, 0, NULL, NULL,  \
-            NULL                                                                                   \
-    }
+    KEY(struct_, field, VALUE_VECTOR, required, components, &any, 0)
 #define DIRECTION(struct_, field, required)                                                        \
-    { #field, VALUE_DIRECTION, offsetof(struct_, field), required, 3, ANY, 0, NULL, NULL, NULL }
+    KEY(struct_, field, VALUE_DIRECTION, required, 3, &any, 0)
 #define CHOICE(struct_, field, required, choices)                                                  \
-    { #field, VALUE_CHOICE, offsetof(struct_, field), required, 1, ANY, 0, choices, NULL, NULL }
+    { #field, VALUE_CHOICE, offsetof(struct_, field), required, 1, &any, 0, choices, NULL, NULL }
 #define SECTION(field, required, keys)                                                             \
-    { #field, VALUE_SECTION, offsetof(scene, field), required, 1, ANY, 0, NULL, keys, NULL }
+    { #field, VALUE_SECTION, offsetof(scene, field), required, 1, &any, 0, NULL, keys, NULL }
 #define LIST(struct_, field, keys, list)                                                           \
-    { #field, VALUE_LIST, offsetof(struct_, field), 0, 1, ANY, 0, NULL, keys, list }
+    { #field, VALUE_LIST, offsetof(struct_, field), 0, 1, &any, 0, NULL, keys, list }
 #define END                                                                                        \
-    { NULL, VALUE_TEXT, 0, 0, 0, 0.0, 0.0, 0, 0, NULL, NULL, NULL }
+    { NULL, VALUE_TEXT, 0, 0, 0, NULL, 0, NULL, NULL, NULL }
 
-static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
+const char *const scene_orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 static const char *const contacts[] = {"constraints", "barrier", NULL};
 static const char *const untangles[] = {"off", "on", NULL};
 static const scene_key contact_keys[] = {CHOICE(scene_contact, method, 0, contacts),
                                          CHOICE(scene_contact, untangle, 0, untangles), END};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
 
-static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
-static const char *const methods[] = {"conjugate-gradients", "direct", NULL};
-static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi",        "none",
-                                              "jacobi",       "incomplete-cholesky", NULL};
-static const char *const precisions[] = {"double", "float", "mixed", NULL};
+const char *const scene_integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
+const char *const scene_methods[] = {"conjugate-gradients", "direct", NULL};
+const char *const scene_preconditioners[] = {"gauss-seidel", "block-jacobi",        "none",
+                                             "jacobi",       "incomplete-cholesky", NULL};
+const char *const scene_precisions[] = {"double", "float", "mixed", NULL};
 
 /* Before all others: which kind the keys that were read make of it. */
 #define KIND_BY_KEYS(struct_, field)                                                               \
-    { "", VALUE_WHOLE, offsetof(struct_, field), 0, 1, ANY, 0, NULL, NULL, NULL }
+    { "", VALUE_WHOLE, offsetof(struct_, field), 0, 1, &any, 0, NULL, NULL, NULL }
 
 #define GENERATED (1u << SHEET_GENERATED)
 #define FROM_FILE (1u << SHEET_FILE)
@@ -61,70 +61,64 @@ static const char *const rests[] = {"positions", "texture", NULL};
 static const char *const angles[] = {"flat", "mesh", NULL};
 static const scene_key mesh_keys[] = {
     KIND_BY_KEYS(scene_cloth, from),
-    {"vertices", VALUE_WHOLE, offsetof(scene_cloth, vertices), 1, 1, BETWEEN(5, 2e7), GENERATED,
-     NULL, NULL, NULL},
-    {"boundary", VALUE_WHOLE, offsetof(scene_cloth, boundary), 1, 1, BETWEEN(4, 1e7), GENERATED,
-     NULL, NULL, NULL},
-    {"side", VALUE_NUMBER, offsetof(scene_cloth, side), 1, 1, POSITIVE, GENERATED, NULL, NULL,
-     NULL},
-    {"file", VALUE_FILE, offsetof(scene_cloth, file), 1, 1, ANY, FROM_FILE, NULL, NULL, NULL},
-    {"scale", VALUE_NUMBER, offsetof(scene_cloth, scale), 0, 1, POSITIVE, FROM_FILE, NULL, NULL,
-     NULL},
-    {"rest", VALUE_CHOICE, offsetof(scene_cloth, rest), 0, 1, ANY, FROM_FILE, rests, NULL, NULL},
-    {"rest_angles", VALUE_CHOICE, offsetof(scene_cloth, rest_angles), 0, 1, ANY, FROM_FILE, angles,
+    KEY(scene_cloth, vertices, VALUE_WHOLE, 1, 1, BETWEEN(5, 2e7), GENERATED),
+    KEY(scene_cloth, boundary, VALUE_WHOLE, 1, 1, BETWEEN(4, 1e7), GENERATED),
+    KEY(scene_cloth, side, VALUE_NUMBER, 1, 1, &positive, GENERATED),
+    KEY(scene_cloth, file, VALUE_FILE, 1, 1, &any, FROM_FILE),
+    KEY(scene_cloth, scale, VALUE_NUMBER, 0, 1, &positive, FROM_FILE),
+    {"rest", VALUE_CHOICE, offsetof(scene_cloth, rest), 0, 1, &any, FROM_FILE, rests, NULL, NULL},
+    {"rest_angles", VALUE_CHOICE, offsetof(scene_cloth, rest_angles), 0, 1, &any, FROM_FILE, angles,
      NULL, NULL},
-    {"seed", VALUE_SEED, offsetof(scene_cloth, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL,
-     NULL},
-    CHOICE(scene_cloth, order, 0, orders),
+    KEY(scene_cloth, seed, VALUE_SEED, 0, 1, BETWEEN(0.0, 4294967295.0), 0),
+    CHOICE(scene_cloth, order, 0, scene_orders),
     VECTOR(scene_cloth, origin, 0, 3),
     DIRECTION(scene_cloth, normal, 0),
     END};
 
 /* Parameters of effects: as effects.def has them. */
-static const scene_key material_keys[] = {NUMBER(scene_material, density, 1, POSITIVE),
-#define MATERIAL(name, required) NUMBER(scene_material, name, required, NOT_NEGATIVE),
+static const scene_key material_keys[] = {NUMBER(scene_material, density, 1, &positive),
+#define MATERIAL(name, required) NUMBER(scene_material, name, required, &not_negative),
 #include "effects/effects.def"
                                           END};
 
 static const scene_key surroundings_keys[] = {
     VECTOR(scene_surroundings, gravity, 0, 3),
-#define SURROUNDINGS(name) NUMBER(scene_surroundings, name, 0, NOT_NEGATIVE),
+#define SURROUNDINGS(name) NUMBER(scene_surroundings, name, 0, &not_negative),
 #include "effects/effects.def"
-    VECTOR(scene_surroundings, wind, 0, 3), NUMBER(scene_surroundings, wind_from, 0, NOT_NEGATIVE),
-    NUMBER(scene_surroundings, wind_until, 0, NOT_NEGATIVE), END};
+    VECTOR(scene_surroundings, wind, 0, 3), NUMBER(scene_surroundings, wind_from, 0, &not_negative),
+    NUMBER(scene_surroundings, wind_until, 0, &not_negative), END};
 
-static const scene_key time_keys[] = {NUMBER(scene_time, step, 1, POSITIVE),
+static const scene_key time_keys[] = {NUMBER(scene_time, step, 1, &positive),
                                       WHOLE(scene_time, steps, 1, BETWEEN(0, 1e9)),
-                                      CHOICE(scene_time, integrator, 0, integrators), END};
+                                      CHOICE(scene_time, integrator, 0, scene_integrators), END};
 
+static const value_range tolerances = {0.0, 0.5, 1};
 static const scene_key solution_keys[] = {
-    {"tolerance", VALUE_NUMBER, offsetof(scene_solution, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL,
-     NULL, NULL},
+    NUMBER(scene_solution, tolerance, 0, &tolerances),
     WHOLE(scene_solution, max_iterations, 0, BETWEEN(1, 1e9)),
-    CHOICE(scene_solution, method, 0, methods),
-    CHOICE(scene_solution, preconditioner, 0, preconditioners),
-    CHOICE(scene_solution, precision, 0, precisions),
-    {"newton_tolerance", VALUE_NUMBER, offsetof(scene_solution, newton_tolerance), 0, 1, 0.0, 0.5,
-     1, 0, NULL, NULL, NULL},
+    CHOICE(scene_solution, method, 0, scene_methods),
+    CHOICE(scene_solution, preconditioner, 0, scene_preconditioners),
+    CHOICE(scene_solution, precision, 0, scene_precisions),
+    NUMBER(scene_solution, newton_tolerance, 0, &tolerances),
     WHOLE(scene_solution, newton_iterations, 0, BETWEEN(1, 1e6)),
-    NUMBER(scene_solution, sleep, 0, NOT_NEGATIVE),
+    NUMBER(scene_solution, sleep, 0, &not_negative),
     END};
 
 static const char *const switches[] = {"on", "off", NULL};
 static const scene_key monitor_keys[] = {
-    {"watch", VALUE_CHOICE, offsetof(monitor_limits, off), 0, 1, ANY, 0, switches, NULL, NULL},
-    NUMBER(monitor_limits, energy, 0, POSITIVE),
-    NUMBER(monitor_limits, growth, 0, POSITIVE),
-    NUMBER(monitor_limits, strain, 0, POSITIVE),
-    NUMBER(monitor_limits, penetration, 0, POSITIVE),
+    {"watch", VALUE_CHOICE, offsetof(monitor_limits, off), 0, 1, &any, 0, switches, NULL, NULL},
+    NUMBER(monitor_limits, energy, 0, &positive),
+    NUMBER(monitor_limits, growth, 0, &positive),
+    NUMBER(monitor_limits, strain, 0, &positive),
+    NUMBER(monitor_limits, penetration, 0, &positive),
     END};
 
-static const scene_key self_keys[] = {NUMBER(scene_self_collision, gap, 1, NOT_NEGATIVE),
-                                      NUMBER(scene_self_collision, friction, 0, NOT_NEGATIVE), END};
+static const scene_key self_keys[] = {NUMBER(scene_self_collision, gap, 1, &not_negative),
+                                      NUMBER(scene_self_collision, friction, 0, &not_negative),
+                                      END};
 
 #define BY(kind) (1u << PIN_##kind)
-#define PLACE(field, components, kind)                                                             \
-    { #field, VALUE_VECTOR, offsetof(pin, field), 1, components, ANY, BY(kind), NULL, NULL, NULL }
+#define PLACE(field, components, kind) KEY(pin, field, VALUE_VECTOR, 1, components, &any, BY(kind))
 static const scene_list vertex_list = {offsetof(pin, vertex_count), sizeof(int), NULL, NULL};
 static const scene_key pin_keys[] = {KIND_BY_KEYS(pin, by),
                                      PLACE(low, 2, RECTANGLE),
@@ -135,14 +129,14 @@ static const scene_key pin_keys[] = {KIND_BY_KEYS(pin, by),
                                      {"vertices", VALUE_NUMBERS, offsetof(pin, vertices), 1, 1,
                                       BETWEEN(1, 2e9), BY(VERTICES), NULL, NULL, &vertex_list},
                                      VECTOR(pin, velocity, 0, 3),
-                                     NUMBER(pin, move_from, 0, NOT_NEGATIVE),
-                                     NUMBER(pin, move_until, 0, NOT_NEGATIVE),
-                                     NUMBER(pin, until, 0, NOT_NEGATIVE),
+                                     NUMBER(pin, move_from, 0, &not_negative),
+                                     NUMBER(pin, move_until, 0, &not_negative),
+                                     NUMBER(pin, until, 0, &not_negative),
                                      END};
 
-static const scene_key keyframe_keys[] = {NUMBER(keyframe, time, 1, NOT_NEGATIVE),
+static const scene_key keyframe_keys[] = {NUMBER(keyframe, time, 1, &not_negative),
                                           VECTOR(keyframe, move, 0, 3),
-                                          NUMBER(keyframe, angle, 0, ANY), END};
+                                          NUMBER(keyframe, angle, 0, &any), END};
 static const keyframe keyframe_defaults;
 static const scene_list keyframe_list = {offsetof(collider, keyframe_count), sizeof(keyframe),
                                          &keyframe_defaults, NULL};
@@ -152,21 +146,21 @@ static const scene_key collider_keys[] = {
     CHOICE(collider, kind, 1, kinds),
     VECTOR(collider, position, 0, 3),
     VECTOR(collider, velocity, 0, 3),
-    {"normal", VALUE_DIRECTION, offsetof(collider, axis), 1, 3, ANY, OF(PLANE), NULL, NULL, NULL},
-    {"axis", VALUE_DIRECTION, offsetof(collider, axis), 1, 3, ANY, OF(CYLINDER), NULL, NULL, NULL},
-    {"half_edges", VALUE_VECTOR, offsetof(collider, size), 1, 3, POSITIVE, OF(BOX), NULL, NULL,
+    {"normal", VALUE_DIRECTION, offsetof(collider, axis), 1, 3, &any, OF(PLANE), NULL, NULL, NULL},
+    {"axis", VALUE_DIRECTION, offsetof(collider, axis), 1, 3, &any, OF(CYLINDER), NULL, NULL, NULL},
+    {"half_edges", VALUE_VECTOR, offsetof(collider, size), 1, 3, &positive, OF(BOX), NULL, NULL,
      NULL},
-    {"radius", VALUE_NUMBER, offsetof(collider, size), 1, 1, POSITIVE, OF(SPHERE) | OF(CYLINDER),
+    {"radius", VALUE_NUMBER, offsetof(collider, size), 1, 1, &positive, OF(SPHERE) | OF(CYLINDER),
      NULL, NULL, NULL},
-    {"half_length", VALUE_NUMBER, offsetof(collider, size[1]), 1, 1, POSITIVE, OF(CYLINDER), NULL,
+    {"half_length", VALUE_NUMBER, offsetof(collider, size[1]), 1, 1, &positive, OF(CYLINDER), NULL,
      NULL, NULL},
-    {"file", VALUE_FILE, offsetof(collider, file), 1, 1, ANY, OF(MESH), NULL, NULL, NULL},
-    NUMBER(collider, friction, 0, NOT_NEGATIVE),
-    NUMBER(collider, gap, 0, NOT_NEGATIVE),
-    NUMBER(collider, from, 0, NOT_NEGATIVE),
-    NUMBER(collider, until, 0, NOT_NEGATIVE),
+    KEY(collider, file, VALUE_FILE, 1, 1, &any, OF(MESH)),
+    NUMBER(collider, friction, 0, &not_negative),
+    NUMBER(collider, gap, 0, &not_negative),
+    NUMBER(collider, from, 0, &not_negative),
+    NUMBER(collider, until, 0, &not_negative),
     DIRECTION(collider, turn_axis, 0),
-    {"motion", VALUE_LIST, offsetof(collider, keyframes), 0, 1, ANY, 0, NULL, keyframe_keys,
+    {"motion", VALUE_LIST, offsetof(collider, keyframes), 0, 1, &any, 0, NULL, keyframe_keys,
      &keyframe_list},
     END};
 
@@ -187,19 +181,39 @@ static const scene_list pin_list = {offsetof(scene, pin_count), sizeof(pin), &pi
 static const scene_list collider_list = {offsetof(scene, collider_count), sizeof(collider),
                                          &collider_defaults, release_collider};
 
-const scene_key scene_keys[] = {
-    {"name", VALUE_TEXT, offsetof(scene, name), 1, 1, ANY, 0, NULL, NULL, NULL},
-    SECTION(mesh, 1, mesh_keys),
-    SECTION(material, 1, material_keys),
-    SECTION(surroundings, 0, surroundings_keys),
-    LIST(scene, pins, pin_keys, &pin_list),
-    LIST(scene, colliders, collider_keys, &collider_list),
-    SECTION(contact, 0, contact_keys),
-    SECTION(self_collision, 0, self_keys),
-    SECTION(time, 1, time_keys),
-    SECTION(solution, 0, solution_keys),
-    SECTION(monitor, 0, monitor_keys),
-    END};
+const scene_key scene_keys[] = {KEY(scene, name, VALUE_TEXT, 1, 1, &any, 0),
+                                SECTION(mesh, 1, mesh_keys),
+                                SECTION(material, 1, material_keys),
+                                SECTION(surroundings, 0, surroundings_keys),
+                                LIST(scene, pins, pin_keys, &pin_list),
+                                LIST(scene, colliders, collider_keys, &collider_list),
+                                SECTION(contact, 0, contact_keys),
+                                SECTION(self_collision, 0, self_keys),
+                                SECTION(time, 1, time_keys),
+                                SECTION(solution, 0, solution_keys),
+                                SECTION(monitor, 0, monitor_keys),
+                                END};
+
+void scene_free_items(const scene_list *list, char *items, long count) {
+    for (long k = 0; list->release && k < count; k++)
+        list->release(items + (size_t)k * list->item_size);
+    free(items);
+}
+
+char *scene_items(const scene_key *key, const char *source, int *count) {
+    char *items;
+    memcpy(&items, source + key->offset, sizeof items);
+    memcpy(count, source + key->list->count_offset, sizeof *count);
+    return items;
+}
+
+void scene_set_items(const scene_key *key, char *target, void *items, int count) {
+    int old_count;
+    char *old = scene_items(key, target, &old_count);
+    scene_free_items(key->list, old, old_count);
+    memcpy(target + key->offset, &items, sizeof items);
+    memcpy(target + key->list->count_offset, &count, sizeof count);
+}
 
 int scene_kind(const scene_key *keys, const void *struct_) {
     if (keys->name[0] != '\0' && strcmp(keys->name, "kind") != 0)

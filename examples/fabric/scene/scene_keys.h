@@ -4,6 +4,9 @@
 #define FABRIC_SCENE_KEYS_H
 
 #include <stddef.h>
+#include <stdio.h>
+
+#include "scene.h"
 
 typedef enum value_kind {
     VALUE_TEXT,      /* char[64] */
@@ -23,6 +26,11 @@ enum { TEXT_SIZE = 64, FILE_SIZE = 1024, MOST_KEYS = 32 };
 
 typedef struct scene_key scene_key;
 
+typedef struct value_range {
+    double low, high; /* least and greatest value */
+    int above;        /* low itself is out of range */
+} value_range;
+
 /** A list's items and where the struct keeps them. */
 typedef struct scene_list {
     size_t count_offset; /* of the int that counts the items */
@@ -36,9 +44,8 @@ struct scene_key {
     value_kind kind;
     size_t offset; /* in the struct of the section, or of the list's item */
     int required;
-    int components;    /* of a vector */
-    double low, high;  /* least and greatest value */
-    int above;         /* low itself is out of range */
+    int components; /* of a vector */
+    const value_range *range;
     unsigned of_kinds; /* bits of the kinds of item or section that have this key; 0: all */
     const char *const *choices; /* NULL after the last */
     const scene_key *keys;      /* of a section or of a list's items; no name after the last */
@@ -49,10 +56,30 @@ struct scene_key {
  *  no kinds. The first key tells: `kind`, or one that is not in files. */
 int scene_kind(const scene_key *keys, const void *struct_);
 
+/** Has a section or item of this kind the key, in files? */
+static inline int scene_has_key(const scene_key *key, int kind) {
+    return key->name[0] != '\0' &&
+           (key->of_kinds == 0 || (kind >= 0 && (key->of_kinds >> kind & 1u) != 0));
+}
+
+/** The items of the list `key` of the struct at `source`: *count of them. */
+char *scene_items(const scene_key *key, const char *source, int *count);
+/** Frees some items of such a list. */
+void scene_free_items(const scene_list *list, char *items, long count);
+/** Replaces a list's items, and frees the old ones. */
+void scene_set_items(const scene_key *key, char *target, void *items, int count);
+
 /** A file's outermost keys; no name after the last. */
 extern const scene_key scene_keys[];
 
-/** Defaults of a scene (struct scene). */
-extern const struct scene scene_defaults;
+/** Defaults of a scene. */
+extern const scene scene_defaults;
+
+/** The checked mesh of the file, with defects printed on standard error; to be freed by
+ *  mesh_free and free. NULL after a message there or in error[256]. */
+mesh *scene_sheet_read(const char *path, int rest, char *error);
+
+/** Writes one value, no section or list, of the struct at `source`. */
+void scene_write_value(FILE *file, const scene_key *key, const char *source);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "input/mesh_file.h"
 #include "mesh/mesh_parts.h"
-#include "scene_parts.h"
+#include "scene_keys.h"
 
 enum { ERROR_SIZE = 256 };
 
@@ -122,14 +122,15 @@ static int keep_numbers(const scene *s, mesh *m) {
     return m->number ? 0 : -1;
 }
 
-int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error) {
+int scene_mesh(const scene *s, mesh *m, int *new_of_old) {
+    char error[ERROR_SIZE] = "out of memory";
     int non_manifold;
-    if (make_sheet(s, m, error) != 0)
-        return -1;
-    snprintf(error, ERROR_SIZE, "out of memory");
-    if (keep_numbers(s, m) == 0 && mesh_connect(m, &non_manifold, error) == 0 &&
+    *m = (mesh){0};
+    if (make_sheet(s, m, error) == 0 && keep_numbers(s, m) == 0 &&
+        mesh_connect(m, &non_manifold, error) == 0 &&
         mesh_reorder(m, s->mesh.order, s->mesh.seed, new_of_old, error) == 0)
         return 0;
+    fprintf(stderr, "%s: mesh: %s\n", s->name, error);
     mesh_free(m);
     return -1;
 }

@@ -51,6 +51,14 @@ static const char *scalar(const yaml_node_t *node) {
     return node->type == YAML_SCALAR_NODE ? (const char *)node->data.scalar.value : NULL;
 }
 
+static long item_count(const yaml_node_t *list) {
+    return (long)(list->data.sequence.items.top - list->data.sequence.items.start);
+}
+
+static const yaml_node_t *item_at(const scene_source *from, const yaml_node_t *list, long k) {
+    return yaml_document_get_node(from->document, list->data.sequence.items.start[k]);
+}
+
 static int wrong_type(const scene_source *from, const yaml_node_t *node, const char *path,
                       const char *expected) {
     if (scalar(node))
@@ -65,50 +73,48 @@ static int is_whole(const scene_key *key) {
 }
 
 /** The range in words: "a number greater than 0". */
-static void describe_range(char text[MESSAGE_SIZE], const scene_key *key) {
+static void describe_range(char *text, size_t size, const scene_key *key) {
     const char *noun = is_whole(key) ? "a whole number" : "a number";
-    if (key->low <= -1e300)
-        snprintf(text, MESSAGE_SIZE, "%s", noun);
-    else if (key->high >= 1e300)
-        snprintf(text, MESSAGE_SIZE, key->above ? "%s greater than %g" : "%s, %g or more", noun,
-                 key->low);
+    const value_range *in = key->range;
+    if (in->low <= -1e300)
+        snprintf(text, size, "%s", noun);
+    else if (in->high >= 1e300)
+        snprintf(text, size, in->above ? "%s greater than %g" : "%s, %g or more", noun, in->low);
     else
-        snprintf(text, MESSAGE_SIZE,
-                 key->above ? "%s greater than %g, up to %.10g" : "%s from %g to %.10g", noun,
-                 key->low, key->high);
+        snprintf(text, size, in->above ? "%s greater than %g, up to %.10g" : "%s from %g to %.10g",
+                 noun, in->low, in->high);
 }
 
 /** Describes the valid values. */
 static void describe(char text[MESSAGE_SIZE], const scene_key *key) {
-    char range[MESSAGE_SIZE - 64] = "";
+    static const char *const fixed[VALUE_LIST + 1] = {[VALUE_TEXT] = "a text of 1 to 63 bytes",
+                                                      [VALUE_FILE] = "the name of a file",
+                                                      [VALUE_SECTION] = "a section of keys",
+                                                      [VALUE_LIST] = "a list"};
+    char range[MESSAGE_SIZE - 64];
+    int count = 0;
+    describe_range(range, sizeof range, key);
+    while (key->kind == VALUE_CHOICE && key->choices[count])
+        count++;
     text[0] = '\0';
-    if (key->kind == VALUE_CHOICE) {
-        int count = 0;
-        while (key->choices[count])
-            count++;
+    if (key->kind == VALUE_CHOICE)
         list_words(text, key->choices, count);
-    } else if (key->kind == VALUE_TEXT || key->kind == VALUE_FILE || key->kind == VALUE_SECTION ||
-               key->kind == VALUE_LIST)
-        append(text, "%s",
-               key->kind == VALUE_TEXT      ? "a text of 1 to 63 bytes"
-               : key->kind == VALUE_FILE    ? "the name of a file"
-               : key->kind == VALUE_SECTION ? "a section of keys"
-                                            : "a list");
-    else if (key->components == 1 && key->kind != VALUE_NUMBERS)
-        describe_range(text, key);
-    else {
-        describe_range(text, key);
-        snprintf(range, sizeof range, "%.*s", (int)sizeof range - 1, text);
-        if (key->kind == VALUE_NUMBERS)
-            snprintf(text, MESSAGE_SIZE, "a list, each %s", range);
-        else
-            snprintf(text, MESSAGE_SIZE, "a list of %d, each %s", key->components, range);
-    }
+    else if (key->components > 1)
+        snprintf(text, MESSAGE_SIZE, "a list of %d, each %s", key->components, range);
+    else
+        append(text, key->kind == VALUE_NUMBERS ? "a list, each %s" : "%s",
+               fixed[key->kind] ? fixed[key->kind] : range);
 }
 
-static int in_range(const scene_key *key, double value) {
-    return isfinite(value) && value <= key->high &&
-           (key->above ? value > key->low : value >= key->low);
+static int wrong_value(const scene_source *from, const yaml_node_t *node, const scene_key *key,
+                       const char *path) {
+    char expected[MESSAGE_SIZE];
+    describe(expected, key);
+    return wrong_type(from, node, path, expected);
+}
+
+static int in_range(const value_range *in, double value) {
+    return isfinite(value) && value <= in->high && (in->above ? value > in->low : value >= in->low);
 }
 
 static int read_number(const scene_source *from, const yaml_node_t *node, const scene_key *key,
@@ -116,10 +122,10 @@ static int read_number(const scene_source *from, const yaml_node_t *node, const 
     const char *text = scalar(node);
     char expected[MESSAGE_SIZE], *end = NULL;
     *value = text ? strtod(text, &end) : 0.0;
-    if (text && end != text && *end == '\0' && in_range(key, *value) &&
+    if (text && end != text && *end == '\0' && in_range(key->range, *value) &&
         (!is_whole(key) || *value == floor(*value)))
         return 0;
-    describe_range(expected, key);
+    describe_range(expected, sizeof expected, key);
     return wrong_type(from, node, path, expected);
 }
 
@@ -127,21 +133,16 @@ static int read_vector(const scene_source *from, const yaml_node_t *node, const 
                        double *target, const char *path) {
     char expected[MESSAGE_SIZE];
     double value[3] = {0.0, 0.0, 0.0};
-    if (node->type != YAML_SEQUENCE_NODE ||
-        node->data.sequence.items.top - node->data.sequence.items.start != key->components) {
+    if (node->type != YAML_SEQUENCE_NODE)
+        return wrong_value(from, node, key, path);
+    if (item_count(node) != key->components) {
         describe(expected, key);
-        if (node->type == YAML_SEQUENCE_NODE)
-            return scene_complain(
-                from, node, "'%s' is a list of %ld, expected %s", path,
-                (long)(node->data.sequence.items.top - node->data.sequence.items.start), expected);
-        return wrong_type(from, node, path, expected);
+        return scene_complain(from, node, "'%s' is a list of %ld, expected %s", path,
+                              item_count(node), expected);
     }
-    for (int k = 0; k < key->components; k++) {
-        yaml_node_t *item =
-            yaml_document_get_node(from->document, node->data.sequence.items.start[k]);
-        if (read_number(from, item, key, &value[k], path) != 0)
+    for (int k = 0; k < key->components; k++)
+        if (read_number(from, item_at(from, node, k), key, &value[k], path) != 0)
             return -1;
-    }
     if (key->kind == VALUE_DIRECTION) {
         const double length = sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
         if (!(length > 0.0) || !isfinite(length))
@@ -171,23 +172,23 @@ static int read_choice(const scene_source *from, const yaml_node_t *node, const 
     return wrong_type(from, node, path, expected);
 }
 
-static int read_text(const scene_source *from, const yaml_node_t *node, char *target,
-                     const char *path) {
+static int read_text(const scene_source *from, const yaml_node_t *node, const scene_key *key,
+                     char *target, const char *path) {
     const char *text = scalar(node);
     if (!text || text[0] == '\0' || strlen(text) >= TEXT_SIZE ||
         strlen(text) != node->data.scalar.length)
-        return wrong_type(from, node, path, "a text of 1 to 63 bytes");
+        return wrong_value(from, node, key, path);
     strcpy(target, text); /* its length was checked */
     return 0;
 }
 
 /** Relative names start from the scene's folder. */
-static int read_file_name(const scene_source *from, const yaml_node_t *node, char *target,
-                          const char *path) {
+static int read_file_name(const scene_source *from, const yaml_node_t *node, const scene_key *key,
+                          char *target, const char *path) {
     const char *text = scalar(node), *slash = strrchr(from->source, '/');
     char joined[FILE_SIZE];
     if (!text || text[0] == '\0' || strlen(text) != node->data.scalar.length)
-        return wrong_type(from, node, path, "the name of a file");
+        return wrong_value(from, node, key, path);
     const int from_folder = text[0] != '/' && from->has_lines && slash != NULL;
     const int length =
         snprintf(joined, sizeof joined, "%.*s%s", from_folder ? (int)(slash - from->source + 1) : 0,
@@ -200,41 +201,24 @@ static int read_file_name(const scene_source *from, const yaml_node_t *node, cha
     return found ? 0 : scene_complain(from, node, "'%s' is '%s': no such file", path, text);
 }
 
-static void free_items(const scene_list *list, char *items, long count) {
-    for (long k = 0; list->release && k < count; k++)
-        list->release(items + (size_t)k * list->item_size);
-    free(items);
-}
-
 /** Whole numbers, in a new array that replaces the old one. */
 static int read_numbers(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                         char *target, const char *path) {
-    char expected[MESSAGE_SIZE];
-    if (node->type != YAML_SEQUENCE_NODE) {
-        describe(expected, key);
-        return wrong_type(from, node, path, expected);
-    }
-    const long count = node->data.sequence.items.top - node->data.sequence.items.start;
-    int *numbers = malloc((size_t)count * sizeof *numbers + 1), *old;
-    if (!numbers || count > INT_MAX) {
-        free(numbers);
+    if (node->type != YAML_SEQUENCE_NODE)
+        return wrong_value(from, node, key, path);
+    const long count = item_count(node);
+    int *numbers = count <= INT_MAX ? malloc((size_t)count * sizeof *numbers + 1) : NULL;
+    if (!numbers)
         return scene_complain(from, node, "out of memory");
-    }
     for (long k = 0; k < count; k++) {
         double number;
-        if (read_number(from,
-                        yaml_document_get_node(from->document, node->data.sequence.items.start[k]),
-                        key, &number, path) != 0) {
+        if (read_number(from, item_at(from, node, k), key, &number, path) != 0) {
             free(numbers);
             return -1;
         }
         numbers[k] = (int)number;
     }
-    memcpy(&old, target + key->offset, sizeof old);
-    free(old);
-    const int number_count = (int)count;
-    memcpy(target + key->offset, &numbers, sizeof numbers);
-    memcpy(target + key->list->count_offset, &number_count, sizeof number_count);
+    scene_set_items(key, target, numbers, (int)count);
     return 0;
 }
 
@@ -242,8 +226,8 @@ static int read_list(const scene_source *from, const yaml_node_t *node, const sc
                      char *target, const char *path) {
     const scene_list *list = key->list;
     if (node->type != YAML_SEQUENCE_NODE)
-        return wrong_type(from, node, path, "a list");
-    const long count = node->data.sequence.items.top - node->data.sequence.items.start;
+        return wrong_value(from, node, key, path);
+    const long count = item_count(node);
     if (count > MOST_ITEMS)
         return scene_complain(from, node, "'%s' has %ld items, expected %d at most", path, count,
                               MOST_ITEMS);
@@ -255,21 +239,12 @@ static int read_list(const scene_source *from, const yaml_node_t *node, const sc
         char *item = items + (size_t)k * list->item_size;
         snprintf(item_path, sizeof item_path, "%.100s.%ld", path, k);
         memcpy(item, list->defaults, list->item_size);
-        if (scene_read_mapping(
-                from, yaml_document_get_node(from->document, node->data.sequence.items.start[k]),
-                key->keys, item, item_path) != 0) {
-            free_items(list, items, k + 1);
+        if (scene_read_mapping(from, item_at(from, node, k), key->keys, item, item_path) != 0) {
+            scene_free_items(list, items, k + 1);
             return -1;
         }
     }
-    char *old;
-    int old_count;
-    memcpy(&old, target + key->offset, sizeof old);
-    memcpy(&old_count, target + list->count_offset, sizeof old_count);
-    free_items(list, old, old_count);
-    memcpy(target + key->offset, &items, sizeof items);
-    const int item_count = (int)count;
-    memcpy(target + list->count_offset, &item_count, sizeof item_count);
+    scene_set_items(key, target, items, (int)count);
     return 0;
 }
 
@@ -279,9 +254,9 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
     double number;
     switch (key->kind) {
     case VALUE_TEXT:
-        return read_text(from, node, field, path);
+        return read_text(from, node, key, field, path);
     case VALUE_FILE:
-        return read_file_name(from, node, field, path);
+        return read_file_name(from, node, key, field, path);
     case VALUE_WHOLE:
     case VALUE_SEED:
         if (read_number(from, node, key, &number, path) != 0)
@@ -310,44 +285,53 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
     return -1;
 }
 
-static int has_key(const scene_key *key, int kind) {
-    return key->of_kinds == 0 || (kind >= 0 && (key->of_kinds >> kind & 1u) != 0);
+/** " in 'section'"; nothing outermost. */
+static const char *within(char text[PATH_SIZE + 8], const char *path) {
+    snprintf(text, PATH_SIZE + 8, path[0] != '\0' ? " in '%s'" : "%s", path);
+    return text;
 }
 
 const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *node,
                                 const scene_key *keys, int kind, const char *name,
                                 const char *path) {
     const char *names[MOST_KEYS] = {NULL};
-    char expected[MESSAGE_SIZE] = "";
+    char expected[MESSAGE_SIZE] = "", section[PATH_SIZE + 8];
     int count = 0;
     for (; keys->name; keys++) {
-        if (keys->name[0] == '\0' || !has_key(keys, kind))
+        if (!scene_has_key(keys, kind))
             continue;
         if (strcmp(keys->name, name) == 0)
             return keys;
         names[count++] = keys->name;
     }
     list_words_and_guess(expected, name, names, count);
-    if (path[0] != '\0')
-        scene_complain(from, node, "unknown key '%s' in '%s', expected %s", name, path, expected);
-    else
-        scene_complain(from, node, "unknown key '%s', expected %s", name, expected);
+    scene_complain(from, node, "unknown key '%s'%s, expected %s", name, within(section, path),
+                   expected);
     return NULL;
 }
 
 static int check_required(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                           int kind, unsigned seen, const char *path) {
     for (int k = 0; keys[k].name; k++) {
-        if (!keys[k].required || !has_key(&keys[k], kind) || (seen >> k & 1u) != 0)
+        if (!keys[k].required || !scene_has_key(&keys[k], kind) || (seen >> k & 1u) != 0)
             continue;
-        char expected[MESSAGE_SIZE];
+        char expected[MESSAGE_SIZE], section[PATH_SIZE + 8];
         describe(expected, &keys[k]);
-        if (path[0] != '\0')
-            return scene_complain(from, node, "missing key '%s' in '%s', expected %s", keys[k].name,
-                                  path, expected);
-        return scene_complain(from, node, "missing key '%s', expected %s", keys[k].name, expected);
+        return scene_complain(from, node, "missing key '%s'%s, expected %s", keys[k].name,
+                              within(section, path), expected);
     }
     return 0;
+}
+
+const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *mapping,
+                                  const char *name, size_t length) {
+    for (const yaml_node_pair_t *pair = mapping->data.mapping.pairs.start;
+         pair < mapping->data.mapping.pairs.top; pair++) {
+        const char *key = scalar(yaml_document_get_node(from->document, pair->key));
+        if (key && strlen(key) == length && memcmp(key, name, length) == 0)
+            return yaml_document_get_node(from->document, pair->value);
+    }
+    return NULL;
 }
 
 /** The first kind that has the first of the keys that not all kinds have; 0 where there is none. */
@@ -372,19 +356,12 @@ static int read_kind(const scene_source *from, const yaml_node_t *node, const sc
         return kind_by_keys(from, node, keys);
     if (strcmp(keys->name, "kind") != 0)
         return -1;
-    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
-         pair < node->data.mapping.pairs.top; pair++) {
-        const char *name = scalar(yaml_document_get_node(from->document, pair->key));
-        char value_path[PATH_SIZE];
-        int kind;
-        if (!name || strcmp(name, "kind") != 0)
-            continue;
-        snprintf(value_path, sizeof value_path, "%.100s.kind", path);
-        if (read_choice(from, yaml_document_get_node(from->document, pair->value), keys, &kind,
-                        value_path) != 0)
-            return -2;
-        return kind;
-    }
+    const yaml_node_t *value = scene_value_of(from, node, "kind", strlen("kind"));
+    char value_path[PATH_SIZE];
+    int kind;
+    snprintf(value_path, sizeof value_path, "%.100s.kind", path);
+    if (value)
+        return read_choice(from, value, keys, &kind, value_path) == 0 ? kind : -2;
     check_required(from, node, keys, 0, 0, path);
     return -2;
 }

@@ -27,6 +27,11 @@ const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *nod
                                 const scene_key *keys, int kind, const char *name,
                                 const char *path);
 
+/** The value of the key called as the first `length` bytes of `name`; NULL: the mapping has none.
+ */
+const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *mapping,
+                                  const char *name, size_t length);
+
 /** Reads a mapping whose keys are `keys` into the struct at `target`. 0, or -1 after a message. */
 int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                        void *target, const char *path);

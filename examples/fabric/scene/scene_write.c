@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene_parts.h"
+#include "scene_keys.h"
 
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent);
@@ -39,20 +39,16 @@ static void write_vector(FILE *file, const double *value, int components) {
 }
 
 static void write_numbers(FILE *file, const scene_key *key, const char *source) {
-    const int *numbers;
     int count;
-    memcpy(&numbers, source + key->offset, sizeof numbers);
-    memcpy(&count, source + key->list->count_offset, sizeof count);
+    const int *numbers = (const int *)(const void *)scene_items(key, source, &count);
     for (int k = 0; k < count; k++)
         fprintf(file, "%s%d", k == 0 ? "[" : ", ", numbers[k]);
     fputs(count == 0 ? "[]" : "]", file);
 }
 
 static void write_list(FILE *file, const scene_key *key, const char *source, int indent) {
-    const char *items;
     int count;
-    memcpy(&items, source + key->offset, sizeof items);
-    memcpy(&count, source + key->list->count_offset, sizeof count);
+    const char *items = scene_items(key, source, &count);
     if (count == 0)
         fputs(" []", file);
     for (int k = 0; k < count; k++) {
@@ -111,7 +107,7 @@ static void write_mapping(FILE *file, const scene_key *keys, const void *source,
     const int kind = scene_kind(keys, source);
     int written = 0;
     for (const scene_key *key = keys; key->name; key++) {
-        if (key->name[0] == '\0' || (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0))
+        if (!scene_has_key(key, kind))
             continue;
         if (written)
             fputc('\n', file);

@@ -9,23 +9,15 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/vector.h"
 #include "solver_direct.h"
-#include "solver_domains.h"
 #include "solver_parts.h"
 #include "solver_precondition.h"
-#include "system/sparse_product.h"
 
 void solver_free(solver *s) {
-    free(s->residual);
-    free(s->preconditioned);
-    free(s->direction);
-    free(s->product);
-    free(s->inverse);
-    free(s->sum_direction);
-    free(s->sum_residual);
+    arrays_free(&s->own);
+    arrays_free(&s->jacobi);
     packed_solver_free(s->packed);
     domain_solver_free(s->domains);
     direct_solver_free(s->direct);
@@ -36,15 +28,14 @@ int solver_init(solver *s, int count) {
     const size_t n = (size_t)count + 1;
     *s = (solver){.count = count, .chunks = (count + SOLVER_CHUNK - 1) / SOLVER_CHUNK};
     s->options.preconditioner = PRECONDITIONER_BLOCK_JACOBI;
-    s->residual = calloc(n, sizeof *s->residual);
-    s->preconditioned = calloc(n, sizeof *s->preconditioned);
-    s->direction = calloc(n, sizeof *s->direction);
-    s->product = calloc(n, sizeof *s->product);
-    s->inverse = calloc(n, sizeof *s->inverse);
-    s->sum_direction = calloc((size_t)s->chunks + 1, sizeof *s->sum_direction);
-    s->sum_residual = calloc((size_t)s->chunks + 1, sizeof *s->sum_residual);
-    if (s->residual && s->preconditioned && s->direction && s->product && s->inverse &&
-        s->sum_direction && s->sum_residual)
+    s->residual = arrays_add(&s->own, n, sizeof *s->residual);
+    s->product = arrays_add(&s->own, n, sizeof *s->product);
+    s->preconditioned = arrays_add(&s->jacobi, n, sizeof *s->preconditioned);
+    s->direction = arrays_add(&s->jacobi, n, sizeof *s->direction);
+    s->inverse = arrays_add(&s->jacobi, n, sizeof *s->inverse);
+    s->sum_direction = arrays_add(&s->jacobi, (size_t)s->chunks + 1, sizeof *s->sum_direction);
+    s->sum_residual = arrays_add(&s->jacobi, (size_t)s->chunks + 1, sizeof *s->sum_residual);
+    if (!s->own.failed && !s->jacobi.failed)
         return 0;
     solver_free(s);
     return -1;
@@ -54,11 +45,7 @@ int solver_init(solver *s, int count) {
 static void drop_block_jacobi(solver *s) {
     if (s->options.needs_defect)
         return;
-    free(s->direction);
-    free(s->preconditioned);
-    free(s->inverse);
-    free(s->sum_direction);
-    free(s->sum_residual);
+    arrays_free(&s->jacobi);
     s->direction = s->preconditioned = NULL;
     s->inverse = NULL;
     s->sum_direction = s->sum_residual = NULL;

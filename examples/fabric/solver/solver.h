@@ -9,6 +9,7 @@
 #ifndef FABRIC_SOLVER_H
 #define FABRIC_SOLVER_H
 
+#include "base/arrays.h"
 #include "system/constraint.h"
 #include "system/system.h"
 
@@ -63,6 +64,8 @@ typedef struct solver {
     struct domain_solver *domains; /* Gauss-Seidel in double */
     struct packed_solver *packed;  /* other conjugate gradients */
     struct direct_solver *direct;  /* METHOD_DIRECT */
+    arrays own;                    /* residual, product */
+    arrays jacobi;                 /* the others: block-Jacobi's */
 } solver;
 
 typedef struct solver_limits {

@@ -10,14 +10,10 @@
  *     t + (I + U)^-T w,    w = p + (D^ - 2 I + E + E') t
  * so that each block of A is used twice an iteration, as in a product of the symmetric half.
  */
-#include "solver_domains.h"
-
 #include <math.h>
 #include <string.h>
 
 #include "solver_domains_parts.h"
-#include "solver_parts.h"
-#include "system/sparse_product.h"
 
 /* The first half of r = (I + U)^-T r; the odd domains follow. */
 static void sweep_even_down(domain_solver *d, double (*r)[3]) {

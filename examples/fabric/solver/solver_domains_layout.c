@@ -68,9 +68,9 @@ static int lay_out(domain_solver *d, block_matrix *m) {
 /* The columns of `across`, for sweeps of odd domains. 0, or -1. */
 static int lay_out_columns(domain_solver *d) {
     const block_matrix *m = &d->across;
-    d->reached_start = calloc((size_t)m->row_count + 2, sizeof *d->reached_start);
-    d->reached = calloc((size_t)m->block_count + 1, sizeof *d->reached);
-    if (!d->reached_start || !d->reached)
+    d->reached_start = arrays_add(&d->own, (size_t)m->row_count + 2, sizeof *d->reached_start);
+    d->reached = arrays_add(&d->own, (size_t)m->block_count + 1, sizeof *d->reached);
+    if (d->own.failed)
         return -1;
     for (int k = 0; k < m->block_count; k++)
         d->reached_start[m->column[k] + 2]++;
@@ -85,17 +85,15 @@ static int lay_out_columns(domain_solver *d) {
 static int allocate(domain_solver *d) {
     const size_t rows = (size_t)d->A->row_count + 1;
     double(**vectors[])[3] = {&d->direction, &d->residual, &d->correction, &d->swept, &d->image};
-    d->start = calloc((size_t)d->count + 1, sizeof *d->start);
-    d->domain = calloc(rows, sizeof *d->domain);
-    d->place = calloc((size_t)d->A->block_count + 1, sizeof *d->place);
-    d->root = calloc(rows, sizeof *d->root);
-    d->sum_direction = calloc((size_t)d->count, sizeof *d->sum_direction);
-    d->sum_residual = calloc((size_t)d->count, sizeof *d->sum_residual);
+    d->start = arrays_add(&d->own, (size_t)d->count + 1, sizeof *d->start);
+    d->domain = arrays_add(&d->own, rows, sizeof *d->domain);
+    d->place = arrays_add(&d->own, (size_t)d->A->block_count + 1, sizeof *d->place);
+    d->root = arrays_add(&d->own, rows, sizeof *d->root);
+    d->sum_direction = arrays_add(&d->own, (size_t)d->count, sizeof *d->sum_direction);
+    d->sum_residual = arrays_add(&d->own, (size_t)d->count, sizeof *d->sum_residual);
     for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
-        if (!(*vectors[k] = calloc(rows, sizeof(double[3]))))
-            return -1;
-    return d->start && d->domain && d->place && d->root && d->sum_direction && d->sum_residual ? 0
-                                                                                               : -1;
+        *vectors[k] = arrays_add(&d->own, rows, sizeof(double[3]));
+    return d->own.failed ? -1 : 0;
 }
 
 domain_solver *domain_solver_divided(const block_matrix *A, int count, const int *start) {
@@ -135,22 +133,10 @@ domain_solver *domain_solver_new(const block_matrix *A) {
 void domain_solver_free(domain_solver *d) {
     if (!d)
         return;
-    free(d->start);
-    free(d->domain);
-    free(d->place);
     block_matrix_free(&d->within);
     block_matrix_free(&d->across);
     block_matrix_free(&d->between);
-    free(d->reached_start);
-    free(d->reached);
-    free(d->root);
-    free(d->direction);
-    free(d->residual);
-    free(d->correction);
-    free(d->swept);
-    free(d->image);
-    free(d->sum_direction);
-    free(d->sum_residual);
+    arrays_free(&d->own);
     free(d);
 }
 

@@ -7,7 +7,7 @@
 #ifndef FABRIC_SOLVER_DOMAINS_PARTS_H
 #define FABRIC_SOLVER_DOMAINS_PARTS_H
 
-#include "solver_domains.h"
+#include "solver_parts.h"
 #include "system/constraint.h"
 #include "system/system.h"
 
@@ -35,6 +35,7 @@ struct domain_solver {
     double (*swept)[3];      /* t */
     double (*image)[3];      /* w, then (I + U)^-T w */
     double *sum_direction, *sum_residual; /* [count] partial sums of p . image and r . r */
+    arrays own;                           /* of those above, but for the matrices' */
 };
 
 /** Number of domains of a cloth with this number of vertices, */

@@ -3,7 +3,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/matrix3.h"
@@ -22,23 +21,20 @@ static const double relaxation = 1.3;
 int factored_init(factored *f, const block_matrix *A, preconditioner_kind kind) {
     assert(A->row_count >= 0 && A->block_count >= A->row_count);
     const size_t rows = (size_t)A->row_count + 1, blocks = (size_t)A->block_count + 1;
-    const int with_factor = kind == PRECONDITIONER_INCOMPLETE_CHOLESKY;
     *f = (factored){0};
-    f->diagonal = calloc(rows, sizeof *f->diagonal);
-    f->upper = calloc(blocks, sizeof *f->upper);
-    f->factor = with_factor ? calloc(blocks, sizeof *f->factor) : NULL;
-    f->root = calloc(rows, sizeof *f->root);
-    if (f->diagonal && f->upper && (f->factor || !with_factor) && f->root)
+    f->diagonal = arrays_add(&f->own, rows, sizeof *f->diagonal);
+    f->upper = arrays_add(&f->own, blocks, sizeof *f->upper);
+    f->root = arrays_add(&f->own, rows, sizeof *f->root);
+    if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY)
+        f->factor = arrays_add(&f->own, blocks, sizeof *f->factor);
+    if (!f->own.failed)
         return 0;
     factored_free(f);
     return -1;
 }
 
 void factored_free(factored *f) {
-    free(f->diagonal);
-    free(f->upper);
-    free(f->factor);
-    free(f->root);
+    arrays_free(&f->own);
     *f = (factored){0};
 }
 

@@ -5,7 +5,7 @@
  *     Jacobi                 M = A's diagonal
  *     block-Jacobi           M = A's diagonal blocks, 3x3
  *     symmetric Gauss-Seidel M = (D + L) D^-1 (D + L)', L the blocks below A's diagonal and D its
- *                            diagonal blocks over a relaxation, 1.3; in double by solver_domains.h
+ *                            diagonal blocks over a relaxation, 1.3; in double by solver_domains.c
  *     incomplete Cholesky    M = R'R, R with A's blocks as pattern and M = A on it: IC(0)
  *                            (Meijerink and van der Vorst 1977). Cloth's matrices are no
  * M-matrices, so fill that is dropped may leave a block indefinite: then A with its diagonal blocks
@@ -27,6 +27,7 @@ typedef struct factored {
     double (*factor)[3][3]; /* [blocks] F; NULL but for incomplete Cholesky */
     double (*root)[3][3];   /* [rows] C^-1, lower triangles; 0 where a block is not positive */
     double shift;           /* of incomplete Cholesky: diagonal blocks counted 1 + shift times */
+    arrays own;
 } factored;
 
 /** For the layout of A. 0, or -1: out of memory. */

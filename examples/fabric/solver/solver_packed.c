@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "solver_parts.h"
-
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -35,33 +33,29 @@ struct packed_solver {
     float (*upper)[3][3];
     float (*factor)[3][3];
     float (*root)[3][3];
+    arrays own;
 };
 
-static int allocate_float(packed_solver *p) {
+static void allocate_float(packed_solver *p) {
     assert(p->options.precision != PRECISION_DOUBLE);
     const size_t rows = (size_t)p->A->row_count + 1, blocks = (size_t)p->A->block_count + 1;
-    p->diagonal = calloc(rows, sizeof *p->diagonal);
-    p->upper = calloc(blocks, sizeof *p->upper);
-    p->factor = p->built.factor ? calloc(blocks, sizeof *p->factor) : NULL;
-    p->root = calloc(rows, sizeof *p->root);
-    if (!p->diagonal || !p->upper || (!p->factor && p->built.factor) || !p->root ||
-        float_allocate(&p->in_float, p->A) != 0)
-        return -1;
+    p->diagonal = arrays_add(&p->own, rows, sizeof *p->diagonal);
+    p->upper = arrays_add(&p->own, blocks, sizeof *p->upper);
+    p->factor = p->built.factor ? arrays_add(&p->own, blocks, sizeof *p->factor) : NULL;
+    p->root = arrays_add(&p->own, rows, sizeof *p->root);
+    float_allocate(&p->in_float, p->A, &p->own);
     p->in_float.diagonal = (const float(*)[6])p->diagonal;
     p->in_float.upper = (const float(*)[3][3])p->upper;
     p->in_float.factor = (const float(*)[3][3])p->factor;
     p->in_float.root = (const float(*)[3][3])p->root;
-    return 0;
 }
 
-static int allocate_double(packed_solver *p) {
-    if (double_allocate(&p->in_double, p->A) != 0)
-        return -1;
+static void allocate_double(packed_solver *p) {
+    double_allocate(&p->in_double, p->A, &p->own);
     p->in_double.diagonal = (const double(*)[6])p->built.diagonal;
     p->in_double.upper = (const double(*)[3][3])p->built.upper;
     p->in_double.factor = (const double(*)[3][3])p->built.factor;
     p->in_double.root = (const double(*)[3][3])p->built.root;
-    return 0;
 }
 
 packed_solver *packed_solver_new(const block_matrix *A, const solver_options *options) {
@@ -70,9 +64,14 @@ packed_solver *packed_solver_new(const block_matrix *A, const solver_options *op
         return NULL;
     p->A = A;
     p->options = *options;
-    if (factored_init(&p->built, A, p->options.preconditioner) == 0 &&
-        (options->precision == PRECISION_DOUBLE ? allocate_double(p) : allocate_float(p)) == 0)
-        return p;
+    if (factored_init(&p->built, A, p->options.preconditioner) == 0) {
+        if (options->precision == PRECISION_DOUBLE)
+            allocate_double(p);
+        else
+            allocate_float(p);
+        if (!p->own.failed)
+            return p;
+    }
     packed_solver_free(p);
     return NULL;
 }
@@ -81,12 +80,7 @@ void packed_solver_free(packed_solver *p) {
     if (!p)
         return;
     factored_free(&p->built);
-    double_free(&p->in_double);
-    float_free(&p->in_float);
-    free(p->diagonal);
-    free(p->upper);
-    free(p->factor);
-    free(p->root);
+    arrays_free(&p->own);
     free(p);
 }
 

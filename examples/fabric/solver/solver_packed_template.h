@@ -24,28 +24,14 @@ typedef struct PACKED(system) {
     REAL (*image)[3];
 } PACKED(system);
 
-static void PACKED(free)(PACKED(system) * p) {
-    free(p->direction);
-    free(p->residual);
-    free(p->correction);
-    free(p->swept);
-    free(p->image);
-    *p = (PACKED(system)){0};
-}
-
 /* The vectors; the blocks are another's. */
-static int PACKED(allocate)(PACKED(system) * p, const block_matrix *A) {
+static void PACKED(allocate)(PACKED(system) * p, const block_matrix *A, arrays *own) {
     const size_t rows = (size_t)A->row_count + 1;
-    *p = (PACKED(system)){0};
-    p->direction = calloc(rows, sizeof *p->direction);
-    p->residual = calloc(rows, sizeof *p->residual);
-    p->correction = calloc(rows, sizeof *p->correction);
-    p->swept = calloc(rows, sizeof *p->swept);
-    p->image = calloc(rows, sizeof *p->image);
-    if (p->direction && p->residual && p->correction && p->swept && p->image)
-        return 0;
-    PACKED(free)(p);
-    return -1;
+    p->direction = arrays_add(own, rows, sizeof *p->direction);
+    p->residual = arrays_add(own, rows, sizeof *p->residual);
+    p->correction = arrays_add(own, rows, sizeof *p->correction);
+    p->swept = arrays_add(own, rows, sizeof *p->swept);
+    p->image = arrays_add(own, rows, sizeof *p->image);
 }
 
 /* to = (I + W)^-1 from, row by row from the last. to may be from. */

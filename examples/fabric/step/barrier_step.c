@@ -10,7 +10,6 @@
 #include "base/vector.h"
 #include "forces.h"
 #include "simulation_state.h"
-#include "system/sparse_product.h"
 #include "timing.h"
 
 /* Newton's method ends with a change of no more than this part of the least reach. */
@@ -27,15 +26,7 @@ void barrier_step_free(simulation *sim) {
         return;
     barrier_free(&s->contact);
     barrier_system_free(&s->system);
-    free(s->base);
-    free(s->base_b);
-    free(s->dv);
-    free(s->product);
-    free(s->still);
-    free(s->change);
-    free(s->trial);
-    free(s->descent.direction);
-    free(s->descent.residual);
+    arrays_free(&s->own);
     free(s->kept);
     free(s);
     sim->barrier = NULL;
@@ -43,20 +34,14 @@ void barrier_step_free(simulation *sim) {
 
 static int allocate(simulation *sim) {
     barrier_step *s = sim->barrier;
-    const size_t n = (size_t)sim->mesh->vertex_count + 1;
-    s->base = calloc((size_t)sim->system.A.block_count + 1, sizeof *s->base);
-    s->base_b = calloc(n, sizeof *s->base_b);
-    s->dv = calloc(n, sizeof *s->dv);
-    s->product = calloc(n, sizeof *s->product);
-    s->still = calloc(n, sizeof *s->still);
-    s->change = calloc(n, sizeof *s->change);
-    s->trial = calloc((size_t)s->contact.surface.vertex_count + 1, sizeof *s->trial);
-    s->descent.direction = calloc(n, sizeof *s->descent.direction);
-    s->descent.residual = calloc(n, sizeof *s->descent.residual);
-    return s->base && s->base_b && s->dv && s->product && s->still && s->change && s->trial &&
-                   s->descent.direction && s->descent.residual
-               ? 0
-               : -1;
+    double(**const vectors[])[3] = {&s->base_b,          &s->dv,     &s->product,
+                                    &s->still,           &s->change, &s->descent.direction,
+                                    &s->descent.residual};
+    s->base = arrays_add(&s->own, (size_t)sim->system.A.block_count + 1, sizeof *s->base);
+    s->trial = arrays_add(&s->own, (size_t)s->contact.surface.vertex_count + 1, sizeof *s->trial);
+    for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
+        *vectors[k] = arrays_add(&s->own, (size_t)sim->mesh->vertex_count + 1, sizeof(double[3]));
+    return s->own.failed ? -1 : 0;
 }
 
 /* Which vertices are driven, and where they end a step that ends at `end`. */
@@ -219,8 +204,7 @@ static solver_status find_way(simulation *sim, double *most) {
 #pragma omp parallel for schedule(static) reduction(max : longest)
     for (int i = 0; i < vertices; i++)
         if (!b->driven[i]) {
-            for (int a = 0; a < 3; a++)
-                b->way[i][a] = sim->step.h * s->change[i][a];
+            vector_scale(s->change[i], sim->step.h, b->way[i]);
             const double length = vector_length(b->way[i]);
             longest = length > longest ? length : longest;
         }
@@ -287,8 +271,8 @@ static void turn_conjugate(simulation *sim) {
     }
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < sim->mesh->vertex_count; i++)
-        for (int a = 0; a < 3 && !b->driven[i]; a++)
-            b->way[i][a] = sim->step.h * d->direction[i][a];
+        if (!b->driven[i])
+            vector_scale(d->direction[i], sim->step.h, b->way[i]);
 }
 
 /* Minimum of the parabola with this slope at 0 and this change after `part`. */
@@ -359,8 +343,7 @@ static solver_status iterate(simulation *sim, int number) {
     const double reach = fmin(drive > 0 ? 1 : most_stretch, s->longest_way / longest_way(b, 0));
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)
-        for (int a = 0; a < 3; a++)
-            b->way[i][a] *= reach;
+        vector_scale(b->way[i], reach, b->way[i]);
     if (barrier_find_pairs(b, read_only(b->x), read_only(b->way)) != 0)
         return SOLVER_NOT_FINITE;
     const double part = barrier_part_of_way(b, read_only(b->x), read_only(b->way));

@@ -47,8 +47,8 @@ typedef struct barrier_step {
     double longest_way;                /* m, of a vertex in an iteration */
     int blocked;                       /* driven vertices could not reach their goals */
     const volatile sig_atomic_t *stop; /* not 0: the step is to end at once; NULL: never */
-    unsigned char *kept; /* [kept_size] where there is `stop`: the simulation before the step */
-    size_t kept_size;
+    unsigned char *kept;               /* where there is `stop`: the simulation before the step */
+    arrays own;                        /* of those above, all but the last */
 } barrier_step;
 
 /** Only with `contact: barrier`. After all else of the simulation is made. 0, or -1 with a message

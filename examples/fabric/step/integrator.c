@@ -2,7 +2,6 @@
 /* See integrator.h for the methods. */
 #include "integrator.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "barrier_step.h"
@@ -20,38 +19,21 @@ static const double most_growth = 2.1;
 /* A contact not foreseen is added and the system solved again, this many times in a step. */
 enum { most_solutions = 3 };
 
-static double (*new_vectors(int count))[3] {
-    return calloc((size_t)count + 1, sizeof(double[3]));
-}
-
 int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count) {
     *memory = (integrator_memory){.kind = kind};
     if (kind == INTEGRATOR_LINEAR_EULER)
         return 0;
-    double(**const arrays[])[3] = {&memory->base_x,      &memory->base_v,   &memory->at_x,
-                                   &memory->at_v,        &memory->lag,      &memory->last,
-                                   &memory->last_defect, &memory->x_before, &memory->v_before};
+    double(**const vectors[])[3] = {&memory->base_x,      &memory->base_v,   &memory->at_x,
+                                    &memory->at_v,        &memory->lag,      &memory->last,
+                                    &memory->last_defect, &memory->x_before, &memory->v_before};
     const int count = kind == INTEGRATOR_BDF2 ? 9 : 7;
-    for (int k = 0; k < count; k++) {
-        *arrays[k] = new_vectors(vertex_count);
-        if (!*arrays[k]) {
-            integrator_free(memory);
-            return -1;
-        }
-    }
-    return 0;
+    for (int k = 0; k < count; k++)
+        *vectors[k] = arrays_add(&memory->own, (size_t)vertex_count + 1, sizeof(double[3]));
+    return memory->own.failed ? -1 : 0;
 }
 
 void integrator_free(integrator_memory *memory) {
-    free(memory->x_before);
-    free(memory->v_before);
-    free(memory->base_x);
-    free(memory->base_v);
-    free(memory->at_x);
-    free(memory->at_v);
-    free(memory->lag);
-    free(memory->last);
-    free(memory->last_defect);
+    arrays_free(&memory->own);
     *memory = (integrator_memory){0};
 }
 

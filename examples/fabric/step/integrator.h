@@ -41,6 +41,7 @@ typedef struct integrator_memory {
     double (*last)[3];        /* [vertices] m/s, dv of the iteration before */
     double (*last_defect)[3]; /* [vertices] kg m/s, its residual */
     long iterations;          /* of Newton's method, all */
+    arrays own;
 } integrator_memory;
 
 /** 0, or -1: out of memory. */

@@ -53,7 +53,7 @@ static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
 
 /* Work of external forces: gravity, outer forces, constraints, friction. */
 static double outside_work(const monitored_step *step, const scene *s) {
-    const int count = step->collisions->vertex_count;
+    const int count = step->collisions->mesh->vertex_count;
     double work = 0;
     if (vector_length(s->surroundings.gravity) > 0)
         work +=
@@ -83,8 +83,9 @@ void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
     if (!start->watched)
         return;
     m->strain = triangle_greatest_strain(&start->cloth->triangles, start->x);
-    m->energy = kinetic_energy(start->collisions->vertex_count, start->cloth->mass, start->v) +
-                elastic_energy(start, start->x);
+    m->energy =
+        kinetic_energy(start->collisions->mesh->vertex_count, start->cloth->mass, start->v) +
+        elastic_energy(start, start->x);
     m->depth = collisions_depth(start->collisions, start->time, start->x);
     m->reference = m->energy;
     m->greatest_strain = m->strain;
@@ -124,7 +125,7 @@ static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
         !tolerates(m, step, STEP_STRAIN))
         return complain(m, STEP_STRAIN, m->next_strain - m->strain, limits->growth);
     m->next_energy =
-        kinetic_energy(step->collisions->vertex_count, step->cloth->mass, step->v_next) +
+        kinetic_energy(step->collisions->mesh->vertex_count, step->cloth->mass, step->v_next) +
         elastic_energy(step, step->x_next);
     m->work = outside_work(step, m->scene);
     if (!keeps_energy(m, limits->energy))

@@ -5,7 +5,6 @@
 
 #include "base/clock.h"
 #include "base/vector.h"
-#include "effects/damping.h"
 #include "forces.h"
 #include "simulation_state.h"
 

@@ -80,8 +80,8 @@ static void accept(simulation *sim) {
     const size_t count = (size_t)sim->mesh->vertex_count;
     integrator_accept(sim);
     if (!sim->barrier)
-        collisions_accept(&sim->collisions, sim->step.stage_h, sim->cloth.mass,
-                          read_only(sim->step.v_next), read_only(sim->solver.residual));
+        collisions_accept(&sim->collisions, sim->step.stage_h, read_only(sim->step.v_next),
+                          read_only(sim->solver.residual));
     memcpy(sim->state.x, sim->step.x_next, sizeof *sim->state.x * count);
     memcpy(sim->state.v, sim->step.v_next, sizeof *sim->state.v * count);
     memcpy(sim->step.guess, sim->step.dv, sizeof *sim->step.guess * count);
@@ -182,8 +182,7 @@ int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop) {
     barrier_step *s = sim->barrier;
     if (!s)
         return 0;
-    s->kept_size = simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS;
-    s->kept = realloc(s->kept, s->kept_size);
+    s->kept = realloc(s->kept, simulation_saved_size(sim) + sizeof(rejection) * MOST_REJECTIONS);
     s->stop = s->kept ? stop : NULL;
     return s->kept ? 0 : -1;
 }

@@ -84,14 +84,20 @@ double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
 const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-long simulation_iterations(const simulation *sim);        /* of conjugate gradients, all */
-long simulation_newton_iterations(const simulation *sim); /* systems solved by Newton's method */
-long simulation_steps_taken(const simulation *sim); /* accepted, parts of halved ones included */
-long simulation_steps_rejected(const simulation *sim);
-long simulation_steps_slept(const simulation *sim); /* of the scene, through which it slept */
 /** *count: of those logged, at most MOST_REJECTIONS. */
 const rejection *simulation_rejections(const simulation *sim, int *count);
-long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
+
+/** What a run has counted so far. */
+typedef struct run_counts {
+    long iterations;        /* of conjugate gradients, all */
+    long newton_iterations; /* systems solved by Newton's method */
+    long taken;             /* steps accepted, parts of halved ones included */
+    long rejected;          /* steps */
+    long slept;             /* steps of the scene, through which it slept */
+    long matrix_blocks;     /* stored 3x3 blocks */
+} run_counts;
+
+run_counts simulation_counts(const simulation *sim);
 
 /** Faults of a run that ended. */
 typedef struct run_faults {

@@ -109,7 +109,7 @@ static void pass_contacts(archive *a, collisions *c) {
     if (!c->before)
         return;
     archive_int_within(a, &c->before_empty, 0, 1);
-    for (int i = 0; i < c->vertex_count && !c->before_empty; i++) {
+    for (int i = 0; i < c->mesh->vertex_count && !c->before_empty; i++) {
         vertex_contacts *of = &c->before[i];
         archive_int_within(a, &of->count, 0, CONTACTS_PER_VERTEX);
         for (int n = 0; n < of->count; n++)

@@ -42,17 +42,12 @@ static int lay_out_system(simulation *sim) {
 
 static int allocate_state(simulation *sim) {
     const size_t n = (size_t)sim->mesh->vertex_count + 1;
-    sim->cloth.mass = calloc(n, sizeof *sim->cloth.mass);
-    sim->state.x = calloc(n, sizeof *sim->state.x);
-    sim->state.v = calloc(n, sizeof *sim->state.v);
-    sim->step.guess = calloc(n, sizeof *sim->step.guess);
-    sim->step.dv = calloc(n, sizeof *sim->step.dv);
-    sim->step.x_next = calloc(n, sizeof *sim->step.x_next);
-    sim->step.v_next = calloc(n, sizeof *sim->step.v_next);
-    if (!sim->cloth.mass || !sim->state.x || !sim->state.v || !sim->step.guess || !sim->step.dv ||
-        !sim->step.x_next || !sim->step.v_next)
-        return -1;
-    return 0;
+    double(**const vectors[])[3] = {&sim->state.x, &sim->state.v,     &sim->step.guess,
+                                    &sim->step.dv, &sim->step.x_next, &sim->step.v_next};
+    sim->cloth.mass = arrays_add(&sim->own, n, sizeof *sim->cloth.mass);
+    for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
+        *vectors[k] = arrays_add(&sim->own, n, sizeof(double[3]));
+    return sim->own.failed ? -1 : 0;
 }
 
 /* At rest, but for moving pins; expected to fall freely in the first step. */
@@ -207,13 +202,7 @@ void simulation_free(simulation *sim) {
     solver_fallback_free(&sim->fallback);
     barrier_step_free(sim);
     integrator_free(&sim->integrator);
-    free(sim->cloth.mass);
-    free(sim->state.x);
-    free(sim->state.v);
-    free(sim->step.guess);
-    free(sim->step.dv);
-    free(sim->step.x_next);
-    free(sim->step.v_next);
+    arrays_free(&sim->own);
     free(sim->account.rejections);
     free(sim);
 }
@@ -239,24 +228,11 @@ const effect_account *simulation_effects(const simulation *sim, int *count) {
     return sim->account.effects;
 }
 
-long simulation_iterations(const simulation *sim) {
-    return sim->account.iterations;
-}
-
-long simulation_newton_iterations(const simulation *sim) {
-    return sim->integrator.iterations;
-}
-
-long simulation_steps_taken(const simulation *sim) {
-    return sim->account.steps_taken;
-}
-
-long simulation_steps_rejected(const simulation *sim) {
-    return sim->account.steps_rejected;
-}
-
-long simulation_steps_slept(const simulation *sim) {
-    return sim->account.steps_slept;
+run_counts simulation_counts(const simulation *sim) {
+    const struct run_account *a = &sim->account;
+    return (run_counts){a->iterations,  sim->integrator.iterations,
+                        a->steps_taken, a->steps_rejected,
+                        a->steps_slept, sim->system.A.block_count};
 }
 
 int simulation_log_rejections(simulation *sim) {
@@ -285,8 +261,4 @@ run_faults simulation_faults(const simulation *sim) {
         .watched = sim->account.effects[EFFECT_MONITOR].active,
         .solved_directly = sim->fallback.solved,
     };
-}
-
-long simulation_matrix_blocks(const simulation *sim) {
-    return sim->system.A.block_count;
 }

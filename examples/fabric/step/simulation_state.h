@@ -83,6 +83,7 @@ struct simulation {
     struct barrier_step *barrier; /* NULL: vertices are constrained */
     team team;                    /* how many threads rounds get */
     struct run_account account;
+    arrays own; /* mass, state, the step's vectors */
 };
 
 /** How many rejections are in the log. */

@@ -4,7 +4,7 @@
  * and y_j += a' x_i. The matrix, which determines the time, is read once instead of twice, at the
  * price of the second, irregular update.
  */
-#include "sparse_product.h"
+#include "system.h"
 
 void half_product(const block_matrix *restrict A, const double (*restrict x)[3],
                   double (*restrict y)[3]) {

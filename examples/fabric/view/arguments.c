@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What the commands' command lines have in common. */
-#include <stdlib.h>
+#include <stdio.h>
 
 #include "view/view.h"
 
@@ -17,4 +17,14 @@ int view_read_request(const command *self, int argc, char **argv, view_request *
     r->width = r->width / 2 * 2;
     r->height = r->height / 2 * 2;
     return r->folder ? OPTIONS_READ : options_complain(self, "which folder? %s", self->synopsis);
+}
+
+int view_output(char path[FILE_PATH_SIZE], const char *folder, const char *name,
+                const char *given) {
+    if (!given)
+        return files_join(path, folder, name);
+    if (snprintf(path, FILE_PATH_SIZE, "%s", given) < FILE_PATH_SIZE)
+        return 0;
+    fprintf(stderr, "%.100s...: path too long\n", given);
+    return -1;
 }

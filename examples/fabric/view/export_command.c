@@ -47,7 +47,7 @@ static int export_run(const char *folder, const char *given) {
     char to[FILE_PATH_SIZE];
     run_frames run;
     const int status =
-        run_frames_open(&run, folder) == 0 && files_output(to, folder, "vtu", given) == 0
+        run_frames_open(&run, folder) == 0 && view_output(to, folder, "vtu", given) == 0
             ? write_run(&run, to)
             : -1;
     return run_frames_finish(&run, status, to);

@@ -21,7 +21,7 @@ static int run(const command *self, int argc, char **argv) {
         return read;
     char path[FILE_PATH_SIZE];
     int frames;
-    if (files_output(path, r.folder, "cloth.mp4", r.output) != 0 ||
+    if (view_output(path, r.folder, "cloth.mp4", r.output) != 0 ||
         video_write(r.folder, (int)r.width, (int)r.height, path, &frames) != 0)
         return EXIT_FAILURE;
     printf("%d frames in %s\n", frames, path);

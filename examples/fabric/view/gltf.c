@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "contact/solid_mesh.h"
+#include "contact/shape.h"
 #include "output/fresh_file.h"
 #include "view/byte_sink.h"
 #include "view/gltf_parts.h"

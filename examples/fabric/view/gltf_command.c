@@ -48,7 +48,7 @@ static int run(const command *self, int argc, char **argv) {
     if (read != OPTIONS_READ)
         return read;
     char path[FILE_PATH_SIZE];
-    if (files_output(path, r.folder, "cloth.glb", r.output) != 0 || write_run(r.folder, path) != 0)
+    if (view_output(path, r.folder, "cloth.glb", r.output) != 0 || write_run(r.folder, path) != 0)
         return EXIT_FAILURE;
     return EXIT_SUCCESS;
 }

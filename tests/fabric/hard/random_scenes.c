@@ -20,7 +20,6 @@
 #include "base/vector.h"
 #include "cloth.h"
 #include "contact/shape.h"
-#include "contact/solid_mesh.h"
 #include "crossings.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/mesh_rest.h"
@@ -244,8 +243,8 @@ static int goes_on(const mesh *m, const scene *s) {
 
 /* Steps and what was wrong with them, into error[256]. */
 static void tell_account(const simulation *sim, char *error) {
-    int length = snprintf(error, 256, "%ld steps, %ld taken again", simulation_steps_taken(sim),
-                          simulation_steps_rejected(sim));
+    int length = snprintf(error, 256, "%ld steps, %ld taken again", simulation_counts(sim).taken,
+                          simulation_counts(sim).rejected);
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         if (sim->monitor.let_pass[k] > 0)
             length += snprintf(error + length, (size_t)(256 - length), ", %ld let pass: %s",

@@ -59,7 +59,7 @@ static void tell_bits(const simulation *sim, int vertices) {
     hash = hash_bytes(hash, simulation_positions(sim), size);
     hash = hash_bytes(hash, simulation_velocities(sim), size);
     fprintf(file, "%d vertices, %ld steps, %.17g s: %016" PRIx64 "\n", vertices,
-            simulation_steps_taken(sim), simulation_time(sim), hash);
+            simulation_counts(sim).taken, simulation_time(sim), hash);
     fclose(file);
 }
 

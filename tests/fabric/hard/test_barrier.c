@@ -11,7 +11,7 @@
 #include <time.h>
 
 #include "base/vector.h"
-#include "contact/solid_mesh.h"
+#include "contact/shape.h"
 #include "crossings.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/surface.h"
@@ -96,16 +96,17 @@ static double run(const char *name, stage *on, int steps) {
         crossed += passing(on);
         if (getenv("TRACE"))
             printf("  %s %d: newton %ld cg %ld rejected %ld, %d crossings, %.2f s\n", name, n,
-                   simulation_newton_iterations(on->sim), simulation_iterations(on->sim),
-                   simulation_steps_rejected(on->sim), crossed, simulated);
+                   simulation_counts(on->sim).newton_iterations,
+                   simulation_counts(on->sim).iterations, simulation_counts(on->sim).rejected,
+                   crossed, simulated);
     }
     printf("%-18s %4d vertices, %3d steps (%ld rejected), %4ld systems, %d crossings, %.2f s\n",
-           name, on->m.vertex_count, steps, simulation_steps_rejected(on->sim),
-           simulation_newton_iterations(on->sim), crossed, simulated);
+           name, on->m.vertex_count, steps, simulation_counts(on->sim).rejected,
+           simulation_counts(on->sim).newton_iterations, crossed, simulated);
     assert_int_equal(crossed, 0);
     stage_assert_finite(on);
     const run_faults faults = simulation_faults(on->sim);
-    assert_int_equal(simulation_steps_rejected(on->sim), 0);
+    assert_int_equal(simulation_counts(on->sim).rejected, 0);
     assert_int_equal(faults.passing + faults.penetration + faults.not_solved, 0);
     return simulated;
 }
@@ -461,9 +462,9 @@ static void directions_are_conjugate(void **state) {
     stage on = stage_of(layers(1, 13, 0.04, 0.33, 0, 0), s);
     stage_begin(&on);
     stage_run(&on, 20);
-    const long systems = simulation_newton_iterations(on.sim);
+    const long systems = simulation_counts(on.sim).newton_iterations;
     printf("round a ball       %ld systems\n", systems);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     assert_in_range(systems, 40, 117); /* 130 by Newton's directions, 166 by his ways */
     stage_end(&on);
 }

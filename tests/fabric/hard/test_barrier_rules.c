@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "contact/solid_mesh.h"
+#include "contact/shape.h"
 #include "crossings.h"
 #include "step/barrier_step.h"
 
@@ -53,7 +53,7 @@ static void sheets_slide_and_stick(void **state) {
             assert_below(fabs(after[0]), 1e-3); /* the speed below which friction grows from 0 */
         else
             assert_near((after[0] - before[0]) / 0.15, g * (sin(slope) - 0.1 * cos(slope)), 0.1);
-        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        assert_int_equal(simulation_counts(on.sim).rejected, 0);
         stage_end(&on);
     }
 }
@@ -71,7 +71,7 @@ static void a_moving_floor_carries(void **state) {
     mean_velocity(&on, mean);
     assert_near(mean[0], 0.2, 2e-3);
     assert_near(mean[2], 0.3, 0.03);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     stage_end(&on);
 }
 
@@ -117,7 +117,7 @@ static void bars_turn_and_pins_move(void **state) {
     for (int i = 0; i < on.m.vertex_count; i++)
         if (on.m.material[i][0] < 0.001)
             assert_near(simulation_positions(on.sim)[i][2], 0.05 + 0.1 * 0.24, 1e-12);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     stage_end(&on);
 }
 
@@ -159,11 +159,11 @@ static void steps_may_be_stopped_and_saved(void **state) {
     assert_int_equal(simulation_stop_when(part.sim, &stop), 0);
     stage_run(&whole, 12);
     stage_run(&part, 9);
-    const long iterations = simulation_newton_iterations(part.sim);
+    const long iterations = simulation_counts(part.sim).newton_iterations;
     stop = 1;
     assert_int_equal(simulation_step(part.sim, error), 1);
     assert_near(simulation_time(part.sim), 0.09, 1e-12);
-    assert_int_equal(simulation_newton_iterations(part.sim), iterations);
+    assert_int_equal(simulation_counts(part.sim).newton_iterations, iterations);
     stop = 0;
     const size_t size = simulation_saved_size(part.sim);
     unsigned char *bytes = malloc(size);

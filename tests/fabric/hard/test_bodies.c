@@ -187,13 +187,13 @@ static void S42_turning_table(void **state) {
     print_message("S42 table: at %.2g m/s before, turned by %.2f and %.2f degrees, at %.2g m/s "
                   "after, depth %.2g m, %ld rejected\n",
                   lay, midway, angle, fastest(&on), on.sim->monitor.deepest,
-                  simulation_steps_rejected(on.sim));
+                  simulation_counts(on.sim).rejected);
     assert_near(midway, 45, 2);
     assert_near(angle, 90, 3);
     assert_below(lay, 1e-3);
     assert_below(fastest(&on), 1e-3);
     assert_below(on.sim->monitor.deepest, 1e-6);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     free(before);
     stage_end(&on);
 }
@@ -238,7 +238,7 @@ static void S42_turning_bar(void **state) {
     const run_faults f = simulation_faults(on.sim);
     print_message("S42 bar: cloth from y = %.3f to %.3f m, depth %.2g m, %ld rejected, %ld and %ld "
                   "let pass\n",
-                  ahead, farthest, f.deepest, simulation_steps_rejected(on.sim), f.penetration,
+                  ahead, farthest, f.deepest, simulation_counts(on.sim).rejected, f.penetration,
                   f.passing);
     assert_true(farthest > 0.03);
     assert_below(f.deepest, 1e-3);
@@ -265,9 +265,9 @@ static void S42_sleeps_until_it_starts(void **state) {
     for (int i = 0; i < on.m.vertex_count; i++)
         lowest = fmin(lowest, on.sim->state.x[i][2]);
     print_message("S42 lifted: lowest at %.4f m, %ld steps slept\n", lowest,
-                  simulation_steps_slept(on.sim));
+                  simulation_counts(on.sim).slept);
     assert_true(lowest > 0.0999);
-    assert_true(simulation_steps_slept(on.sim) > 10);
+    assert_true(simulation_counts(on.sim).slept > 10);
     stage_end(&on);
 }
 

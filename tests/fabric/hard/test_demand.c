@@ -46,7 +46,7 @@ static double blocks_across(const block_matrix *A) {
 static double needed_bytes(const stage *on) {
     const simulation *sim = on->sim;
     const double vertices = on->m.vertex_count, triangles = on->m.triangle_count;
-    const double hinges = on->m.hinge_count, blocks = (double)simulation_matrix_blocks(sim);
+    const double hinges = on->m.hinge_count, blocks = (double)simulation_counts(sim).matrix_blocks;
     const scene *s = &on->s;
     const int has_bend = s->material.bend > 0,
               has_triangles = s->material.stretch > 0 || s->material.shear > 0;
@@ -232,22 +232,22 @@ static void test_cloth_sleeps(void **state) {
     stage on = lying_sheet(&table);
     stage_begin(&on);
     stage_run(&on, 4);
-    assert_int_equal(simulation_steps_slept(on.sim), 0); /* it falls */
+    assert_int_equal(simulation_counts(on.sim).slept, 0); /* it falls */
     assert_true(on.sim->step.slow_steps == 0);
     stage_run(&on, 146);
-    const long taken = simulation_steps_taken(on.sim), slept = simulation_steps_slept(on.sim);
+    const long taken = simulation_counts(on.sim).taken, slept = simulation_counts(on.sim).slept;
     const long visited = on.sim->account.effects[EFFECT_STRETCH].visited;
     print_message("slept through %ld of 150 steps\n", slept);
     assert_true(slept > 20);
     for (int i = 0; i < on.m.vertex_count; i++)
         assert_true(vector_length(on.sim->state.v[i]) == 0);
     stage_run(&on, 50);
-    assert_int_equal(simulation_steps_slept(on.sim), slept + 50);
-    assert_int_equal(simulation_steps_taken(on.sim), taken);
+    assert_int_equal(simulation_counts(on.sim).slept, slept + 50);
+    assert_int_equal(simulation_counts(on.sim).taken, taken);
     assert_int_equal(on.sim->account.effects[EFFECT_STRETCH].visited, visited);
     assert_near(simulation_time(on.sim), 4, 1e-12);
     stage_run(&on, 10);
-    assert_int_equal(simulation_steps_slept(on.sim), slept + 50);
+    assert_int_equal(simulation_counts(on.sim).slept, slept + 50);
     assert_true(on.sim->state.x[0][2] < -0.2);
     stage_end(&on);
 }
@@ -265,7 +265,7 @@ static void test_cloth_wakes_within_a_step(void **state) {
     stage on = lying_sheet(&table);
     stage_begin(&on);
     stage_run(&on, 200);
-    assert_true(simulation_steps_slept(on.sim) > 50);
+    assert_true(simulation_counts(on.sim).slept > 50);
     assert_true(vector_length(on.sim->state.v[0]) == 0);
     stage_run(&on, 10);
     for (int i = 0; i < on.m.vertex_count; i++)
@@ -299,7 +299,7 @@ static void test_what_is_driven_is_awake(void **state) {
         on.s.surroundings.wind[0] = what == 2 ? 1e-6 : 0;
         stage_begin(&on);
         stage_run(&on, 60);
-        assert_int_equal(simulation_steps_slept(on.sim) > 0, what == 3);
+        assert_int_equal(simulation_counts(on.sim).slept > 0, what == 3);
         stage_end(&on);
     }
 }
@@ -316,14 +316,14 @@ static void test_sleep_is_saved(void **state) {
     stage_begin(&on);
     stage_begin(&other);
     stage_run(&on, 60);
-    assert_true(simulation_steps_slept(on.sim) > 0);
+    assert_true(simulation_counts(on.sim).slept > 0);
     const size_t size = simulation_saved_size(on.sim);
     unsigned char *bytes = malloc(size);
     assert_non_null(bytes);
     simulation_save(on.sim, bytes, size);
     assert_int_equal(simulation_restore(other.sim, bytes, size), 0);
     stage_run(&other, 1);
-    assert_int_equal(simulation_steps_slept(other.sim), simulation_steps_slept(on.sim) + 1);
+    assert_int_equal(simulation_counts(other.sim).slept, simulation_counts(on.sim).slept + 1);
     assert_memory_equal(on.sim->state.x, other.sim->state.x,
                         sizeof(double[3]) * (size_t)on.m.vertex_count);
     free(bytes);

@@ -41,7 +41,8 @@ static void assert_changes_no_bit(void (*change)(scene *), const char *effect) {
     const size_t bytes = sizeof(double[3]) * (size_t)plain.m.vertex_count;
     assert_memory_equal(plain.sim->state.x, with.sim->state.x, bytes);
     assert_memory_equal(plain.sim->state.v, with.sim->state.v, bytes);
-    assert_int_equal(simulation_iterations(plain.sim), simulation_iterations(with.sim));
+    assert_int_equal(simulation_counts(plain.sim).iterations,
+                     simulation_counts(with.sim).iterations);
     assert_int_equal(visited(&with, effect), 0);
     stage_end(&plain);
     stage_end(&with);
@@ -118,7 +119,7 @@ static void test_absent_effects_cost_nothing(void **state) {
     stage_run(&on, 3);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         assert_int_equal(visited(&on, names[k]), strcmp(names[k], "gravity") == 0 ? 3 * 25 : 0);
-    assert_int_equal(simulation_matrix_blocks(on.sim), 25);
+    assert_int_equal(simulation_counts(on.sim).matrix_blocks, 25);
     assert_int_equal(on.sim->cloth.hinges.count, 0);
     assert_null(on.sim->collisions.now);
     assert_null(on.sim->cloth.triangles.block);
@@ -171,7 +172,7 @@ static void test_wind_along_the_cloth(void **state) {
         out[along] = -INFINITY;
         for (int i = 0; i < on.m.vertex_count; i++)
             out[along] = fmax(out[along], on.sim->state.x[i][1] - on.m.position[i][1]);
-        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        assert_int_equal(simulation_counts(on.sim).rejected, 0);
         assert_int_equal(visited(&on, "tangential drag"), along ? 100 * on.m.triangle_count : 0);
         stage_end(&on);
     }
@@ -282,7 +283,7 @@ static void test_strain_is_limited(void **state) {
         } else {
             assert_true(strain_of(&on) > 0.25);
         }
-        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        assert_int_equal(simulation_counts(on.sim).rejected, 0);
         stage_end(&on);
     }
     print_message("greatest strain: %.3f, limited %.4f\n", greatest[0], greatest[1]);

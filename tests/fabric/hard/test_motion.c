@@ -122,7 +122,7 @@ static void S09_clamped_system_is_solved(void **state) {
         assert_int_equal(on.sim->step.solver_status, SOLVER_CONVERGED);
         assert_below(stage_energy(&on), first);
     }
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     stage_end(&on);
 }
 
@@ -137,7 +137,7 @@ static void S09_unclamped_system_breaks_down(void **state) {
     solveSystem(on.sim);
     assert_int_equal(on.sim->step.solver_status, SOLVER_BREAKDOWN);
     updateSystem(on.sim);
-    assert_int_equal(simulation_steps_rejected(on.sim), 1);
+    assert_int_equal(simulation_counts(on.sim).rejected, 1);
     stage_end(&on);
 }
 
@@ -209,7 +209,7 @@ static void S26_energy_is_watched(void **state) {
         stage_run(&on, 2);
         const rejection *log = simulation_rejections(on.sim, &count);
         assert_near(simulation_time(on.sim), 3 * on.s.time.step, 1e-15);
-        assert_int_equal(count, simulation_steps_rejected(on.sim));
+        assert_int_equal(count, simulation_counts(on.sim).rejected);
         assert_int_equal(count > 0, watched);
         for (int n = 0; n < count; n++) {
             assert_string_equal(log[n].reason, "energy");
@@ -230,9 +230,9 @@ static void S26_sudden_storm(void **state) {
     on.s.surroundings.wind_from = 2 * 0.033;
     stage_begin(&on);
     stage_run(&on, 2);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     stage_run(&on, 3);
-    assert_true(simulation_steps_rejected(on.sim) > 0);
+    assert_true(simulation_counts(on.sim).rejected > 0);
     assert_near(simulation_time(on.sim), 5 * 0.033, 1e-15);
     stage_assert_finite(&on);
     stage_end(&on);
@@ -248,10 +248,11 @@ static void S18_stiffness_ratio(void **state) {
     for (int t = 0; t < on.sim->cloth.triangles.count; t += 2)
         on.sim->cloth.triangles.rest[t].area *= 1e8;
     for (int n = 0; n < 10; n++) {
-        const long before = simulation_iterations(on.sim), rounds = on.sim->account.phases[2].calls;
+        const long before = simulation_counts(on.sim).iterations,
+                   rounds = on.sim->account.phases[2].calls;
         stage_run(&on, 1);
         const long solves = on.sim->account.phases[2].calls - rounds;
-        const long each = (simulation_iterations(on.sim) - before) / solves;
+        const long each = (simulation_counts(on.sim).iterations - before) / solves;
         most = each > most ? each : most;
     }
     print_message("S18 iterations a solve: %ld\n", most);
@@ -273,9 +274,9 @@ static void S19_mass_ratio(void **state) {
         for (int i = 0; i < on.m.vertex_count; i += 2)
             on.sim->cloth.mass[i] *= ratio;
         stage_run(&on, 3);
-        const long now = simulation_iterations(on.sim);
+        const long now = simulation_counts(on.sim).iterations;
         print_message("S19 mass ratio %g: %ld iterations\n", ratio, now);
-        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        assert_int_equal(simulation_counts(on.sim).rejected, 0);
         stage_assert_finite(&on);
         assert_true(now <= before);
         before = now;
@@ -290,7 +291,7 @@ static stage flap(int steps) {
     on.s.time.step = 0.32 / steps;
     stage_begin(&on);
     stage_run(&on, steps);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     return on;
 }
 

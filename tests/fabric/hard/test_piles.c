@@ -78,11 +78,11 @@ static void pile(int count, int steps, double deepest_allowed) {
         speed = fmax(speed, vector_length(on.sim->state.v[i]));
     print_message("S36 %d layers, %d steps: depth %.3g m, %d crossings, fastest %.3g m/s, %ld "
                   "rejected, %.1f s\n",
-                  count, steps, deepest, crossed, speed, simulation_steps_rejected(on.sim),
+                  count, steps, deepest, crossed, speed, simulation_counts(on.sim).rejected,
                   (double)(clock() - begin) / CLOCKS_PER_SEC);
     assert_below(deepest, deepest_allowed);
     assert_int_equal(crossed, 0);
-    assert_in_range(simulation_steps_rejected(on.sim), 0, count * steps / 12);
+    assert_in_range(simulation_counts(on.sim).rejected, 0, count * steps / 12);
     stage_end(&on);
 }
 
@@ -130,10 +130,10 @@ static void S43_squeezed(void **state) {
         print_message("S43 plate that %s: strain %.2g, depth %.2g m, %ld and %ld let pass, %ld "
                       "steps, %ld taken again%s%s\n",
                       names[through], f.greatest_strain, f.deepest, f.penetration, f.passing,
-                      simulation_steps_taken(on.sim), simulation_steps_rejected(on.sim),
+                      simulation_counts(on.sim).taken, simulation_counts(on.sim).rejected,
                       ended ? "; ended: " : "", error);
         assert_below(f.greatest_strain, 0.5);
-        assert_true(simulation_steps_taken(on.sim) < 4000);
+        assert_true(simulation_counts(on.sim).taken < 4000);
         assert_true(ended == (error[0] != '\0'));
         if (through)
             assert_true(ended || f.penetration + f.passing > 0);
@@ -209,7 +209,7 @@ static void S37_ribbon_folds_onto_itself(void **state) {
             deepest = fmax(deepest, -0.02 - on.sim->state.x[i][2]);
     }
     print_message("S37 ribbon: %d crossings at most, depth %.3g m, %ld rejected\n", crossed,
-                  deepest, simulation_steps_rejected(on.sim));
+                  deepest, simulation_counts(on.sim).rejected);
     assert_int_equal(crossed, 0);
     assert_below(deepest, 1e-9);
     stage_end(&on);
@@ -241,7 +241,7 @@ static double body_through(collider *body, int steps, double speed, double h) {
         lowest = fmin(lowest, on.sim->state.x[i][2]);
     const double top = body->position[2] - speed * simulation_time(on.sim);
     print_message("  body at %.3f m, cloth down to %.3f m, %ld rejected\n", top, lowest,
-                  simulation_steps_rejected(on.sim));
+                  simulation_counts(on.sim).rejected);
     stage_end(&on);
     return lowest - top;
 }

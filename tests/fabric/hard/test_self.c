@@ -157,7 +157,7 @@ static void test_cloth_folds_on_itself(void **state) {
         }
         stage_assert_finite(&on);
         print_message("self-collision %s: %d crossings at most, %ld rejected, visited %ld\n",
-                      kept ? "on" : "off", most[kept], simulation_steps_rejected(on.sim),
+                      kept ? "on" : "off", most[kept], simulation_counts(on.sim).rejected,
                       on.sim->account.effects[EFFECT_SELF_COLLISION].visited);
         stage_end(&on);
     }

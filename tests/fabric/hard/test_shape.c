@@ -62,10 +62,10 @@ static void S12_slivers(void **state) {
     stage_run(&regular, 200);
     stage_run(&on, 200);
     stage_assert_finite(&on);
-    const double ratio =
-        (double)simulation_iterations(on.sim) / (double)simulation_iterations(regular.sim);
+    const double ratio = (double)simulation_counts(on.sim).iterations /
+                         (double)simulation_counts(regular.sim).iterations;
     print_message("S12 iterations against a regular mesh: %.2f; rejected: %ld\n", ratio,
-                  simulation_steps_rejected(on.sim));
+                  simulation_counts(on.sim).rejected);
     assert_below(ratio, 5);
     mesh_problem found[MESH_PROBLEM_COUNT];
     char error[256];
@@ -137,7 +137,7 @@ static double drop(int across) {
     for (int i = 0; i < on.m.vertex_count; i++)
         speed = fmax(speed, vector_length(on.sim->state.v[i]));
     print_message("S32 %d x %d: drop %.6f m, speed %.2g m/s, rejected %ld\n", across, across,
-                  -lowest, speed, simulation_steps_rejected(on.sim));
+                  -lowest, speed, simulation_counts(on.sim).rejected);
     stage_end(&on);
     return -lowest;
 }
@@ -235,7 +235,7 @@ static void S11_inverted_triangle(void **state) {
     stage_begin(&on);
     stage_run(&on, 50);
     stage_assert_finite(&on);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     stage_end(&on);
 }
 
@@ -386,12 +386,12 @@ static void S40_ribbon_of_800_to_1(void **state) {
     print_message(
         "S40 ribbon of 800:1: %ld solved directly, %ld iterations, apart by %.2g m, strain "
         "%.2g, %ld rejected\n",
-        f.solved_directly, simulation_iterations(on.sim), stage_distance(&on, &direct, NULL),
-        f.greatest_strain, simulation_steps_rejected(on.sim));
+        f.solved_directly, simulation_counts(on.sim).iterations, stage_distance(&on, &direct, NULL),
+        f.greatest_strain, simulation_counts(on.sim).rejected);
     stage_assert_finite(&on);
     assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st is tried again */
     assert_int_equal(f.not_solved, 0);
-    assert_in_range(simulation_iterations(on.sim), 0, 3L * on.s.solution.max_iterations);
+    assert_in_range(simulation_counts(on.sim).iterations, 0, 3L * on.s.solution.max_iterations);
     assert_below(stage_distance(&on, &direct, NULL), 1e-4);
     stage_end(&on);
     stage_end(&direct);

@@ -195,7 +195,7 @@ static void test_fallback_to_direct_solution(void **state) {
         assert_near(left[a], 0, 1e-6 * size);
     const run_faults f = simulation_faults(on.sim);
     print_message("S40 slivers: %ld solved directly, %ld iterations\n", f.solved_directly,
-                  simulation_iterations(on.sim));
+                  simulation_counts(on.sim).iterations);
     assert_true(f.solved_directly > 0 || on.sim->fallback.failed);
     assert_true(f.not_solved == 0 || on.sim->fallback.failed);
     stage_end(&on);
@@ -209,7 +209,7 @@ static void test_step_grows_again(void **state) {
     on.sim->step.ticks /= 4;
     stage_run(&on, 5);
     assert_int_equal(on.sim->step.ticks, TICKS_PER_STEP);
-    assert_in_range(simulation_steps_taken(on.sim), 7, 12);
+    assert_in_range(simulation_counts(on.sim).taken, 7, 12);
     stage_end(&on);
 }
 

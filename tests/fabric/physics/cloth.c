@@ -104,3 +104,23 @@ double (*cloth_moved(const mesh *m, double size, unsigned seed))[3] {
             x[i][a] = m->position[i][a] + size * random_number(&seed);
     return x;
 }
+
+double hinge_energy(const hinge_elements *e, const hinge_material *material) {
+    double sum = 0;
+    for (int t = 0; t < e->count; t++)
+        sum += e->weight[t] * e->angle[t] * e->angle[t];
+    return material->bend * sum / 2;
+}
+
+void collisions_count(const collisions *c, long *contacts, long *sticking) {
+    long all = 0, still = 0;
+    for (int i = 0; c->before && i < c->mesh->vertex_count; i++)
+        for (int n = 0; n < c->before[i].count; n++) {
+            all++;
+            still += c->before[i].list[n].sticks;
+        }
+    if (contacts)
+        *contacts = all;
+    if (sticking)
+        *sticking = still;
+}

@@ -3,6 +3,8 @@
 #ifndef FABRIC_TEST_CLOTH_H
 #define FABRIC_TEST_CLOTH_H
 
+#include "contact/collision.h"
+#include "effects/hinge.h"
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 
@@ -25,5 +27,11 @@ scene cloth_scene(void);
 
 /** Copies of the positions, each coordinate moved by up to `size` m. The caller frees. */
 double (*cloth_moved(const mesh *m, double size, unsigned seed))[3];
+
+/** Energy of the angles remembered, in J. */
+double hinge_energy(const hinge_elements *e, const hinge_material *material);
+
+/** Contacts of the last accepted step; and of them, how many stick. Either may be NULL. */
+void collisions_count(const collisions *c, long *contacts, long *sticking);
 
 #endif

@@ -8,7 +8,6 @@
 
 #include "base/vector.h"
 #include "cloth.h"
-#include "effects/damping.h"
 #include "step/forces.h"
 #include "step/simulation_state.h"
 
@@ -125,7 +124,7 @@ static double error_of(const scene *of, integrator_kind kind, int steps, vectors
     stage on = {.s = *of};
     begin(&on, kind, duration / steps);
     run(&on, steps);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     const double error = distance(simulation_positions(on.sim), exact);
     end(&on);
     return error;
@@ -189,7 +188,7 @@ static void test_steps_end_at_events(void **state) {
     const int taken[] = {1, 2, 4, 5, 6};
     for (int n = 0; n < 5; n++) {
         run(&on, 1);
-        assert_int_equal(simulation_steps_taken(on.sim), taken[n]);
+        assert_int_equal(simulation_counts(on.sim).taken, taken[n]);
         assert_true(simulation_time(on.sim) == on.s.time.step * (n + 1));
         assert_int_equal(on.sim->account.effects[EFFECT_WIND].on, n == 2);
     }
@@ -213,7 +212,7 @@ static void test_backward_euler_equation(void **state) {
     for (int i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++)
             assert_near(on.sim->cloth.mass[i] * (after[i][a] - v[i][a]), h * f[i][a], 1e-11);
-    assert_true(simulation_newton_iterations(on.sim) >= 8);
+    assert_true(simulation_counts(on.sim).newton_iterations >= 8);
     end(&on);
 }
 

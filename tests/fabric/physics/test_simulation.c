@@ -20,9 +20,9 @@ static void S24_free_fall(void **state) {
         assert_near(simulation_velocities(on.sim)[i][2], -9.81 * t, 1e-7);
         assert_near(simulation_velocities(on.sim)[i][0], 0, 1e-7);
     }
-    assert_true(simulation_iterations(on.sim) <= 50);
-    assert_int_equal(simulation_steps_taken(on.sim), 50);
-    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    assert_true(simulation_counts(on.sim).iterations <= 50);
+    assert_int_equal(simulation_counts(on.sim).taken, 50);
+    assert_int_equal(simulation_counts(on.sim).rejected, 0);
     stage_end(&on);
 }
 
@@ -149,9 +149,9 @@ static void test_cloth_comes_to_rest(void **state) {
         sum += vector_dot(on.sim->state.v[i], on.sim->state.v[i]);
     assert_below(sqrt(sum / on.m.vertex_count), 1e-3);
     /* At rest the right side is next to nothing; a tolerance relative to it alone asks too much. */
-    const long before = simulation_iterations(on.sim);
+    const long before = simulation_counts(on.sim).iterations;
     stage_run(&on, 100);
-    assert_below((double)(simulation_iterations(on.sim) - before), 100 * 10);
+    assert_below((double)(simulation_counts(on.sim).iterations - before), 100 * 10);
     long contacts;
     collisions_count(&on.sim->collisions, &contacts, NULL);
     assert_in_range(contacts, 1, 36);
@@ -186,17 +186,17 @@ static void test_matrix_follows_the_effects(void **state) {
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
     const int edges = on.m.hinge_count + (3 * on.m.triangle_count - 2 * on.m.hinge_count);
     stage_begin(&on);
-    assert_true(simulation_matrix_blocks(on.sim) > 36 + edges);
+    assert_true(simulation_counts(on.sim).matrix_blocks > 36 + edges);
     simulation_free(on.sim);
     on.s.material.bend = on.s.material.bend_damping = 0;
     stage_begin(&on);
-    assert_int_equal(simulation_matrix_blocks(on.sim), 36 + edges);
+    assert_int_equal(simulation_counts(on.sim).matrix_blocks, 36 + edges);
     simulation_free(on.sim);
     on.s.material.stretch = on.s.material.shear = on.s.material.stretch_damping =
         on.s.material.shear_damping = 0;
     on.s.surroundings.drag = 0.3;
     stage_begin(&on);
-    assert_int_equal(simulation_matrix_blocks(on.sim), 36);
+    assert_int_equal(simulation_counts(on.sim).matrix_blocks, 36);
     stage_run(&on, 5);
     int count;
     const effect_account *effects = simulation_effects(on.sim, &count);

@@ -6,7 +6,7 @@
 
 #include "cloth.h"
 #include "dense.h"
-#include "system/sparse_product.h"
+#include "system/system.h"
 
 /* Do vertices i and j share an element of the list? */
 static int share(const element_list *list, int i, int j) {

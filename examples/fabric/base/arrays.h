@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Arrays of one owner: allocated one by one, freed together. */
+#ifndef FABRIC_ARRAYS_H
+#define FABRIC_ARRAYS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct arrays {
+    struct array_link *last;
+    bool failed; /* memory was out for one of them */
+} arrays;
+
+/** `count` items of `size` bytes, all 0. NULL where memory is out: then `failed` is set. */
+void *arrays_add(arrays *of, size_t count, size_t size);
+
+/** Frees all. */
+void arrays_free(arrays *of);
+
+/** Grows a lone array, given by the address of its pointer, where it has no room for `count` items
+ * of `size` bytes: *room is how many it has room for. 0, or -1: out of memory, it is as it was. */
+int array_grow(void *address, int *room, long count, size_t size);
+
+#endif
