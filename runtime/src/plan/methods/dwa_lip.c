@@ -37,16 +37,19 @@ static uint32_t rounds(const struct pairs *pairs) {
     return (pairs->blocks + pairs->members - 1) / pairs->members;
 }
 
-bool redcc_visit_pairs(const struct summary *summary, redcc_pair_taker *take, void *context) {
+bool redcc_visit_pairs(const struct evidence *evidence, int from, redcc_pair_taker *take,
+                       void *context) {
+    const struct summary *summary = evidence->summary[from];
     const struct sets *sets = &summary->sets;
     for (size_t b = 0; b < summary->block_count; b++) {
         const struct block *block = &summary->block[b];
         for (size_t s = block->span_begin; s < block->span_end; s++) {
             const struct span span = summary->span[s];
-            if (span.set == 0)
+            const bool is_idle = span.set == 0;
+            if (is_idle && !evidence->every_iteration)
                 continue;
-            const uint32_t lowest = redcc_set_minimum(sets, span.set);
-            const uint32_t delta = redcc_set_maximum(sets, span.set) - lowest;
+            const uint32_t lowest = is_idle ? 0 : redcc_set_minimum(sets, span.set);
+            const uint32_t delta = is_idle ? 0 : redcc_set_maximum(sets, span.set) - lowest;
             assert(lowest + delta < sets->owners);
             if (!take(context, lowest, delta, block->origin + span.begin,
                       redcc_span_count(summary, block, s)))
@@ -90,8 +93,9 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
     pairs.pair = redcc_memory_take_zeroed(count, sizeof *pairs.pair);
     bool enough = pairs.pair != NULL;
     for (int from = first; enough && from < end; from++)
-        enough = redcc_visit_pairs(evidence->summary[from], take_pair, &pairs);
-    if (enough && thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence))
+        enough = redcc_visit_pairs(evidence, from, take_pair, &pairs);
+    if (enough && !evidence->every_iteration && thread == evidence->threads - 1 &&
+        redcc_last_touches_nothing(evidence))
         enough = redcc_schedule_add(&pairs.pair[0], 0, evidence->trip - 1, 1, false);
     enough = enough && put_in_stages(&pairs, &plan->schedule[thread]);
     for (size_t p = 0; pairs.pair && p < count; p++)

@@ -16,8 +16,10 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
 typedef bool redcc_pair_taker(void *context, uint32_t lowest, uint32_t delta, redcc_int begin,
                               redcc_int count);
 
-/** Passes the iterations of a summary to `take` in order, with the pair (Bmin, deltaB) of the
- *  blocks that they write; those that write none are left out. False: `take` returned false. */
-bool redcc_visit_pairs(const struct summary *summary, redcc_pair_taker *take, void *context);
+/** Passes the iterations that thread `from` has inspected to `take` in order, with the pair
+ *  (Bmin, deltaB) of the blocks that they write. Those that write none are left out, or executed
+ *  with block 0 (evidence.every_iteration). False: `take` returned false. */
+bool redcc_visit_pairs(const struct evidence *evidence, int from, redcc_pair_taker *take,
+                       void *context);
 
 #endif

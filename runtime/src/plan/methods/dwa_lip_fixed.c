@@ -120,9 +120,10 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
                         .end = redcc_part_first(plan->owners, plan->threads, thread + 1)};
     bool enough = take_tables(&view);
     for (int from = 0; enough && from < evidence->threads; from++)
-        enough = redcc_visit_pairs(evidence->summary[from], take_pair, &view);
+        enough = redcc_visit_pairs(evidence, from, take_pair, &view);
     enough = enough && put_in_order(&view, schedule);
-    if (enough && thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence))
+    if (enough && !evidence->every_iteration && thread == evidence->threads - 1 &&
+        redcc_last_touches_nothing(evidence))
         enough = redcc_schedule_begin_task(schedule, NULL, 0) &&
                  redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false);
     give_tables(&view);

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Iterations that update no element of the array, but an element of their own: every method executes them.
+// METHODS: dwa-lip dwa-lip-fixed pe-dwa-lip expansion expansion-fixed pseudo-expansion
+#include "case.h"
+
+enum { N = 3000, M = 400 };
+static long own[N];
+static int key[N], h[M];
+
+static void halve(int n, const int *k, long *mine, int *b) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        int v = (int)mine[i];
+        mine[i] = v / 2 + 1;
+        if (k[i] % 3 == 0)
+            continue;
+        b[k[i]] += v;
+    }
+}
+
+/* None of the last iterations. */
+static void first_half(int n, const int *k, long *mine, int *b) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        if (mine[i] > 5)
+            mine[i] -= 3;
+        if (i < n / 2)
+            b[k[i]] += k[i];
+    }
+}
+
+int main(void) {
+    for (int i = 0; i < N; i++) {
+        own[i] = i % 1009 + 7;
+        key[i] = i * 7919 % M;
+    }
+    for (int call = 0; call < 3; call++) {
+        halve(N, key, own, h);
+        first_half(N, key, own, h);
+        key[call] = call;
+        case_print("own", own, sizeof own);
+        case_print("h", h, sizeof h);
+    }
+    return 0;
+}
