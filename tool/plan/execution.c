@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/execution.h"
 
+#include "analysis/base/counted.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
 
@@ -70,6 +71,50 @@ static bool needs_order(const loop_facts *facts) {
     return false;
 }
 
+static bool holds_update(const loop_facts *facts, const ir_node *node) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (ir_contains(node, facts->updates[i].statement))
+            return true;
+    return false;
+}
+
+/** Does the slice have calls, or loops without updates, as searches? */
+static bool searches(const loop_facts *facts, const ir_node *node) {
+    if (ir_is_expression(node))
+        return ir_has_kind(node, IR_CALL);
+    if (!facts->slice.holds[node->id])
+        return false;
+    if (ir_is_loop(node) && !holds_update(facts, node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (searches(facts, node->children[i]))
+            return true;
+    return false;
+}
+
+/** Is each update in an inner loop one of a block that is recorded at once? Loops over constants,
+ * as those over the components of a vector, do not count. */
+static bool is_over_blocks(const loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    const ir_node *const body = facts->counted.body;
+    bool has_blocks = false;
+    if (!facts->inspector.exists || plan->precheck != PRECHECK_NONE || searches(facts, body))
+        return false;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        for (const ir_node *node = facts->updates[i].statement; node && node != body;
+             node = node->parent) {
+            const ir_variable *counter;
+            int64_t first, last;
+            if (!ir_is_loop(node) || counted_constant(node, &counter, &first, &last))
+                continue;
+            if (!span_of(facts, node))
+                return false;
+            has_blocks = true;
+            break;
+        }
+    return has_blocks;
+}
+
 void plan_execution(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const bool keeps_plan = is_verifiable(plan);
@@ -78,5 +123,6 @@ void plan_execution(loop_plan *plan) {
         .key_count = 1 + (keeps_plan ? facts->inspector.key_count + stepped_count(facts) : 0),
         .needs_order = needs_order(facts),
         .needs_every_iteration = needs_every_iteration(facts),
+        .is_over_blocks = is_over_blocks(plan),
         .work = work_of_iteration(plan)};
 }

@@ -35,6 +35,7 @@ typedef struct execution_plan {
     unsigned key_count;         /* words, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
     bool needs_every_iteration; /* also those that update none of a thread's elements */
+    bool is_over_blocks;        /* its inspection is short, however heavy iterations are */
     int64_t work;               /* operations of an iteration (work.h) */
 } execution_plan;
 

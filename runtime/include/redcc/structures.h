@@ -185,7 +185,10 @@ enum {
     REDCC_NO_INSPECTOR = 8388608,
     /** The attempt has the section of each array that OpenMP's clause `reduction` names: all
      * updates lie in it. */
-    REDCC_SECTIONED = 16777216
+    REDCC_SECTIONED = 16777216,
+    /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
+     *  iterations are. */
+    REDCC_BLOCKS = 33554432
 };
 
 enum {
