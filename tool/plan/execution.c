@@ -92,26 +92,31 @@ static bool searches(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** Is each update in an inner loop one of a block that is recorded at once? Loops over constants,
- * as those over the components of a vector, do not count. */
+/** The innermost loop around a statement of the body, without those over constants, as over the
+ *  components of a vector. NULL: none. */
+static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
+    for (; node != facts->loop; node = node->parent) {
+        const ir_variable *counter;
+        int64_t first, last;
+        if (ir_is_loop(node) && !counted_constant(node, &counter, &first, &last))
+            return node;
+    }
+    return NULL;
+}
+
+/** Is each update in an inner loop one of a block that is recorded at once? */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;
     bool has_blocks = false;
     if (!facts->inspector.exists || plan->precheck != PRECHECK_NONE || searches(facts, body))
         return false;
-    for (unsigned i = 0; i < facts->update_count; i++)
-        for (const ir_node *node = facts->updates[i].statement; node && node != body;
-             node = node->parent) {
-            const ir_variable *counter;
-            int64_t first, last;
-            if (!ir_is_loop(node) || counted_constant(node, &counter, &first, &last))
-                continue;
-            if (!span_of(facts, node))
-                return false;
-            has_blocks = true;
-            break;
-        }
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const ir_node *inner = inner_loop_around(facts, facts->updates[i].statement);
+        if (inner && !span_of(facts, inner))
+            return false;
+        has_blocks |= inner != NULL;
+    }
     return has_blocks;
 }
 
