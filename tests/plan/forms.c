@@ -196,3 +196,25 @@ void not_later(int n, int m, const int *restrict s, double **restrict row, doubl
             row[s[t]][j] += some[j & 7];
     }
 }
+
+/* Rows that a sample records at once; not if each is found by a table, or their block by a search. */
+void blocks(int n, int m, const int *restrict at, const int *restrict list, const double *restrict w,
+            double *restrict h) {
+    for (int t = 0; t < n; t++) // PLAN: over blocks
+        for (int j = at[t]; j < at[t] + m; j++)
+            h[j] += w[j - at[t]];
+    for (int t = 0; t < n; t++) // PLAN: no blocks
+        for (int j = at[t]; j < at[t + 1]; j++)
+            h[list[j]] += w[j];
+    for (int t = 0; t < n; t++) { // PLAN: no blocks
+        int first = 0;
+        for (int k = 1; k < m; k++)
+            if (list[k] < list[first])
+                first = k;
+        for (int j = at[t] + first; j < at[t] + m; j++)
+            h[j] += w[j];
+    }
+    for (int t = 0; t < n; t++) // PLAN: no blocks
+        for (int c = 0; c < 3; c++)
+            h[at[t] + c] += w[c];
+}

@@ -52,8 +52,9 @@ static const char *describe(arena *a, const loop_plan *plan) {
             else
                 buffer_format(&out, "skip: %u rows; ", plan->skips[i].row_count);
         const char *slug = lane_reason_slug(plan->no_lanes);
-        buffer_format(&out, "lanes: %s; keys: %u; precheck: %s; ", slug ? slug : "yes",
-                      plan->execution.key_count, prechecks[plan->precheck]);
+        buffer_format(&out, "lanes: %s; keys: %u; precheck: %s; %s; ", slug ? slug : "yes",
+                      plan->execution.key_count, prechecks[plan->precheck],
+                      plan->execution.is_over_blocks ? "over blocks" : "no blocks");
     }
     const char *text = arena_copy(a, out.data, out.length);
     buffer_free(&out);

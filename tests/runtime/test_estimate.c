@@ -19,15 +19,14 @@ static const redcc_array arrays[ARRAYS] = {{"force", REDCC_SUM, REDCC_DOUBLE, 8,
                                            {"block", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *block, 0}};
 
 /* Element t adds to force[t], [t + 1], [t + 2], to the first of them twice, and to two blocks of
- * its own. */
+ * its own, recorded as one. */
 static void take_elements(struct sample *sample) {
     assert_true(redcc_sample_begin(sample, (size_t)8 * ELEMENTS, 0));
     for (int t = 0; t < ELEMENTS; t++) {
         for (int corner = 0; corner < 3; corner++)
             redcc_sample_add(sample, (uintptr_t)force[t + corner], 0, 1, 0);
         redcc_sample_add(sample, (uintptr_t)force[t], 0, 1, 0);
-        for (int b = 0; b < 2; b++)
-            redcc_sample_add(sample, (uintptr_t)block[2 * t + b], 1, 1, 0);
+        redcc_sample_add(sample, (uintptr_t)block[2 * t], 1, 2, sizeof *block);
         redcc_sample_next_iteration(sample);
     }
 }
@@ -52,6 +51,7 @@ static void rows_of_the_leading_group_count_apart(void **unused) {
         partition.leader = leader;
         assert_true(redcc_estimate(&partition, samples, 1, &estimate));
         assert_true(is_about(estimate.each.touches, 6));
+        assert_true(is_about(estimate.each.records, 5));
         assert_true(is_about(estimate.each.leading_rows, rows[leader]));
         assert_true(is_about(estimate.each.further_rows, rows[1 - leader]));
     }

@@ -60,6 +60,8 @@ static void execute(const redcc_tile *tile, int trip, bool below) {
 static void add_band(struct tile_walk *walk, const struct plan *plan) {
     const redcc_tile *tile = &walk->tile;
     redcc_tiles_await_sums(walk, plan);
+    if (is_slow && tile->row == 0)
+        usleep(2000);
     for (redcc_int i = tile->row; i < tile->row_end; i++)
         sum = sum * 3 + (unsigned)i;
     redcc_tiles_pass_sums(walk, plan);

@@ -196,6 +196,7 @@ static const char *flags_text(loop_text *loop) {
                  {loop->outline.tile_call, "REDCC_TILES"},
                  {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},
                  {leaves_out(loop->plan), "REDCC_PARTS"},
+                 {loop->plan->execution.is_over_blocks, "REDCC_BLOCKS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},
                  {loop->plan->execution.needs_whole, "REDCC_WHOLE"},

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/execution.h"
 
-#include "ir/ir_syntax.h"
+#include "analysis/base/counted.h"
+#include "plan/in_order.h"
 #include "plan/lookup.h"
 #include "plan/work.h"
 
@@ -71,65 +72,53 @@ static bool needs_order(const loop_facts *facts) {
     return false;
 }
 
-/* ---- values from before the loop ------------------------------------------------------------- */
+static bool holds_update(const loop_facts *facts, const ir_node *node) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (ir_contains(node, facts->updates[i].statement))
+            return true;
+    return false;
+}
 
-static bool mentions(const ir_node *node, const ir_node *row) {
-    if (!node)
+/** Does the slice have calls, or loops without updates, as searches? */
+static bool searches(const loop_facts *facts, const ir_node *node) {
+    if (ir_is_expression(node))
+        return ir_has_kind(node, IR_CALL);
+    if (!facts->slice.holds[node->id])
         return false;
-    if (syntax_same(node, row))
+    if (ir_is_loop(node) && !holds_update(facts, node))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (mentions(node->children[i], row))
+        if (searches(facts, node->children[i]))
             return true;
     return false;
 }
 
-/** The variable that the row is, or is a part of; NULL: it lies behind a pointer. */
-static const ir_variable *variable_with(const ir_node *row) {
-    while ((row->kind == IR_MEMBER && !(row->flags & IR_ARROW)) ||
-           (row->kind == IR_INDEX && row->children[0]->type->kind == IR_ARRAY))
-        row = row->children[0];
-    return row->kind == IR_VARIABLE ? row->variable : NULL;
-}
-
-/** Does the executor read the row's value once, before the first iteration, where the loop reads it
- *  in each one? */
-static bool is_read_before(const loop_facts *facts, const ir_node *row) {
-    const ir_variable *variable = variable_with(row);
-    if (variable && is_captured(facts, variable) && is_copied_in(variable))
-        return true;
-    for (unsigned i = 0; i < facts->array_count; i++)
-        if (mentions(facts->arrays[i].base, row))
-            return true;
-    return mentions(facts->counted.bound, row) || mentions(facts->counted.stride, row);
-}
-
-/** An update may change such a value, or one that is kept until the loop ends. */
-static bool has_values_from_before(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->source_count; i++) {
-        const loop_source *read = &facts->sources[i];
-        if (read->needs_guard && (read->is_scalar || is_read_before(facts, read->row)))
-            return true;
+/** The innermost loop around a statement of the body, without those over constants, as over the
+ *  components of a vector. NULL: none. */
+static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
+    for (; node != facts->loop; node = node->parent) {
+        const ir_variable *counter;
+        int64_t first, last;
+        if (ir_is_loop(node) && !counted_constant(node, &counter, &first, &last))
+            return node;
     }
-    return false;
+    return NULL;
 }
 
-/** What an iteration leaves outside of the arrays depends on its number, counted from the loop's
- *  first one. */
-static bool counts_iterations(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped || facts->variables.privates[i].is_last_sought)
-            return true;
-    return facts->scalar_count > 0 || facts->variables.own_count > 0 || facts->distribution;
-}
-
-/** The body in order is the sequential loop, from any iteration on; for heavy iterations, as their
- *  first ones are timed (runtime/src/beginning.h). */
-static bool may_begin(const loop_facts *facts) {
-    const counted_loop *counted = &facts->counted;
-    return !facts->has_short_iterations && !has_values_from_before(facts) &&
-           !counts_iterations(facts) && !facts->slice.exits && !facts->slice.may_abort &&
-           counted->counter->type->kind == IR_INTEGER && counted->step == 1 && !counted->stride;
+/** Is each update in an inner loop one of a block that is recorded at once? */
+static bool is_over_blocks(const loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    const ir_node *const body = facts->counted.body;
+    bool has_blocks = false;
+    if (!facts->inspector.exists || plan->precheck != PRECHECK_NONE || searches(facts, body))
+        return false;
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const ir_node *inner = inner_loop_around(facts, facts->updates[i].statement);
+        if (inner && !span_of(facts, inner))
+            return false;
+        has_blocks |= inner != NULL;
+    }
+    return has_blocks;
 }
 
 void plan_execution(loop_plan *plan) {
@@ -141,6 +130,7 @@ void plan_execution(loop_plan *plan) {
         .needs_order = needs_order(facts),
         .needs_every_iteration = needs_every_iteration(facts),
         .needs_whole = has_values_from_before(facts),
-        .may_begin = may_begin(facts),
+        .may_begin = may_begin_in_order(facts),
+        .is_over_blocks = is_over_blocks(plan),
         .work = work_of_iteration(plan)};
 }

@@ -37,9 +37,10 @@ typedef struct execution_plan {
     bool needs_every_iteration; /* also those that update none of a thread's elements */
     bool needs_whole; /* an update may change a value that the executor reads before the loop, or
                        * keeps until its end: the first update needs the guard of all */
-    bool may_begin; /* the first iterations may be executed in order before anything is known, and
-                     * the others as a loop of its own */
-    int64_t work;     /* operations of an iteration (work.h) */
+    bool may_begin;   /* the first iterations may be executed in order before anything is known, and
+                       * the others as a loop of its own */
+    bool is_over_blocks; /* its inspection is short, however heavy iterations are */
+    int64_t work;        /* operations of an iteration (work.h) */
 } execution_plan;
 
 /** base[subscript], two variables of the loop's function. */

@@ -192,7 +192,10 @@ enum {
     REDCC_WHOLE = 33554432,
     /** The first iterations, which are heavy, may be executed in order before anything is known of
      *  the loop. The others are the same loop with another first iteration. */
-    REDCC_BEGINS = 67108864
+    REDCC_BEGINS = 67108864,
+    /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
+     *  iterations are. */
+    REDCC_BLOCKS = 134217728
 };
 
 enum {

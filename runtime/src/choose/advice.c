@@ -128,7 +128,7 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .steady = chooser->steady,
                             .verified = chooser->verified,
                             .dry_run = loop->flags & REDCC_DRY_RUN,
-                            .tiled = loop->flags & REDCC_TILES,
+                            .tiled = loop->flags & (REDCC_TILES | REDCC_BLOCKS),
                             .bins_only = loop->flags & REDCC_NO_INSPECTOR,
                             .whole = loop->flags & REDCC_WHOLE,
                             .begun = chooser->begun};
@@ -297,7 +297,7 @@ static double share_directly(const struct inspection *inspection, const struct f
     const double share = flags & REDCC_PARTS ? even + (largest - even) / 4 : largest;
     const double dried =
         flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
-    const double slice = dried > 0 ? dried : 3 * it->touches * LEARN_TOUCH;
+    const double slice = dried > 0 ? dried : 3 * inspection->each.records * LEARN_TOUCH;
     if (redcc_may_be_tiled(inspection) && it->sequential > 0) /* each pair once; slices are short */
         return even;
     return flags & REDCC_SELECTS && it->sequential > 0

@@ -75,6 +75,7 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
 static void count_touches(const struct partition *partition, const struct sample *sample,
                           struct touching *all) {
     const double each = (double)sample->keep_each;
+    all->records += (double)sample->records;
     for (size_t i = 0; i < sample->count; i++) {
         all->touches += each;
         if (!is_new_row(sample, i))
@@ -111,6 +112,7 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
     *estimate = (struct estimate){.share = (double)most / iterations,
                                   .overhead = (double)overhead / iterations,
                                   .each = {.touches = all.touches / iterations,
+                                           .records = all.records / iterations,
                                            .leading_rows = all.leading_rows / iterations,
                                            .further_rows = all.further_rows / iterations},
                                   .changes = (double)changes / iterations};

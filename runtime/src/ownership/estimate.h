@@ -8,6 +8,7 @@
 /* Average touches of an iteration in the sample. */
 struct touching {
     double touches;
+    double records;      /* the same, but a block's as one */
     double leading_rows; /* of the leading group, at different addresses */
     double further_rows; /* of the others */
 };

@@ -78,6 +78,7 @@ void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array, 
     const uint64_t iteration = sample->first + sample->iterations;
     const uint32_t before = sample->touches;
     sample->touches += count;
+    sample->records++;
     for (uint32_t n = 0; n < count; n++) {
         n += first_chosen(iteration, before + n, count - n, sample->keep_each);
         if (n < count)

@@ -25,6 +25,7 @@ struct sample {
     uint64_t first;     /* sampled iterations of the preceding threads */
     uint32_t iterations;
     uint32_t touches; /* of the current iteration */
+    uint64_t records; /* of all iterations: the rows of a block are one */
 };
 
 /** An empty sample of at most `capacity` touches, for a thread with `first` sampled iterations
