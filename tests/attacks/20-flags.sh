@@ -40,7 +40,7 @@ expect() { # WORDS OPTION [WORDS of -p]
     found=$(verdicts -p .)
     [ "$found" = "$1" ] || { echo "-p $2: expected '$1', found '$found'" >&2; exit 1; }
 }
-for option in -fwrapv -fwrapv-pointer -ftrapv -fno-strict-overflow -frounding-math -funsigned-bitfields \
+for option in -fwrapv-pointer -ftrapv -fno-strict-overflow -frounding-math -funsigned-bitfields \
     -fno-signed-bitfields -fsingle-precision-constant -fpack-struct=1 -fshort-wchar -ffreestanding -m32 \
     -mlong-double-128 -Wp,-isystem,x -undef; do
     expect "option option" "$option"
@@ -55,7 +55,7 @@ for option in -mfpmath=387 -mfpmath=both -mfpmath=sse,387 -ffp-model=fast -fdeno
     expect "inexact-option inexact-option" "$option"
     source=integers.c expect "transformed" "$option"
 done
-for option in -O3 -fno-math-errno -fno-trapping-math -mfpmath=sse -fPIC -ffp-contract=off -g -Wall -fno-plt; do
+for option in -O3 -fwrapv -fno-math-errno -fno-trapping-math -mfpmath=sse -fPIC -ffp-contract=off -g -Wall -fno-plt; do
     expect "transformed transformed" "$option"
 done
 # with the bits given up the loop is translated

@@ -69,7 +69,7 @@ guards() { rm -f report; REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" "$@" -c x.c 
 expect_equal "$case_name" "no-overlap(y, x)" "$(guards -O2)"
 expect_equal "$case_name" "no-overlap(y, s) no-overlap(y, x)" "$(guards -O2 -fno-strict-aliasing)"
 expect_equal "$case_name" "no-overlap(y, x)" "$(guards -fno-strict-aliasing -fstrict-aliasing)"
-for option in -fwrapv -fno-strict-overflow -frounding-math -funsigned-bitfields -fpack-struct -undef -finput-charset=UTF-8 \
+for option in -fno-strict-overflow -frounding-math -funsigned-bitfields -fpack-struct -undef -finput-charset=UTF-8 \
   -ftrapv -fno-signed-bitfields -fsingle-precision-constant -finstrument-functions -fsanitize=undefined,thread; do
   rm -f report
   REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" gcc -v $option -c x.c 2>messages || fail "$case_name: $option"

@@ -84,14 +84,14 @@ rm "$REDCC_BUILD_REPORT"
 FAKE_STATUS=1 "$redcc_cc" -c x.c
 FAKE_STATUS=7 "$redcc_cc" -c x.c 2>/dev/null
 FAKE_BREAK=1 "$redcc_cc" -c x.c 2>/dev/null
-"$redcc_cc" -c -fwrapv x.c 'f f.c'
+"$redcc_cc" -c -ftrapv x.c 'f f.c'
 jq -r '"\(.file): \(.loops | length): \(.left_alone)"' "$REDCC_BUILD_REPORT" >actual
 cat >expected <<'END'
 x.c: 0: redcc: x.c:1:1: error: fake trouble
 x.c: 0: redcc failed: x.c:1:1: error: fake trouble
 x.c: 0: its translated text does not compile
-x.c: 0: an option that redcc cannot follow: -fwrapv
-f f.c: 0: an option that redcc cannot follow: -fwrapv
+x.c: 0: an option that redcc cannot follow: -ftrapv
+f f.c: 0: an option that redcc cannot follow: -ftrapv
 END
 expect_same expected actual
 rm "$REDCC_BUILD_REPORT"
@@ -119,7 +119,7 @@ for trouble in "FAKE_STATUS=1" "FAKE_STATUS=2" "FAKE_BREAK=1" "REDCC_OPTS=--bad"
   expect_match messages "error: x.c: not translated \(REDCC_STRICT\): "
   expect_no_file no.o
 done
-"$redcc_cc" -fwrapv -c x.c -o no.o 2>messages && fail "$case_name: -fwrapv"
+"$redcc_cc" -ftrapv -c x.c -o no.o 2>messages && fail "$case_name: -ftrapv"
 expect_match messages "error: x.c: not translated .*an option that redcc cannot follow"
 expect_no_file no.o
 REDCC_STRICT=0 FAKE_STATUS=1 "$redcc_cc" -c x.c 2>messages || fail "$case_name: REDCC_STRICT=0"

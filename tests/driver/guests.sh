@@ -146,11 +146,23 @@ end
 
 begin "options of setuptools: -fwrapv, and its undoing"
 write_sources
-expect_strict_error 'cannot follow: -fwrapv' redcc-cc -fwrapv -O2 -c count.c
-expect_strict_error 'cannot follow: -fwrapv' redcc-cc -fno-wrapv -fwrapv -O2 -c count.c
-build_reported redcc-cc -fwrapv -O2 -fno-wrapv count.c -o p
-expect_equal "$case_name" transformed "$(verdicts)"
-expect_bits p
+for options in "-fwrapv" "-fwrapv -fno-wrapv"; do
+  # shellcheck disable=SC2086
+  build_reported redcc-cc -O2 $options count.c -o p
+  expect_equal "$case_name: $options" transformed "$(verdicts)"
+  expect_bits p
+done
+expect_strict_error 'cannot follow: -fno-strict-overflow' redcc-cc -fno-strict-overflow -O2 -c count.c
+# a counter that may wrap around
+sed 's/int t = 0; t < /int t = 1; t <= last - /; s/^int main/int last = 100000;\n&/' count.c >most.c
+grep -q 't <= last' most.c || fail "$case_name: most.c"
+for options in "-fwrapv" "-fno-wrapv -fwrapv"; do
+  # shellcheck disable=SC2086
+  build_reported redcc-cc -O2 $options -c most.c
+  expect_match report '"counter-wraps"'
+done
+build_reported redcc-cc -O2 -fwrapv -fno-wrapv -c most.c
+expect_match report '"transformed"'
 end
 
 begin "a header with \\U in a comment, as Python.h; outside of one it may be a macro's name"

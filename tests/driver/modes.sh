@@ -212,7 +212,7 @@ printf '%s' "$source_text" >x.c
 grep -v MARK x.c >y.c
 REDCC_BUILD_REPORT=report "$redcc_cc" -O2 -MD -c x.c -o x.o --redcc-report >said 2>&1 || fail "$case_name"
 REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report -O2 y.c -o y || fail "$case_name"
-REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report -fwrapv -c x.c || fail "$case_name"
+REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report -ftrapv -c x.c || fail "$case_name"
 REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report x.o -o y || fail "$case_name"
 expect_empty said
 expect_equal "$case_name: files" "report said x.c y.c" "$(echo *)"

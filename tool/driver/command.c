@@ -109,18 +109,6 @@ static void count_item(command *c, const item *i) {
         c->output = item_argument(i);
 }
 
-/* A later -fno-wrapv undoes -fwrapv, which setuptools passes for every extension. */
-static void undo_wrapping(item *items, unsigned count) {
-    bool is_undone = false;
-    for (unsigned i = count; i-- > 0;) {
-        if (items[i].kind != INPUT_NOT)
-            continue;
-        is_undone |= strcmp(items[i].text, "-fno-wrapv") == 0;
-        if (is_undone && strcmp(items[i].text, "-fwrapv") == 0)
-            items[i].meaning = 0;
-    }
-}
-
 /* A header is compiled to its precompiled form; nothing is linked. */
 static bool has_header(const command *c) {
     static const char *const headers[] = {".h", ".h++", ".hh", ".hp", ".hpp", ".hxx", NULL};
@@ -152,7 +140,6 @@ command command_parse(arena *a, const word_list *words, bool c_is_cxx) {
             c.language = strcmp(item_argument(&i), "none") == 0 ? NULL : item_argument(&i);
         VECTOR_PUSH(a, &items, i);
     }
-    undo_wrapping(items.items, items.count);
     for (unsigned i = 0; i < items.count; i++)
         count_item(&c, &items.items[i]);
     c.items = items.items;

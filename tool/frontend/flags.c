@@ -166,6 +166,10 @@ static void note_language(parse_flags *chosen, const char *flag) {
         chosen->strict_aliasing = false;
     else if (strcmp(flag, "-fstrict-aliasing") == 0)
         chosen->strict_aliasing = true;
+    else if (strcmp(flag, "-fwrapv") == 0)
+        chosen->wraps = true;
+    else if (strcmp(flag, "-fno-wrapv") == 0)
+        chosen->wraps = false;
     else if (strcmp(flag, "-ansi") == 0)
         chosen->is_c89 = true, chosen->is_c23 = false;
     else if (source_starts_with(flag, "-std=")) {

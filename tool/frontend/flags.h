@@ -28,6 +28,7 @@ typedef struct parse_flags {
     bool is_shared;    /* -fPIC: another definition may replace an exported one ... */
     bool is_fixed;     /* ... but only an equivalent one */
     bool math_errno;   /* mathematical functions set errno */
+    bool wraps;        /* -fwrapv */
     bool has_openmp;   /* OpenMP's directives are on */
 } parse_flags;
 

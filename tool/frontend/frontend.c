@@ -231,6 +231,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->arena = a;
     unit->source = src;
     unit->dialect.strict_aliasing = true;
+    unit->dialect.wraps = flags->wraps; /* types depend on it */
     unit->text.macros = map_new(a);
     unit->text.macros_before = map_new(a);
     unit->text.names = map_new(a);

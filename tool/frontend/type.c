@@ -62,7 +62,9 @@ static const char *scalar_word(enum CXTypeKind kind) {
     }
 }
 
-static bool fill_scalar(ir_type *type, CXType clang) {
+enum { INT_SIZE = 4 }; /* narrower integers become int before they are added */
+
+static bool fill_scalar(const converter *c, ir_type *type, CXType clang) {
     const char *word = scalar_word(clang.kind);
     if (word == NULL)
         return false;
@@ -71,6 +73,8 @@ static bool fill_scalar(ir_type *type, CXType clang) {
         type->size = size_of(clang);
     if (clang.kind == CXType_Char_U)
         type->is_signed = false;
+    type->wraps = type->kind == IR_INTEGER && type->is_signed && type->size >= INT_SIZE &&
+                  c->unit->dialect.wraps;
     return true;
 }
 
@@ -90,7 +94,7 @@ static void fill_complex(ir_type *type, CXType clang) {
 static void fill_enumeration(converter *c, ir_type *type, CXType clang) {
     CXCursor declaration = clang_getTypeDeclaration(clang);
     CXType integer = clang_getCanonicalType(clang_getEnumDeclIntegerType(declaration));
-    if (!fill_scalar(type, integer) || type->kind != IR_INTEGER) {
+    if (!fill_scalar(c, type, integer) || type->kind != IR_INTEGER) {
         *type = (ir_type){.kind = IR_OTHER_TYPE, .size = -1, .count = -1};
         return;
     }
@@ -221,7 +225,7 @@ static void fill_other(converter *c, ir_type *type, CXType clang) {
 static void fill(converter *c, ir_type *type, CXType clang) {
     type->size = -1;
     type->count = -1;
-    if (fill_scalar(type, clang))
+    if (fill_scalar(c, type, clang))
         return;
     if (is_array(clang.kind)) {
         fill_array(c, type, clang);

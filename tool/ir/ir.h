@@ -91,6 +91,7 @@ struct ir_record {
 struct ir_type {
     ir_type_kind kind;
     bool is_signed;    /* integers */
+    bool wraps;        /* signed, and overflow is defined (-fwrapv). Not in the text form */
     bool is_character; /* char, signed char, unsigned char: may alias anything */
     bool is_const, is_volatile, is_restrict, is_atomic;
     bool has_address_space; /* __seg_gs and the like. Not in the text form */
@@ -107,6 +108,9 @@ struct ir_type {
  *  size. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
+/** An integer whose arithmetic no defined program lets overflow: signed, at least int, without
+ *  -fwrapv. False for NULL. */
+bool ir_type_never_wraps(const ir_type *type);
 /** An integer of at most 64 bits, neither volatile nor atomic; false for NULL. */
 bool ir_type_is_plain_integer(const ir_type *type);
 /** Does the type, or the type it points to, contain an array of variable length or of length 0? */
@@ -325,6 +329,7 @@ typedef struct ir_dialect {
     bool is_c89;          /* C89: the program may use names that C99 reserved */
     bool math_errno;      /* mathematical functions set errno */
     bool is_sanitized;    /* undefined arithmetic may end the program */
+    bool wraps;           /* signed arithmetic wraps around (-fwrapv) */
     bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
     bool replaces_openmp; /* loops may be executed without their directives, in order */
     const char *refusing_option; /* an option that makes the program differ from this tree. NULL:

@@ -146,7 +146,7 @@ static void add_definition(digester *d, const ir_function *f) {
 
 static void add_dialect(digester *d, const ir_dialect *dialect) {
     add_number(d, dialect->strict_aliasing | dialect->is_c89 << 1 | dialect->math_errno << 2 |
-                      dialect->is_sanitized << 3);
+                      dialect->is_sanitized << 3 | dialect->wraps << 4);
     add_text(d, dialect->refusing_option);
     add_text(d, dialect->inexact_option);
 }

@@ -33,6 +33,10 @@ bool ir_type_equal(const ir_type *a, const ir_type *b) {
     return false;
 }
 
+bool ir_type_never_wraps(const ir_type *type) {
+    return type && type->kind == IR_INTEGER && type->is_signed && type->size >= 4 && !type->wraps;
+}
+
 bool ir_type_is_plain_integer(const ir_type *type) {
     return type && type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 &&
            !type->is_volatile && !type->is_atomic;

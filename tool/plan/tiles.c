@@ -59,7 +59,7 @@ static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     for (unsigned i = 0; i < 2; i++)
         if (expression_is_variable(node->children[i], p->row) &&
             expression_constant(node->children[1 - i], offset) && *offset >= 0)
-            return p->row->type->is_signed || *offset <= p->facts->counted.step;
+            return ir_type_never_wraps(p->row->type) || *offset <= p->facts->counted.step;
     return false;
 }
 
@@ -253,10 +253,10 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Sums of addresses are modulo 2^64; narrower unsigned ones may wrap around before. */
+/** Sums of addresses are modulo 2^64; others may wrap around before. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
-    if (!is_number_of(node->type) || !(node->type->is_signed || node->type->size == 8))
+    if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))
         return false;
     switch (node->op) {
     case IR_OP_ADD:

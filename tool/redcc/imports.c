@@ -64,7 +64,8 @@ static bool is_plain(const ir_unit *from, const ir_function *function, void *con
 static bool same_dialect(const ir_unit *unit, const ir_unit *other) {
     return unit->dialect.strict_aliasing == other->dialect.strict_aliasing &&
            unit->dialect.math_errno == other->dialect.math_errno &&
-           unit->dialect.is_sanitized == other->dialect.is_sanitized;
+           unit->dialect.is_sanitized == other->dialect.is_sanitized &&
+           unit->dialect.wraps == other->dialect.wraps;
 }
 
 static bool adopt_from(arena *a, ir_unit *unit, const char *path, const string_list *flags,

@@ -193,7 +193,8 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
  * Longer steps might exceed the largest number of the type. */
 static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
     return loop->ahead == 0 ||
-           (loop->step == 1 && !loop->stride && node->kind != IR_DO && !loop->steps_inside &&
+           (!loop->counter->type->wraps && loop->step == 1 && !loop->stride &&
+            node->kind != IR_DO && !loop->steps_inside &&
             (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL));
 }
 

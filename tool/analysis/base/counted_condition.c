@@ -63,7 +63,7 @@ bool counted_stepping_wraps(const counted_loop *counted) {
     const ir_type *counter = counted->counter->type;
     const ir_type *bound = counted->bound->type;
     int64_t constant;
-    if (counter->size < 4)
+    if (counter->size < 4 || counter->wraps)
         return true;
     if (counter->is_signed) /* converted to an unsigned type, negative ones would be large */
         return !bound->is_signed && bound->size >= 4;

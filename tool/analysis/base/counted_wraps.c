@@ -26,11 +26,24 @@ static int64_t type_maximum(const ir_type *type) {
     return bits >= 63 ? INT64_MAX : ((int64_t)1 << bits) - 1;
 }
 
+/* The same of a counter that wraps around by -fwrapv. */
+static bool signed_wraps(const counted_loop *loop) {
+    const ir_type *counter = loop->counter->type, *bound = loop->bound->type;
+    int64_t constant;
+    if (loop->stride || loop->step > 1 || loop->step < -1 || bound->size > counter->size ||
+        (!bound->is_signed && bound->size == counter->size))
+        return true;
+    if (loop->comparison == IR_OP_GREATER_EQUAL)
+        return !expression_constant(loop->bound, &constant) || constant <= INT32_MIN;
+    return loop->comparison != IR_OP_LESS && loop->comparison != IR_OP_GREATER;
+}
+
 /*
  * The generated code counts iterations in 64 bits with lower, bound and step as mathematical
  * numbers. That agrees with the loop if the comparison is one of numbers and the counter reaches
  * the bound without leaving its type. If it would leave a signed type of at least int's size, the
- * loop is undefined in C; if the computed trip count is zero or less, the original loop runs.
+ * loop is undefined in C, except by -fwrapv; if the computed trip count is zero or less, the
+ * original loop runs.
  */
 bool counted_wraps(const counted_loop *loop) {
     assert(loop->step != 0);
@@ -44,6 +57,8 @@ bool counted_wraps(const counted_loop *loop) {
         loop->comparison == IR_OP_LESS_EQUAL || loop->comparison == IR_OP_GREATER_EQUAL;
     bool bound_is_unsigned = !bound->is_signed && !(bound_is_constant && constant >= 0) &&
                              bound->size >= 4 && bound->size >= counter->size;
+    if (counter->wraps && loop->comparison == IR_OP_NOT_EQUAL)
+        return true;
     if (bound_is_constant && is_up && constant >= 0 && !loop->stride &&
         constant <= type_maximum(counter) - magnitude)
         return counter->is_signed && bound->size >= 4 && !bound->is_signed &&
@@ -53,8 +68,9 @@ bool counted_wraps(const counted_loop *loop) {
             return true;
         /* A signed counter compared with an unsigned bound is converted: negative ones are large.
          */
-        return (bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&
-               (!is_up || !is_non_negative(loop->lower));
+        return (counter->wraps && signed_wraps(loop)) ||
+               ((bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&
+                (!is_up || !is_non_negative(loop->lower)));
     }
     if (loop->comparison == IR_OP_NOT_EQUAL) {
         int64_t lower;

@@ -47,9 +47,9 @@ bool exact_is_settled(const ir_node *node, const ir_variable *counter) {
         return true;
     if (node->kind == IR_CAST && !keeps_value(node->children[0]->type, node->type))
         return false;
-    if (node->kind != IR_CAST && !node->type->is_signed)
+    if (node->kind != IR_CAST && !ir_type_never_wraps(node->type))
         return false;
-    /* signed operations do not overflow when they are executed */
+    /* such operations do not overflow when they are executed */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!exact_needs_settled(node, node->children[i]) &&
             !exact_is_settled(node->children[i], counter))

@@ -13,8 +13,7 @@ static int64_t at_most(int64_t steps) {
 
 /* Either values of this type never wrap around, or they do as addresses do. */
 static bool is_steady(const ir_type *type) {
-    return type && type->kind == IR_INTEGER &&
-           ((type->is_signed && type->size >= 4) || type->size == 8);
+    return type && type->kind == IR_INTEGER && (ir_type_never_wraps(type) || type->size == 8);
 }
 
 static bool keeps_steps(const ir_type *from, const ir_type *to) {

@@ -18,7 +18,7 @@ static bool is_local(const ir_variable *variable) {
 static bool may_go_along(const ir_node *body, const ir_variable *variable) {
     const ir_type *type = variable->type;
     const bool is_integer =
-        type->kind == IR_INTEGER && ((type->is_signed && type->size >= 4) || type->size == 8);
+        type->kind == IR_INTEGER && (ir_type_never_wraps(type) || type->size == 8);
     const bool is_pointer = type->kind == IR_POINTER && type->target->size > 0;
     return (is_integer || is_pointer) && is_local(variable) &&
            !variable_is_written_in(body, variable);

@@ -62,8 +62,7 @@ static bool returns(const ir_node *statement, const ir_variable *cursor) {
 /* Incremented far enough it reaches the end of all memory, or is undefined; a narrower one would
  * wrap around to 0. */
 static bool cannot_wrap(const ir_type *cursor) {
-    return cursor->kind == IR_INTEGER &&
-           (cursor->size == 8 || (cursor->is_signed && cursor->size >= 4));
+    return cursor->kind == IR_INTEGER && (cursor->size == 8 || ir_type_never_wraps(cursor));
 }
 
 const ir_node *search_start(const ir_function *function, const ir_node *read) {

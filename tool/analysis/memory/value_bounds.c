@@ -39,7 +39,8 @@ static bool is_tracked(const bounding *b, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return variable_is_automatic(variable) && variable->function == b->function &&
            !variable->address_taken && !type->is_volatile && !type->is_atomic &&
-           (type->kind == IR_FLOATING || (ir_type_is_plain_integer(type) && type->is_signed));
+           (type->kind == IR_FLOATING ||
+            (ir_type_is_plain_integer(type) && type->is_signed && !type->wraps));
 }
 
 static known_value *known_of(bounding *b, const ir_variable *variable) {
@@ -205,7 +206,7 @@ static value_bounds integer_set(bounding *b, const ir_node *value, const ir_type
 
 static value_bounds integer_of(bounding *b, const ir_node *node) {
     int64_t constant;
-    if (!node->type || !ir_type_is_plain_integer(node->type) || !node->type->is_signed)
+    if (!ir_type_is_plain_integer(node->type) || !node->type->is_signed || node->type->wraps)
         return nothing_known();
     if (expression_constant(node, &constant))
         return constant > MOST_OFFSET || constant < -MOST_OFFSET
@@ -348,9 +349,10 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
         return;
     }
     b->needs = 0;
-    const value_bounds limit = ir_type_is_plain_integer(bound->type) && bound->type->is_signed
-                                   ? integer_of(b, bound)
-                                   : nothing_known();
+    const value_bounds limit =
+        ir_type_is_plain_integer(bound->type) && bound->type->is_signed && !bound->type->wraps
+            ? integer_of(b, bound)
+            : nothing_known();
     const int64_t open = op == IR_OP_LESS || op == IR_OP_GREATER;
     const bool is_above = op == IR_OP_GREATER || op == IR_OP_GREATER_EQUAL || op == IR_OP_EQUAL;
     const bool is_below = op == IR_OP_LESS || op == IR_OP_LESS_EQUAL || op == IR_OP_EQUAL;

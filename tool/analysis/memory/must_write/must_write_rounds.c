@@ -14,8 +14,7 @@ typedef struct offset_value {
 } offset_value;
 
 static bool is_wide_integer(const ir_type *type) {
-    return type && type->kind == IR_INTEGER && type->is_signed && type->size >= 4 &&
-           !type->is_volatile && !type->is_atomic;
+    return ir_type_never_wraps(type) && !type->is_volatile && !type->is_atomic;
 }
 
 /* For signed integers that are not narrowed in between: no sum wraps around. */
