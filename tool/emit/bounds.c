@@ -107,13 +107,13 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number) {
     for (unsigned i = 0; i < bounds->term_count; i++)
         writer_line(out,
                     "redcc_known_element(&redcc__known[%u], %s, (redcc_int)%s, %lld, %lld, "
-                    "&redcc__lost);",
+                    "&redcc__unknown);",
                     number, base, terms[i], (long long)bounds->terms[i].offset,
                     (long long)bounds->element->size);
     out->depth--;
     writer_line(out, "} else {");
     out->depth++;
-    writer_line(out, "redcc__lost = 1;");
+    writer_line(out, "redcc__unknown = 1;");
     out->depth--;
     writer_line(out, "}");
     out->depth--;

@@ -107,12 +107,12 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, which must be a value of the node's type: otherwise redcc__lost is set. */
+/** The number, which must be a value of the node's type: otherwise the extents are unknown. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))
         return number;
-    return arena_format(self->loop->arena, "redcc_exact_%s(%s, %lld, &redcc__lost)",
+    return arena_format(self->loop->arena, "redcc_exact_%s(%s, %lld, &redcc__unknown)",
                         node->type->is_signed ? "signed" : "unsigned", number,
                         (long long)node->type->size * 8);
 }
@@ -142,10 +142,10 @@ static const char *exact_number(exact_text *self, const ir_node *node) {
     if (node->kind == IR_CAST || node->op == IR_OP_PLUS)
         return operand_number(self, node, 0);
     if (node->kind == IR_UNARY)
-        return arena_format(a, "redcc_exact_difference(0, %s, &redcc__lost)",
+        return arena_format(a, "redcc_exact_difference(0, %s, &redcc__unknown)",
                             operand_number(self, node, 0));
     const char *left = operand_number(self, node, 0), *right = operand_number(self, node, 1);
-    return arena_format(a, "redcc_exact_%s(%s, %s, &redcc__lost)",
+    return arena_format(a, "redcc_exact_%s(%s, %s, &redcc__unknown)",
                         node->op == IR_OP_ADD        ? "sum"
                         : node->op == IR_OP_SUBTRACT ? "difference"
                                                      : "product",
@@ -163,7 +163,8 @@ static const char *exact_address(loop_text *loop, const row_address *address, co
         sum = arena_format(a, "%s + %lld", sum, (long long)address->offset);
     for (unsigned i = 0; i < address->term_count; i++)
         sum = arena_format(
-            a, "redcc_exact_sum(%s, redcc_exact_product(%lld, %s, &redcc__lost), &redcc__lost)",
+            a,
+            "redcc_exact_sum(%s, redcc_exact_product(%lld, %s, &redcc__unknown), &redcc__unknown)",
             sum, (long long)address->terms[i].bytes,
             settled_number(&self, address->terms[i].subscript));
     return sum;
@@ -213,7 +214,7 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
     writer_line(out, "if (redcc__from <= redcc__to)");
     writer_line(out, "    redcc_exact_extent(&redcc__known[%u], %s,", number,
                 exact_address(loop, &address, "redcc__from"));
-    writer_line(out, "                       %s, %lld, &redcc__lost);",
+    writer_line(out, "                       %s, %lld, &redcc__unknown);",
                 exact_address(loop, &address, "redcc__to"), (long long)read->row->type->size);
     out->depth--;
     writer_line(out, "}");
@@ -223,7 +224,7 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
 
 void declare_extents(loop_text *loop, writer *out) {
     if (has_extents(loop, true))
-        writer_line(out, "int redcc__lost = 0;");
+        writer_line(out, "int redcc__unknown = 0;");
 }
 
 void fill_extents(loop_text *loop, writer *out) {
@@ -238,6 +239,6 @@ void fill_extents(loop_text *loop, writer *out) {
     }
 }
 
-const char *extents_are_known(const loop_text *loop) {
-    return has_extents(loop, true) ? "!redcc__lost" : NULL;
+const char *extents_condition(const loop_text *loop) {
+    return has_extents(loop, true) ? "!redcc__unknown" : NULL;
 }
