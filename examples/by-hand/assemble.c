@@ -29,6 +29,7 @@ REDCC_SLICE(assemble, int t) {
     }
 }
 
+/* Heavy: compiled once, not inlined several times. It needs REDCC_ONE_BODY below. */
 REDCC_HEAVY_BODY(assemble, int t) {
     const struct triangle *triangle = &loop->triangle[t];
     double(*load)[3] = redcc_base(it, LOAD, loop->load);
@@ -56,7 +57,7 @@ REDCC_DESCRIBE(assemble) {
 }
 
 #define REDCC_LOOP assemble
-#define REDCC_WHERE "assemble.c", 67, "assemble"
+#define REDCC_WHERE "assemble.c", 68, "assemble"
 #define REDCC_ARRAYS 2
 #define REDCC_SOURCES 2
 #define REDCC_ONE_BODY

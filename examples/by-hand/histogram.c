@@ -13,6 +13,7 @@ enum { COUNT }; /* updated */
 enum { KEY };   /* read */
 static const redcc_array histogram_arrays[] = {REDCC_ARRAY("count", REDCC_SUM, unsigned, 1)};
 static const redcc_source histogram_sources[] = {REDCC_SUBSCRIPTS("key")};
+/* Optional: updates may be kept and made later, which is fast if keys change in every call. */
 static const redcc_stream histogram_streams[] = {REDCC_KEPT(COUNT, unsigned, 1)};
 
 REDCC_SLICE(histogram, int t) {
@@ -31,10 +32,11 @@ REDCC_DESCRIBE(histogram) {
 }
 
 #define REDCC_LOOP histogram
-#define REDCC_WHERE "histogram.c", 42, "histogram"
+#define REDCC_WHERE "histogram.c", 44, "histogram"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 1
 #define REDCC_STREAMS
+/* Plans may be kept (the default); iterations are short and have no loops. */
 #define REDCC_FLAGS REDCC_VERIFIABLE | REDCC_LIGHT
 #include <redcc/define_loop.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loops of this folder: by hand for redcc's runtime (the name alone), as they are written
+/** The loops of this folder: by hand for redcc's runtime (no suffix), as they are written
  *  without it (_plain), with OpenMP's clause `reduction` and with its `atomic`. */
 #ifndef KERNELS_H
 #define KERNELS_H
@@ -10,7 +10,7 @@ struct triangle {
     double weight[3];
 };
 
-/** How long the updated arrays are, which only OpenMP's clause must know. */
+/** Lengths of the updated arrays; the loops themselves need them only in OpenMP's clause. */
 struct lengths {
     int particles, rows, keys, blocks;
 };

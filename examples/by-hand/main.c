@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* by-hand check [CALLS]: executes each loop CALLS times by hand and as it is written, and compares
  *     all bits; status 1 if some differ.
- * by-hand time LOOP SIDE ROUNDS: milliseconds of each version, the rounds interleaved, medians. */
+ * by-hand time LOOP SIDE ROUNDS: prints LOOP,version,median,10th percentile,90th percentile, in
+ *     milliseconds of a call; the versions are interleaved. */
 #include "kernels.h"
 
 #include <stdio.h>
@@ -57,7 +58,8 @@ static void add_edge(struct data *it, int i, int j) {
     it->edge[it->edges++][1] = j;
 }
 
-/* Blocks: the corners themselves, then what lies across, each as if it were a list of its own. */
+/* Numbers of blocks: the diagonal block of a corner has the corner's number. After all of these
+ * follow six blocks for each corner, one for each direction to a neighbour. */
 static void add_triangle(struct data *it, int i, int j, int k) {
     const int corner[3] = {i, j, k};
     struct triangle *to = &it->triangle[it->triangles++];
@@ -200,7 +202,7 @@ static int by_size(const void *one, const void *other) {
     return (a > b) - (a < b);
 }
 
-/* Rounds begin with another version each; the first two are not counted. */
+/* Each round begins with a different version; the first two rounds are not counted. */
 static int time_loop(int loop, int side, int rounds) {
     static void (*const execute_version[MOST_VERSIONS])(
         int, const struct data *, struct results *) = {execute_plain, execute, execute_reduction,

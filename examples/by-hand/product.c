@@ -44,10 +44,11 @@ REDCC_DESCRIBE(product) {
 }
 
 #define REDCC_LOOP product
-#define REDCC_WHERE "product.c", 56, "product"
+#define REDCC_WHERE "product.c", 57, "product"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 4
 #define REDCC_STREAMS
+/* Reads that may overlap y, given by redcc_reads_named and no subscripts. */
 #define REDCC_NAMED (1u << VALUE)
 #include <redcc/define_loop.h>
 

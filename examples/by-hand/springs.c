@@ -46,10 +46,12 @@ REDCC_DESCRIBE(springs) {
 }
 
 #define REDCC_LOOP springs
-#define REDCC_WHERE "springs.c", 58, "springs"
+/* For reports: line 60 calls springs_execute. */
+#define REDCC_WHERE "springs.c", 60, "springs"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 2
-#define REDCC_STREAMS
+#define REDCC_STREAMS /* there is springs_streams */
+/* Reads that may overlap b, given by redcc_reads_named and no subscripts. */
 #define REDCC_NAMED (1u << X)
 #define REDCC_FLAGS REDCC_VERIFIABLE | REDCC_LIGHT
 #include <redcc/define_loop.h>

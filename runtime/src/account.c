@@ -262,7 +262,7 @@ static void account_execution(struct execution *execution, double now) {
     }
 }
 
-/* Also if the loop continued sequentially after some batches. */
+/* Also if the loop continued sequentially after some rounds. */
 static void account_binned(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;

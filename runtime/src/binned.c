@@ -29,15 +29,15 @@ void redcc_hold_written(void *execution, uint32_t array, struct range written) {
     redcc_validation_grow(&it->run.validation, it->call.request.loop->array_count, array, written);
 }
 
-/* The first thread executes the iterations between two batches; the others wait for it in the next
- * batch. */
+/* The first thread executes the iterations between two rounds; the others wait for it in the next
+ * round. */
 static void stretch(struct thread_state *thread, redcc_worker *worker) {
     const struct round *round = &thread->execution->state->binning.round;
     const redcc_int begin = thread->thread == 0 ? round->begin : round->end;
     redcc_run_stretch(worker, begin, round->end);
 }
 
-/* The iterations that redcc_next handed out between two batches are done, and the thread's state is
+/* The iterations that redcc_next handed out between two rounds are done, and the thread's state is
  * as before. */
 static void resume(struct thread_state *thread) {
     thread->runner.step = STEP_BEGIN;

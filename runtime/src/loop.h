@@ -32,7 +32,7 @@ struct execution {
     bool inspected;              /* memory for the inspection must be freed */
     const struct method *method; /* selected by the inspection */
     struct run run;
-    bool binned;        /* it was binned, entirely or in its first batches */
+    bool binned;        /* it was binned, entirely or in its first rounds */
     enum stage stage;   /* the next stage of all threads, after a barrier */
     enum reason reason; /* why there is no plan */
     double woken;       /* arrival of the last thread of the region, in seconds; 0: none did */

@@ -12,8 +12,9 @@ enum { ENTRIES = 64, MOST_MESSAGES = 3 };
 
 struct checker;
 
-/* The hook of each array's owner: the body calls it before an update. */
-struct asked {
+/* Installed as the hook (execute/hook.h) of each array's owner, so that the body calls ask() before
+ * each update. */
+struct asking_hook {
     struct checker *checker;
     redcc_u32 array;
 };
@@ -24,13 +25,13 @@ struct checker {
     redcc_call call;
     const redcc_attempt *attempt;
     redcc_int k;
-    bool inspected, executed; /* iteration k */
+    bool inspected, executed; /* has iteration k been handed out for it? */
     redcc_entry entry[ENTRIES];
-    redcc_entry *named; /* by the slice of iteration k */
+    redcc_entry *named; /* [count] the rows that the slice of iteration k named */
     size_t count, room;
     redcc_owner *window, *owner; /* [arrays] */
     redcc_extent *sources;       /* [sources] */
-    struct asked *asked;         /* [arrays] */
+    struct asking_hook *hook;    /* [arrays] */
     redcc_iterations run;
     long found;
     bool no_memory;
@@ -116,16 +117,17 @@ static void report(struct checker *it, redcc_u32 number, const char *address) {
         fprintf(
             stderr,
             "redcc: validated: %s:%d: slice of %s does not name row %lld of %s, which iteration "
-            "%lld updates\n",
+            "number %lld, counted from 0, updates\n",
             loop->file, loop->line, loop->function, row, array->name, it->k);
 }
 
-/* Permits no update. */
+/* Called before each update: reports it if the slice did not name its row. Permits none, so that
+ * the arrays are unchanged. */
 static int ask(struct redcc_hook *hook, const void *address) {
-    const struct asked *asked = (const struct asked *)(const void *)hook;
-    struct checker *it = asked->checker;
-    if (!it->no_memory && !is_named(it, asked->array, address))
-        report(it, asked->array, address);
+    const struct asking_hook *asking = (const struct asking_hook *)(const void *)hook;
+    struct checker *it = asking->checker;
+    if (!it->no_memory && !is_named(it, asking->array, address))
+        report(it, asking->array, address);
     return 0;
 }
 
@@ -134,13 +136,13 @@ static bool take_memory(struct checker *it) {
     const size_t arrays = loop->array_count;
     it->window = redcc_memory_take_zeroed(arrays, sizeof *it->window);
     it->owner = redcc_memory_take_zeroed(arrays, sizeof *it->owner);
-    it->asked = redcc_memory_take_zeroed(arrays, sizeof *it->asked);
+    it->hook = redcc_memory_take_zeroed(arrays, sizeof *it->hook);
     it->sources = redcc_memory_take_zeroed(loop->source_count + 1, sizeof *it->sources);
-    if (!it->window || !it->owner || !it->asked || !it->sources)
+    if (!it->window || !it->owner || !it->hook || !it->sources)
         return false;
     for (size_t a = 0; a < arrays; a++) {
-        it->asked[a] = (struct asked){it, (redcc_u32)a};
-        it->owner[a].hook = (struct redcc_hook *)(void *)&it->asked[a];
+        it->hook[a] = (struct asking_hook){it, (redcc_u32)a};
+        it->owner[a].hook = (struct redcc_hook *)(void *)&it->hook[a];
     }
     return true;
 }
@@ -149,7 +151,7 @@ static void give_memory(struct checker *it) {
     redcc_memory_give(it->named);
     redcc_memory_give(it->window);
     redcc_memory_give(it->owner);
-    redcc_memory_give(it->asked);
+    redcc_memory_give(it->hook);
     redcc_memory_give(it->sources);
 }
 
@@ -159,7 +161,7 @@ long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_me
     struct checker it = {
         .call = {.loop = &site->binned.loop, .trip = attempt->trip, .threads = 1, .calls = &calls},
         .attempt = attempt,
-        .run = {0, 2 * 1 + 1}};
+        .run = {.begin = 0, .count_and_check = 2 * 1 + 1}}; /* one iteration, owner-checked */
     calls.inspect = hand_out_to_inspect;
     calls.flush = take_named;
     calls.next = hand_out_to_execute;

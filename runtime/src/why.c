@@ -6,6 +6,9 @@
 #include <assert.h>
 #include <string.h>
 
+/* The first estimate of the time to wake the threads, 10 microseconds (choose/waking.c). */
+static const double first_wake = LEARN_LOOK / 40;
+
 /* Possible remedies. */
 static const char *const remedies[REASON_COUNT] = {
     [REASON_NAMED] = "unset it, or name another method",
@@ -49,6 +52,8 @@ static const char *const remedies[REASON_COUNT] = {
     [REASON_TWO_ADDRESSES] = "map the memory once",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
+/* The most frequent reason of sequential calls, and their number in all; if that is 0, the reason
+ * means nothing. */
 static enum reason commonest(const struct statistics *it, long *sequential) {
     enum reason most = REASON_NONE;
     *sequential = 0;
@@ -61,8 +66,8 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* The number of executions of this duration after which the credit has paid for an inspection, and
- * a plan construction of half an execution. */
+/* The number of executions of this duration after which the budget covers an inspection and a
+ * plan construction of half an execution. */
 static long repaid_after(double seconds) {
     const double look = LEARN_LOOK < LEARN_CLEAR * seconds ? LEARN_LOOK / seconds : LEARN_CLEAR;
     return (long)((look + 0.5) / LEARN_SHARE);
@@ -85,7 +90,7 @@ void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]) {
                  1e3 * each * (double)calls, repaid_after(each), remedy);
     else if (reason == REASON_LITTLE_WORK && timed > 0)
         snprintf(text, REDCC_WHY, "a call takes %.3g ms; threads pay from some %.2g ms on: %s",
-                 1e3 * each, 1e3 * LEARN_WAKES * LEARN_LOOK / 40, remedy);
+                 1e3 * each, 1e3 * LEARN_WAKES * first_wake, remedy);
     else
         snprintf(text, REDCC_WHY, "%s: %s", redcc_reason_text(reason), remedy);
 }

@@ -100,7 +100,7 @@ int main(void) {
         show();
         picture.pixel = (unsigned char *)&picture.count;
         for (int t = 0; t < M; t++)
-            r[t] = 1; /* the second byte of its own trip count */
+            r[t] = 1; /* the second byte of the loop's trip count */
         picture.at = r;
         picture.count = 100;
         bytes(&picture);

@@ -32,7 +32,7 @@ static void pull_all(int n, double *energy, double reach) {
         }
 } // CHECKED: 20
 
-/* What is added is computed from another member behind the same pointer, and from one that a list finds. */
+/* The contribution is computed from another member behind the same pointer, and from one that a list finds. */
 static void by_list(int n, struct body *b, const int *first, const int *second) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         b[first[t]].spare[0] += b[second[t]].mass;

@@ -109,7 +109,7 @@ static void warn(const char *where, int t) {
     fprintf(stdout, "%s: %d\n", where, t);
 }
 
-/* They go on after the message. */
+/* They continue after the message. */
 __attribute__((noinline)) static int by_message(int n) {
     int here = 0;
     for (int t = 0; t < n; t++) { // EXPECT: transformed

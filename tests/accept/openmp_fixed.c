@@ -106,7 +106,7 @@ static void anywhere(int n, double *restrict to) {
         to[r[t]] += w[t] * 1.25;
 }
 
-/* with a scalar beside the array: in the sequential order */
+/* with a scalar as well as the array: in the sequential order */
 static void with_sum(int n) {
     double sum = 0;
 #pragma omp parallel for reduction(+ : sum, nodes)

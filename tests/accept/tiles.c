@@ -139,7 +139,7 @@ static void record_sums(long n, double cut) {
     }
 } // TILED: 116
 
-/* What stands behind the inner loop needs the column's counter; or a row has a loop of its own. */
+/* A statement after the inner loop needs the column's counter; or a row has a loop of its own. */
 static void counter_read_behind(int n, const double *x, double *f) {
     int i, j;
     for (i = 0; i < n; i++) { // EXPECT: transformed

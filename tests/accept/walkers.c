@@ -113,7 +113,7 @@ static void to_an_end(int n, double *to) {
             *q += e[t];
 }
 
-/* ... with an integer beside it, which is a subscript afterwards. */
+/* ... with an integer as well, which is a subscript afterwards. */
 static void counted_besides(int n, double *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         const double *const end = to + place[t] + length[t];
@@ -125,7 +125,7 @@ static void counted_besides(int n, double *to) {
     }
 }
 
-/* What is left of the weight decides where the last element is. */
+/* The remaining weight decides where the last element is. */
 static void step_is_a_subscript_later(int n, double *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         double *q = to + place[t], w = 1.0;

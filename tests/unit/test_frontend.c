@@ -3,6 +3,7 @@
  * parsed again. */
 #include "read_ir.h"
 
+#include "frontend/flags.h"
 #include "frontend/frontend.h"
 #include "ir/ir_c.h"
 
@@ -404,6 +405,15 @@ static void test_c_round_trip(void **state) {
     }
 }
 
+static void test_newest_folder(void **state) {
+    (void)state;
+    char *const folders[] = {"/usr/lib/gcc/x86_64-linux-gnu/10/include",
+                             "/usr/lib/gcc/x86_64-linux-gnu/12/include",
+                             "/usr/lib/gcc/x86_64-linux-gnu/9/include"};
+    assert_string_equal(newest_folder(3, folders), folders[1]);
+    assert_null(newest_folder(0, folders));
+}
+
 static void test_version(void **state) {
     (void)state;
     arena *a = arena_new();
@@ -433,6 +443,7 @@ int main(void) {
         cmocka_unit_test(test_depth),
         cmocka_unit_test(test_many_functions),
         cmocka_unit_test(test_c_round_trip),
+        cmocka_unit_test(test_newest_folder),
         cmocka_unit_test(test_version),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

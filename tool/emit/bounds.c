@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where a table lies of which a function reads elements between bounds: what these are is read
- *  before the loop, by loads that do no harm where the program makes none. */
+/** The extent of a table of which a function reads elements between bounds. The table's address and
+ *  the bounds are read before the loop, by loads that cannot fault: the program may make none. */
 #include "analysis/base/expression.h"
 
 #include "emit/base/names.h"
@@ -48,7 +48,7 @@ static const char *loaded_type(const ir_type *type) {
     }
 }
 
-/** The variable that holds what is read there. */
+/** The variable that holds the value read before the loop. */
 static const char *load_text(bounds_text *self, const ir_node *node) {
     arena *a = self->loop->arena;
     for (unsigned i = 0; i < self->loads.count; i++)
@@ -59,7 +59,8 @@ static const char *load_text(bounds_text *self, const ir_node *node) {
     while (!(object->flags & IR_ARROW)) {
         object = object->children[0];
         if (object->kind != IR_MEMBER) {
-            loop_obstacle(self->loop, node->range, "an expression of the loop cannot be spelled");
+            loop_obstacle(self->loop, node->range,
+                          "an expression of the loop cannot be written as C outside of it");
             return "0";
         }
         offset += object->field->offset;
@@ -106,13 +107,13 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number) {
     for (unsigned i = 0; i < bounds->term_count; i++)
         writer_line(out,
                     "redcc_known_element(&redcc__known[%u], %s, (redcc_int)%s, %lld, %lld, "
-                    "&redcc__lost);",
+                    "&redcc__unknown);",
                     number, base, terms[i], (long long)bounds->terms[i].offset,
                     (long long)bounds->element->size);
     out->depth--;
     writer_line(out, "} else {");
     out->depth++;
-    writer_line(out, "redcc__lost = 1;");
+    writer_line(out, "redcc__unknown = 1;");
     out->depth--;
     writer_line(out, "}");
     out->depth--;

@@ -22,7 +22,7 @@ void fill_extents(loop_text *loop, writer *out);
 void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
 /** Is memory read before the loop, by system calls, that the program might not read? */
 bool reads_by_system(const loop_text *loop);
-/** conditions on them for entering the parallel form, or NULL. */
-const char *extents_are_known(const loop_text *loop);
+/** a condition under which they are known, for entering the parallel form; NULL: always. */
+const char *extents_condition(const loop_text *loop);
 
 #endif

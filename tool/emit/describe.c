@@ -100,7 +100,7 @@ static bool is_own_element(const logged_source *item) {
     return item->is_scalar && item->fact->extent == EXTENT_AFFINE;
 }
 
-/** Several elements of an iteration's own behind one base are told apart by their places in it. */
+/** Several own elements of an iteration behind one base are disjoint: they have one number. */
 static const char *base_text(loop_text *loop, unsigned number) {
     const logged_source *all = loop->plan->sources;
     for (unsigned i = 0; is_own_element(&all[number]) && i < loop->plan->source_count; i++)

@@ -7,7 +7,8 @@
 static const char *spelled(loop_text *loop, const ir_node *expression) {
     const char *text = text_expression(loop->arena, expression, NULL, NULL);
     if (!text)
-        loop_obstacle(loop, expression->range, "an expression of the loop cannot be spelled");
+        loop_obstacle(loop, expression->range,
+                      "an expression of the loop cannot be written as C outside of it");
     return text ? text : "0";
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Ranges of the loop's reads that are known before the inspection. */
+/** Writes the extents of the loop's reads (their ranges in memory) that are known before the
+ *  inspection. */
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "emit/base/names.h"
@@ -14,6 +15,7 @@ bool has_affine_extents(const loop_text *loop) {
     return false;
 }
 
+/** Is there an extent whose ends may overflow (is_checked), or one whose ends cannot? */
 static bool has_extents(const loop_text *loop, bool is_checked) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
         if ((is_checked && loop->plan->sources[i].fact->extent == EXTENT_BOUNDED) ||
@@ -27,41 +29,44 @@ static bool is_address(const ir_type *type) {
     return type->kind == IR_POINTER || type->kind == IR_ARRAY;
 }
 
-/** Names of a rename hook's context. */
-typedef struct unconditional {
+/** The context of `wrap`. */
+typedef struct wrap_context {
     arena *arena;
-} unconditional;
+} wrap_context;
 
+/** A rename hook: signed operations wrap around, since the program may not evaluate them. */
 static const char *wrap(const ir_node *node, void *context) {
-    return wrapping_operation(((unconditional *)context)->arena, node, wrap, context);
+    return wrapping_operation(((wrap_context *)context)->arena, node, wrap, context);
 }
 
 /** &row, as a text of pointer type. */
-static const char *address_text(loop_text *loop, const loop_source *fact) {
+static const char *address_text(loop_text *loop, const loop_source *read) {
     row_address address;
-    unconditional context = {loop->arena};
+    wrap_context context = {loop->arena};
     const char *number = NULL;
-    if (!fact->is_sometimes)
-        return arena_format(loop->arena, "(const char *)&%s", loop_operand(loop, fact->row));
-    if (row_address_of(fact->row, &address))
+    if (!read->is_sometimes)
+        return arena_format(loop->arena, "(const char *)&%s", loop_operand(loop, read->row));
+    if (row_address_of(read->row, &address))
         number = address_number(loop->arena, &address, NULL, wrap, &context);
     if (!number)
-        loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
+        loop_obstacle(loop, read->row->range,
+                      "an expression of the loop cannot be written as C outside of it");
     return arena_format(loop->arena, "(const char *)(%s)", number ? number : "0");
 }
 
 static void fill_fixed_extents(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->plan->source_count; i++) {
-        const loop_source *fact = loop->plan->sources[i].fact;
-        if (fact->extent == EXTENT_INVARIANT) {
+        const loop_source *read = loop->plan->sources[i].fact;
+        if (read->extent == EXTENT_INVARIANT) {
             writer_line(out, "redcc_known_row(&redcc__known[%u], %s, sizeof(%s));", i,
-                        address_text(loop, fact), loop_operand(loop, fact->row));
-        } else if (fact->extent == EXTENT_TOUCHED && fact->base &&
-                   loop->plan->has_ready_base[fact - loop->facts->sources]) {
+                        address_text(loop, read), loop_operand(loop, read->row));
+        } else if (read->extent == EXTENT_TOUCHED && read->base &&
+                   loop->plan->has_ready_base[read - loop->facts->sources]) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
-                        is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
-        } else if (fact->extent == EXTENT_TOUCHED && !fact->base) {
-            /* moves with no base, since this object does not move */
+                        is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
+        } else if (read->extent == EXTENT_TOUCHED && !read->base) {
+            /* It has no base whose move would move the extent: the site's address, which never
+             * changes, is given in its place. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
@@ -93,7 +98,8 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
 
 /* ---- rows of some iterations, subscripts that may wrap around ------------------------------- */
 
-/** A number is computed for the counter's value `at`. */
+/** The context in which a number (analysis/base/exact.h) is written: the counter's value is `at`.
+ */
 typedef struct exact_text {
     loop_text *loop;
     const char *at;
@@ -101,12 +107,12 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, with the condition that it is a value of the node's type. */
+/** The number, which must be a value of the node's type: otherwise the extents are unknown. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))
         return number;
-    return arena_format(self->loop->arena, "redcc_exact_%s(%s, %lld, &redcc__lost)",
+    return arena_format(self->loop->arena, "redcc_exact_%s(%s, %lld, &redcc__unknown)",
                         node->type->is_signed ? "signed" : "unsigned", number,
                         (long long)node->type->size * 8);
 }
@@ -118,10 +124,11 @@ static const char *operand_number(exact_text *self, const ir_node *node, unsigne
 }
 
 static const char *fixed_number(exact_text *self, const ir_node *node) {
-    unconditional context = {self->loop->arena};
+    wrap_context context = {self->loop->arena};
     const char *text = text_operand(self->loop->arena, node, wrap, &context);
     if (!text)
-        loop_obstacle(self->loop, node->range, "an expression of the loop cannot be spelled");
+        loop_obstacle(self->loop, node->range,
+                      "an expression of the loop cannot be written as C outside of it");
     return arena_format(self->loop->arena, "(redcc_int)%s", text ? text : "0");
 }
 
@@ -135,10 +142,10 @@ static const char *exact_number(exact_text *self, const ir_node *node) {
     if (node->kind == IR_CAST || node->op == IR_OP_PLUS)
         return operand_number(self, node, 0);
     if (node->kind == IR_UNARY)
-        return arena_format(a, "redcc_exact_difference(0, %s, &redcc__lost)",
+        return arena_format(a, "redcc_exact_difference(0, %s, &redcc__unknown)",
                             operand_number(self, node, 0));
     const char *left = operand_number(self, node, 0), *right = operand_number(self, node, 1);
-    return arena_format(a, "redcc_exact_%s(%s, %s, &redcc__lost)",
+    return arena_format(a, "redcc_exact_%s(%s, %s, &redcc__unknown)",
                         node->op == IR_OP_ADD        ? "sum"
                         : node->op == IR_OP_SUBTRACT ? "difference"
                                                      : "product",
@@ -156,7 +163,8 @@ static const char *exact_address(loop_text *loop, const row_address *address, co
         sum = arena_format(a, "%s + %lld", sum, (long long)address->offset);
     for (unsigned i = 0; i < address->term_count; i++)
         sum = arena_format(
-            a, "redcc_exact_sum(%s, redcc_exact_product(%lld, %s, &redcc__lost), &redcc__lost)",
+            a,
+            "redcc_exact_sum(%s, redcc_exact_product(%lld, %s, &redcc__unknown), &redcc__unknown)",
             sum, (long long)address->terms[i].bytes,
             settled_number(&self, address->terms[i].subscript));
     return sum;
@@ -185,28 +193,29 @@ static void write_limit(loop_text *loop, writer *out, const counter_limit *limit
 }
 
 static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
-    const loop_source *fact = loop->plan->sources[number].fact;
+    const loop_source *read = loop->plan->sources[number].fact;
     const bool descends = loop->facts->counted.step < 0;
     const char *last = arena_format(
         loop->arena, descends ? "redcc__final - (%s)" : "redcc__final - %s", loop_step(loop));
     row_address address;
-    if (!row_address_of(fact->row, &address)) {
-        loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
+    if (!row_address_of(read->row, &address)) {
+        loop_obstacle(loop, read->row->range,
+                      "an expression of the loop cannot be written as C outside of it");
         return;
     }
     writer_line(out, "{");
     out->depth++;
     writer_line(out, "redcc_int redcc__from = %s;", descends ? last : "redcc__lower");
     writer_line(out, "redcc_int redcc__to = %s;", descends ? "redcc__lower" : last);
-    for (unsigned i = 0; i < fact->limit_count; i++)
-        write_limit(loop, out, &fact->limits[i]);
+    for (unsigned i = 0; i < read->limit_count; i++)
+        write_limit(loop, out, &read->limits[i]);
     writer_line(out, "redcc__known[%u].first = redcc__known[%u].end = (const char *)&%s;", number,
                 number, outlined_name(loop, "site"));
     writer_line(out, "if (redcc__from <= redcc__to)");
     writer_line(out, "    redcc_exact_extent(&redcc__known[%u], %s,", number,
                 exact_address(loop, &address, "redcc__from"));
-    writer_line(out, "                       %s, %lld, &redcc__lost);",
-                exact_address(loop, &address, "redcc__to"), (long long)fact->row->type->size);
+    writer_line(out, "                       %s, %lld, &redcc__unknown);",
+                exact_address(loop, &address, "redcc__to"), (long long)read->row->type->size);
     out->depth--;
     writer_line(out, "}");
 }
@@ -215,21 +224,21 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
 
 void declare_extents(loop_text *loop, writer *out) {
     if (has_extents(loop, true))
-        writer_line(out, "int redcc__lost = 0;");
+        writer_line(out, "int redcc__unknown = 0;");
 }
 
 void fill_extents(loop_text *loop, writer *out) {
     fill_fixed_extents(loop, out);
     fill_affine_extents(loop, out);
     for (unsigned i = 0; i < loop->plan->source_count; i++) {
-        const loop_source *fact = loop->plan->sources[i].fact;
-        if (fact->extent == EXTENT_AFFINE && fact->is_checked)
+        const loop_source *read = loop->plan->sources[i].fact;
+        if (read->extent == EXTENT_AFFINE && read->is_checked)
             fill_checked_extent(loop, out, i);
-        else if (fact->extent == EXTENT_BOUNDED)
+        else if (read->extent == EXTENT_BOUNDED)
             fill_bounded_extent(loop, out, i);
     }
 }
 
-const char *extents_are_known(const loop_text *loop) {
-    return has_extents(loop, true) ? "!redcc__lost" : NULL;
+const char *extents_condition(const loop_text *loop) {
+    return has_extents(loop, true) ? "!redcc__unknown" : NULL;
 }

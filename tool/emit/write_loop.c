@@ -58,7 +58,7 @@ static void write_attempt(loop_text *loop, writer *out) {
                         macro_argument(loop->arena, loop_operand(loop, facts->arrays[i].base)));
     fill_key(loop, out);
     fill_extents(loop, out);
-    const char *known = extents_are_known(loop);
+    const char *known = extents_condition(loop);
     if (known) {
         writer_line(out, "if (%s) {", known);
         out->depth++;

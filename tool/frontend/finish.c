@@ -102,9 +102,9 @@ static void mark_interposable(converter *c) {
     const parse_flags *chosen = c->compiler.flags;
     for (unsigned i = 0; i < c->unit->function_count; i++) {
         ir_function *function = c->unit->functions[i];
-        function->linkage.is_interposable = chosen->is_shared && !chosen->is_fixed &&
-                                            function->body != NULL && !function->linkage.is_weak &&
-                                            !function->linkage.is_hidden;
+        function->linkage.is_interposable =
+            chosen->may_be_interposed && !chosen->no_interposition && function->body != NULL &&
+            !function->linkage.is_weak && !function->linkage.is_hidden;
         function->linkage.is_weak |= function->linkage.is_interposable;
     }
 }

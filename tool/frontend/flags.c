@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* strverscmp */
 #include "frontend/flags.h"
 
 #include <glob.h>
@@ -11,8 +12,8 @@
 #include "support/compiler_options.h"
 #include "support/source.h"
 
-/* Adds flags[i], with its argument if that is separate, if the parser needs it. Returns the index
- * of the last word used. */
+/* If the parser needs flags[i], adds it, and its argument if that is a word of its own. Returns the
+ * index of the last word used. */
 static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
                      const char *const *flags) {
     const option *known = option_find(flags[i]);
@@ -37,14 +38,31 @@ static bool is_folder(const char *path) {
     return path[0] != 0 && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* gcc's own headers: in the folder found when this was built, or in Debian's. */
+/* Paths of gcc's headers on common distributions, for the machine that this was built for. */
+#if defined(__x86_64__)
+#define GCC_FOLDERS "/usr/lib/gcc/x86_64-*linux*/*/include"
+#elif defined(__aarch64__)
+#define GCC_FOLDERS "/usr/lib/gcc/aarch64-*linux*/*/include"
+#else
+#define GCC_FOLDERS "/usr/lib/gcc/*linux*/*/include"
+#endif
+
+const char *newest_folder(size_t count, char *const *paths) {
+    const char *newest = NULL;
+    for (size_t i = 0; i < count; i++)
+        if (!newest || strverscmp(paths[i], newest) > 0)
+            newest = paths[i];
+    return newest;
+}
+
+/* gcc's own headers: in the folder found when this was built, or those of the newest version. */
 static const char *gcc_include_folder(arena *a) {
     if (is_folder(REDCC_GCC_INCLUDE))
         return REDCC_GCC_INCLUDE;
     glob_t found;
     const char *folder = NULL;
-    if (glob("/usr/lib/gcc/*/*/include", 0, NULL, &found) == 0) {
-        folder = arena_string(a, found.gl_pathv[found.gl_pathc - 1]);
+    if (glob(GCC_FOLDERS, 0, NULL, &found) == 0) {
+        folder = arena_string(a, newest_folder(found.gl_pathc, found.gl_pathv));
         globfree(&found);
     }
     return folder;
@@ -54,7 +72,8 @@ static void add(arena *a, parse_flags *chosen, const char *flag) {
     VECTOR_PUSH(a, &chosen->items, flag);
 }
 
-/* Old C that gcc accepts with a warning, and style limits, must not stop the parser. */
+/* Old C that gcc only warns about, and clang's limits (bracket depth, number of errors), must not
+ * stop the parser. */
 static void add_leniency(arena *a, parse_flags *chosen) {
     static const char *const flags[] = {
         "-xc",
@@ -138,29 +157,30 @@ static bool names_c89(const char *standard) {
     return is(standard, names);
 }
 
-/* c2x, gnu23 and later ones. */
+/* c23 and gnu23 (also as c2x and gnu2x), and later standards. */
 static bool names_c23(const char *standard) {
     return source_starts_with(standard, "c2") || source_starts_with(standard, "gnu2") ||
            strstr(standard, ":202");
 }
 
-/* By any sanitizer in the list other than for addresses, leaks or threads. */
+/* Does the list name a sanitizer that may check arithmetic: any but these? */
 static bool reports_arithmetic(const char *list) {
-    static const char *const others[] = {"address",          "leak",   "thread",
-                                         "hwaddress",        "memory", "pointer-compare",
-                                         "pointer-subtract", NULL};
+    static const char *const of_memory[] = {"address",          "leak",   "thread",
+                                            "hwaddress",        "memory", "pointer-compare",
+                                            "pointer-subtract", NULL};
     for (size_t length; *list; list += length + (list[length] == ',')) {
         length = strcspn(list, ",");
         unsigned i = 0;
-        while (others[i] && (strlen(others[i]) != length || strncmp(list, others[i], length) != 0))
+        while (of_memory[i] &&
+               (strlen(of_memory[i]) != length || strncmp(list, of_memory[i], length) != 0))
             i++;
-        if (!others[i])
+        if (!of_memory[i])
             return true;
     }
     return false;
 }
 
-/* Of options that undo each other the last counts. */
+/* Of options that undo each other the last counts; -fsanitize= accumulates. */
 static void note_language(parse_flags *chosen, const char *flag) {
     if (strcmp(flag, "-fno-strict-aliasing") == 0)
         chosen->strict_aliasing = false;
@@ -182,16 +202,16 @@ static void note_language(parse_flags *chosen, const char *flag) {
 }
 
 static void note_code(parse_flags *chosen, const char *flag) {
-    static const char *const shared[] = {"-fPIC", "-fpic", NULL};
-    static const char *const own[] = {"-fPIE",    "-fpie",    "-fno-PIC", "-fno-pic",
-                                      "-fno-PIE", "-fno-pie", NULL};
+    static const char *const interposable[] = {"-fPIC", "-fpic", NULL};
+    static const char *const final[] = {"-fPIE",    "-fpie",    "-fno-PIC", "-fno-pic",
+                                        "-fno-PIE", "-fno-pie", NULL};
     static const char *const without_errno[] = {"-fno-math-errno", "-ffast-math", "-Ofast", NULL};
-    if (is(flag, shared) || is(flag, own))
-        chosen->is_shared = is(flag, shared);
+    if (is(flag, interposable) || is(flag, final))
+        chosen->may_be_interposed = is(flag, interposable);
     else if (strcmp(flag, "-fno-semantic-interposition") == 0)
-        chosen->is_fixed = true;
+        chosen->no_interposition = true;
     else if (strcmp(flag, "-fsemantic-interposition") == 0)
-        chosen->is_fixed = false;
+        chosen->no_interposition = false;
     else if (is(flag, without_errno))
         chosen->math_errno = false;
     else if (strcmp(flag, "-fmath-errno") == 0)

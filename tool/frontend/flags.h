@@ -23,14 +23,18 @@ typedef struct parse_flags {
     bool is_c89;          /* by -std= or -ansi */
     bool is_c23;          /* by -std=, or a later one */
     VECTOR(const char *)
-    system_folders;    /* by -isystem and the like: a library's, not the compiler's */
-    bool is_sanitized; /* by -fsanitize= with others than addresses, leaks and threads */
-    bool is_shared;    /* -fPIC: another definition may replace an exported one ... */
-    bool is_fixed;     /* ... but only an equivalent one */
-    bool math_errno;   /* mathematical functions set errno */
-    bool wraps;        /* -fwrapv */
-    bool has_openmp;   /* OpenMP's directives are on */
+    system_folders;         /* by -isystem and the like: a library's, not the compiler's */
+    bool is_sanitized;      /* by -fsanitize= with others than addresses, leaks and threads */
+    bool may_be_interposed; /* -fPIC: another definition may replace an exported one */
+    bool no_interposition;  /* -fno-semantic-interposition: only by an equivalent one */
+    bool math_errno;        /* mathematical functions set errno */
+    bool wraps;             /* -fwrapv */
+    bool has_openmp;        /* OpenMP's directives are on */
 } parse_flags;
+
+/** The path with the highest version number in it (gcc/12 is newer than gcc/9), as strverscmp(3)
+ *  compares; NULL if there are none. */
+const char *newest_folder(size_t count, char *const *paths);
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);
 

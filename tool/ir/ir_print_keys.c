@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Keys of the text form: they distinguish variables of one name, and records of one name. */
+/* Keys of the text form: they distinguish variables with the same name, and records with the same
+ * name. */
 #include <stdint.h>
 #include <string.h>
 
@@ -25,8 +26,8 @@ static bool mark_declared(ir_node *node, void *context) {
     return true;
 }
 
-/* Locals without a declarator in the body (their declaration is inside something opaque), of all
- * functions: lists that end in NULL, by function id. */
+/* For each function id, a NULL-terminated list of the locals that have no declarator in the body:
+ * they are declared inside something opaque. */
 static ir_variable ***undeclared_locals(const ir_printer *p) {
     const ir_unit *unit = p->unit;
     bool *declared = ARENA_ARRAY(p->scratch, bool, unit->variable_count + 1u);
@@ -54,7 +55,7 @@ static ir_variable ***undeclared_locals(const ir_printer *p) {
     return lists;
 }
 
-/* ---- in the order of the text -------------------------------------------------------------- */
+/* ---- numbering, in the order of the text --------------------------------------------------- */
 
 static void find_records(ir_printer *p, const ir_type *type) {
     for (; type != NULL; type = type->target) {
@@ -71,8 +72,8 @@ static void find_records(ir_printer *p, const ir_type *type) {
     }
 }
 
-/* Names of a function come after those of the file: its `x` is the second if the file has an `x`.
- */
+/* A local is numbered after the file's variables of the same name: a function's `x` is the second
+ * if the file has an `x`. */
 static void meet_variable(ir_printer *p, const ir_variable *v) {
     if (p->variable_numbers[v->id] != 0)
         return;

@@ -4,8 +4,8 @@
  * called lane by lane, at the place of the call: its bits are the library's, for any order of
  * calls. The order matters only to errno, which the loop must leave as the last failing call does.
  * Lanes make a call for all iterations before the next call, and calls in update statements last.
- * So either calls can fail in one way only, or one call per iteration can fail, or only those in
- * update statements.
+ * So lanes are allowed only if all calls fail in the same way, or at most one call per iteration
+ * can fail, or only calls in update statements can.
  */
 #ifndef PLAN_LANE_CALLS_H
 #define PLAN_LANE_CALLS_H
@@ -19,7 +19,8 @@ enum { LANE_CALL_WORK = 40 };
  *  floats. */
 bool lane_may_call(const ir_unit *unit, const ir_node *call);
 
-/** The name of its vector form, or NULL. */
+/** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf, fabsf), or NULL.
+ */
 const char *lane_known_call(const ir_function *callee);
 
 /** Records a problem if errno may end with another value. */

@@ -121,9 +121,10 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
     return NULL;
 }
 
-/** Work that is executed lane by lane: nodes in update statements, and all operations. */
+/** Work that is executed lane by lane, in statements with updates. */
 typedef struct scalar_work {
-    int64_t beside, operations;
+    int64_t beside;     /* nodes that are not part of the updates themselves */
+    int64_t operations; /* all operations of these statements, and calls made lane by lane */
 } scalar_work;
 
 static void add_scalar_work(const lane_scope *l, const ir_node *node, scalar_work *work) {

@@ -8,22 +8,21 @@
 #include "redcc/options.h"
 
 /** Is redcc's own redcc/runtime.h installed with this program (installation.h)? Without it the
- *  meaning of names in the parallel form is unknown. */
+ *  meaning of names in the parallel form is unknown, and self_check must not be called. */
 bool own_runtime_header_exists(arena *a);
 
 /**
  * Parses the output as the sequential program and, with redcc's own header, which must exist, as
- * the parallel one. Sets found[i], for loop i of `written`, to the fault in its text: a compiler
- * error that the input (which has none) did not have, or a name whose meaning has changed;
- * otherwise leaves it unchanged. An error outside of all loops is attributed to each. Returns
- * whether no fault was found. Texts live in the arena.
+ * the parallel one. Sets found[i] (the caller initialises it to no reason) to the fault in the text
+ * of loop i of `written`: a compiler error, which the input does not have, or a name whose meaning
+ * has changed. An error outside of all loops is attributed to each. Returns whether no fault was
+ * found. Texts live in the arena.
  */
 bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found);
 
-/** The reason why the runtime's header could not be included from the output, in the arena: the
- *  flags lead to another one with the same name. NULL: they do not, or redcc's own cannot be found
- *  to compare. */
+/** If the flags find another <redcc/runtime.h> before redcc's own, a sentence that says so, in the
+ *  arena. NULL if they do not, or if redcc's own is not installed. */
 const char *other_runtime_header(arena *a, const string_list *flags);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A growing array in an arena: VECTOR(ir_node *) children = {0}; VECTOR_PUSH(a, &children, node);
- * Growth copies; the old storage stays with the arena.
+ * Growth copies; the old storage stays with the arena. VECTOR_PUSH evaluates its arguments several
+ * times. Two uses of VECTOR(T) are different types.
  */
 #ifndef SUPPORT_VECTOR_H
 #define SUPPORT_VECTOR_H

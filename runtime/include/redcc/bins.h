@@ -131,7 +131,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 
 /** The number of an element behind a pointer, counted from address 0. In bins the pointer, at
  *  redcc_pointer unless that is 0, may be loaded from a place that is not verified: if it
- *  cannot be read, or the element is misaligned, the result is REDCC_NO_ROW, which ends the batch.
+ *  cannot be read, or the element is misaligned, the result is REDCC_NO_ROW, which ends the round.
  */
 #define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
     ((redcc_size)(redcc_pointer) == 0 ||                                                           \

@@ -6,7 +6,7 @@
  * entries. Plain C, so that a debugger steps through it. Before it:
  *
  *     #define REDCC_LOOP NAME
- *     #define REDCC_WHERE "file.c", 12, "function"
+ *     #define REDCC_WHERE "file.c", 12, "function"     for reports: the line that you call it in
  *     #define REDCC_ARRAYS n           entries of NAME_arrays
  *     #define REDCC_SOURCES n          entries of NAME_sources; 0: there is no NAME_sources
  *   Options:
@@ -19,7 +19,9 @@
  *                                      REDCC_VERIFIABLE | REDCC_LIGHT
  *     #define REDCC_ORDERED order      what the result may differ in; REDCC_ORDER_SERIAL
  *     #define REDCC_STREAMS            there is NAME_streams
- *     #define REDCC_NAMED bits         of sources that the slice names while updates are kept
+ *     #define REDCC_NAMED bits         with NAME_streams: bit s if source s is given by
+ *                                      redcc_reads_named, is no subscript, and may overlap an
+ *                                      updated array. The slice is then executed with the body
  *     #define REDCC_ONE_BODY           the body is a REDCC_HEAVY_BODY
  *     #define REDCC_FINISH             there is void NAME_finish(const struct NAME *loop), called by
  *                                      the thread that executed the last iteration

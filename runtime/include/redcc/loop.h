@@ -73,7 +73,7 @@ REDCC_INLINE int redcc_is_there(void *context) {
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__)) = redcc_is_there(&redcc__context)
 
-/** In the context: the rows that are prefetched. */
+/** In the context: how the rows that are prefetched advance. REDCC_NO_PROGRESSIONS: none so far. */
 #define REDCC_PROGRESSIONS_OF(redcc_sources)                                                       \
     redcc_progression redcc__progressions[(redcc_sources) + 1]
 #define REDCC_NO_PROGRESSIONS                                                                      \
@@ -136,7 +136,8 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** Is the trip count positive, and large enough for short iterations? 0 if no runtime is linked. */
+/** Is the trip count positive? _LIGHT, for short iterations: and large enough? 0 if no runtime is
+ *  linked. */
 #define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
 #define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
     (redcc_run && redcc_is_worth(&(redcc_site), redcc_trip))

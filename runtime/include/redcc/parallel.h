@@ -7,7 +7,8 @@
  * small functions. From them the runtime learns which iterations update which rows. It gives each
  * row to one thread and executes the loop. Each row gets its updates in the order of the loop: the
  * result is that of the sequential loop, bit for bit, at every number of threads.
- * docs/by-hand.md has the first steps, examples/by-hand four whole programs.
+ * docs/by-hand.md has the first steps, examples/by-hand has four loops and
+ * a program that checks them.
  *
  *     struct NAME {...};                 the context: the values and pointers that the loop uses
  *     REDCC_SLICE(NAME, int t) {...}     names the rows that iteration t updates and reads

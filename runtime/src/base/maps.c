@@ -12,10 +12,10 @@ bool redcc_maps_by_text;
 #include <errno.h>
 #include <sys/ioctl.h>
 
-static const char list[] = "/proc/self/maps";
+static const char maps_path[] = "/proc/self/maps";
 
-/* <linux/fs.h> of Linux 6.11, PROCMAP_QUERY: under names of our own, since older headers lack it.
- */
+/* struct procmap_query and PROCMAP_QUERY of <linux/fs.h> (Linux 6.11), repeated here because older
+ * headers lack them. */
 struct question {
     uint64_t size;
     uint64_t flags;
@@ -33,19 +33,25 @@ struct question {
 };
 #define ASK _IOWR('f', 17, struct question)
 
-enum { WRITABLE = 0x02, SHARED = 0x08, THIS_OR_NEXT = 0x10, OF_A_FILE = 0x20 };
+enum {
+    WRITABLE = 0x02,     /* PROCMAP_QUERY_VMA_WRITABLE */
+    SHARED = 0x08,       /* PROCMAP_QUERY_VMA_SHARED */
+    THIS_OR_NEXT = 0x10, /* PROCMAP_QUERY_COVERING_OR_NEXT_VMA */
+    OF_A_FILE = 0x20     /* PROCMAP_QUERY_FILE_BACKED_VMA */
+};
 
 bool redcc_maps_open(struct maps *maps) {
     maps->by_text = redcc_maps_by_text;
     maps->reached = 0;
-    return redcc_lines_open(&maps->lines, list);
+    return redcc_lines_open(&maps->lines, maps_path);
 }
 
 void redcc_maps_close(struct maps *maps) {
     redcc_lines_close(&maps->lines);
 }
 
-/* The name is stored in the buffer for lines. */
+/* Queries the kernel; if it does not support that, sets by_text. The name is stored in the buffer
+ * for lines, which is unused while queries are made. */
 static enum maps_answer ask(struct maps *maps, uintptr_t from, enum which_maps which,
                             struct mapping *found) {
     static const uint64_t flags[] = {[MAPS_ALL] = THIS_OR_NEXT,
@@ -116,7 +122,7 @@ static enum maps_answer read_on(struct maps *maps, uintptr_t from, enum which_ma
                                 struct mapping *found) {
     if (from < maps->reached) { /* from the beginning */
         redcc_lines_close(&maps->lines);
-        if (!redcc_lines_open(&maps->lines, list))
+        if (!redcc_lines_open(&maps->lines, maps_path))
             return MAPS_UNKNOWN;
     }
     while (redcc_lines_next(&maps->lines)) {
@@ -132,8 +138,12 @@ static enum maps_answer read_on(struct maps *maps, uintptr_t from, enum which_ma
 
 enum maps_answer redcc_maps_next(struct maps *maps, uintptr_t from, enum which_maps which,
                                  struct mapping *found) {
-    const enum maps_answer answer = maps->by_text ? MAPS_UNKNOWN : ask(maps, from, which, found);
-    return maps->by_text ? read_on(maps, from, which, found) : answer;
+    if (!maps->by_text) {
+        const enum maps_answer answer = ask(maps, from, which, found);
+        if (!maps->by_text)
+            return answer;
+    }
+    return read_on(maps, from, which, found);
 }
 
 #else

@@ -11,7 +11,7 @@
  * memory between its elements must not be copied.
  *
  * For a loop with a plan the written range is known before it runs; for a binned one before each
- * batch, and the copies grow. If it continues sequentially, the iterations up to there are
+ * round, and the copies grow. If it continues sequentially, the iterations up to there are
  * compared.
  */
 #ifndef REDCC_VALIDATE_H

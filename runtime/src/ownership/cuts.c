@@ -6,7 +6,8 @@
 #include <assert.h>
 #include <string.h>
 
-/* A touch of one group, with the number of its iteration among all samples. */
+/* A sampled address in one group (ownership/partition.h), with the number of its iteration among
+ * all threads' samples. */
 struct point {
     uintptr_t address;
     uint32_t iteration;
@@ -28,11 +29,11 @@ struct work {
     struct partition *partition;
     const struct sample *const *sample;
     int threads;
-    struct points *of;    /* [array_count] of each group */
-    struct point *point;  /* their storage, one group's after another's */
-    struct point *spare;  /* scratch memory of the same length */
-    struct label *label;  /* of every sampled iteration */
-    struct label *beside; /* of the iterations of a group's points */
+    struct points *points_of;     /* [array_count] of each group */
+    struct point *point;          /* their storage, one group's after another's */
+    struct point *spare;          /* scratch memory of the same length */
+    struct label *label_of;       /* [iterations] of the sample */
+    struct label *label_of_point; /* of the iteration of each of a group's points */
 };
 
 /* Collects the group's touches at `point`. */
@@ -47,18 +48,18 @@ static struct points gather(const struct work *work, uint32_t group, struct poin
                 point[points.count++] =
                     (struct point){item->address, first_iteration + item->iteration};
         }
-        first_iteration += sample->iterations + 1;
+        first_iteration += sample->iterations + 1; /* + 1: the last iteration may be incomplete */
     }
     return points;
 }
 
-enum { DIGIT = 11 };
+enum { MOST_BITS = 11 }; /* of a radix sort's digit, at most */
 
-/* Sorts by the `bits` bits from `shift` on of their addresses; stable. */
+/* Stable counting sort of points by bits [shift, shift + bits) of the address. */
 static void sort_by_digit(const struct point *from, struct point *to, size_t count, unsigned shift,
                           unsigned bits) {
     const uintptr_t mask = ((uintptr_t)1 << bits) - 1;
-    size_t start[(1 << DIGIT) + 1];
+    size_t start[(1 << MOST_BITS) + 1];
     memset(start, 0, (mask + 2) * sizeof *start);
     for (size_t i = 0; i < count; i++)
         start[(from[i].address >> shift & mask) + 1]++;
@@ -78,7 +79,7 @@ static void sort_by_address(struct points points, struct point *spare) {
         return;
     const unsigned low = (unsigned)__builtin_ctzll(differ);
     const unsigned end = 64 - (unsigned)__builtin_clzll(differ);
-    const unsigned digits = (end - low + DIGIT - 1) / DIGIT;
+    const unsigned digits = (end - low + MOST_BITS - 1) / MOST_BITS;
     const unsigned bits = (end - low + digits - 1) / digits;
     struct point *from = points.point, *to = spare;
     for (unsigned digit = 0; digit < digits; digit++) {
@@ -93,6 +94,7 @@ static void sort_by_address(struct points points, struct point *spare) {
         memcpy(points.point, from, points.count * sizeof *from);
 }
 
+/* Makes the cuts ascend, and adds the ends 0 and UINTPTR_MAX. */
 static void close_cuts(const struct partition *partition, uint32_t group) {
     uintptr_t *cut = redcc_cuts(partition, group);
     cut[0] = 0;
@@ -105,7 +107,7 @@ static void close_cuts(const struct partition *partition, uint32_t group) {
 /* Returns the number of different cuts. */
 static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     const struct partition *partition = work->partition;
-    const struct points points = work->of[group];
+    const struct points points = work->points_of[group];
     uintptr_t *cut = redcc_cuts(partition, group);
     uint32_t different = 0;
     for (uint32_t owner = 1; owner < partition->owners; owner++) {
@@ -121,12 +123,12 @@ static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
 }
 
 static void label_iterations(const struct work *work, uint32_t group, size_t iterations) {
-    const struct points points = work->of[group];
+    const struct points points = work->points_of[group];
     for (size_t i = 0; i < iterations; i++)
-        work->label[i] = (struct label){UINT32_MAX, 0};
+        work->label_of[i] = (struct label){UINT32_MAX, 0};
     for (size_t i = 0; i < points.count; i++) {
         const uint32_t owner = redcc_owner_of(work->partition, group, points.point[i].address);
-        struct label *label = &work->label[points.point[i].iteration];
+        struct label *label = &work->label_of[points.point[i].iteration];
         label->low = owner < label->low ? owner : label->low;
         label->high = owner > label->high ? owner : label->high;
     }
@@ -135,16 +137,16 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
 /* The cut between points that best separates the iterations wholly below owner `owner` from those
  * wholly at or above it. Among equally good places, the middle one. */
 static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
-    const struct points points = work->of[group];
+    const struct points points = work->points_of[group];
     long cost = 0;
     for (size_t i = 0; i < points.count; i++) {
-        const struct label label = work->beside[i];
+        const struct label label = work->label_of_point[i];
         cost += label.low <= label.high && label.high < owner;
     }
     long least = cost;
     size_t first = 0, last = 0;
     for (size_t i = 0; i < points.count; i++) { /* the cut moves from before point i to after it */
-        const struct label label = work->beside[i];
+        const struct label label = work->label_of_point[i];
         if (label.low <= label.high)
             cost += (label.low >= owner) - (label.high < owner);
         if (cost < least) {
@@ -162,12 +164,12 @@ static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owne
 }
 
 static void cut_beside_leader(const struct work *work, uint32_t group) {
-    const struct points points = work->of[group];
+    const struct points points = work->points_of[group];
     const struct partition *partition = work->partition;
     bool labelled = false;
     for (size_t i = 0; i < points.count; i++) {
-        work->beside[i] = work->label[points.point[i].iteration];
-        labelled = labelled || work->beside[i].low <= work->beside[i].high;
+        work->label_of_point[i] = work->label_of[points.point[i].iteration];
+        labelled = labelled || work->label_of_point[i].low <= work->label_of_point[i].high;
     }
     if (!labelled)
         return; /* never touched together with the leading group: keeps its own quantiles */
@@ -184,9 +186,9 @@ static void cut_all(const struct work *work, size_t iterations) {
     for (uint32_t group = 0; group < partition->array_count; group++) {
         if (!redcc_leads_group(partition, group))
             continue;
-        work->of[group] = gather(work, group, point);
-        point += work->of[group].count;
-        sort_by_address(work->of[group], work->spare);
+        work->points_of[group] = gather(work, group, point);
+        point += work->points_of[group].count;
+        sort_by_address(work->points_of[group], work->spare);
         const uint32_t different = cut_at_quantiles(work, group);
         if (leader == UINT32_MAX || different > most) {
             leader = group;
@@ -204,8 +206,7 @@ static void cut_all(const struct work *work, size_t iterations) {
 }
 
 #ifndef NDEBUG
-/* Does each owner begin at the end of the preceding one, the first at 0, and the last end at the
- * end? */
+/* Do the cuts of each group ascend from 0 to UINTPTR_MAX? */
 static bool are_cut(const struct partition *partition) {
     for (uint32_t group = 0; group < partition->array_count; group++) {
         const uintptr_t *cut = redcc_cuts(partition, group);
@@ -228,19 +229,20 @@ bool redcc_choose_cuts(struct partition *partition, const struct sample *const *
         iterations += (size_t)sample[thread]->iterations + 1;
     }
     struct work work = {.partition = partition, .sample = sample, .threads = threads};
-    work.of = redcc_memory_take(partition->array_count * sizeof *work.of);
+    work.points_of = redcc_memory_take(partition->array_count * sizeof *work.points_of);
     work.point = redcc_memory_take(points * sizeof *work.point);
     work.spare = redcc_memory_take(points * sizeof *work.spare);
-    work.label = redcc_memory_take(iterations * sizeof *work.label);
-    work.beside = redcc_memory_take(points * sizeof *work.beside);
-    const bool enough = work.of && work.point && work.spare && work.label && work.beside;
+    work.label_of = redcc_memory_take(iterations * sizeof *work.label_of);
+    work.label_of_point = redcc_memory_take(points * sizeof *work.label_of_point);
+    const bool enough =
+        work.points_of && work.point && work.spare && work.label_of && work.label_of_point;
     if (enough)
         cut_all(&work, iterations);
     assert(!enough || are_cut(partition));
-    redcc_memory_give(work.of);
+    redcc_memory_give(work.points_of);
     redcc_memory_give(work.point);
     redcc_memory_give(work.spare);
-    redcc_memory_give(work.label);
-    redcc_memory_give(work.beside);
+    redcc_memory_give(work.label_of);
+    redcc_memory_give(work.label_of_point);
     return enough;
 }

@@ -1,30 +1,44 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The overlap guard: may a loop with these reads and writes run in parallel? */
+/**
+ * The overlap guard: may a loop with these reads and writes run in parallel? Its callers:
+ *     inspect/sweeping.c   a new plan: ranges that the inspection recorded
+ *     reuse/kept.c         a kept plan: the current ranges of sources and arrays
+ *     bins/guard.c         bins: after the iterations of a round, before their updates are applied
+ *     pipeline.c           scalars and own elements: extents known before an execution
+ */
 #ifndef REDCC_OVERLAP_H
 #define REDCC_OVERLAP_H
 
 #include "base/range.h"
 
-/** The pair of a range that is read and one that is written. */
+/** A range that is read and one that is written, which overlap. */
 struct overlap {
     uint32_t source;
-    uint32_t array; /* from array_count on: a scalar, by its number among the sources */
+    uint32_t array; /* below array_count: an array; otherwise array_count + s: source s, which is a
+                     * scalar accumulator or an own element */
 };
 
-/** May the source overlap an array, as far as the translator knows? */
+/** May the source overlap an array? False: the translator proved that it does not. */
 static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t source) {
     return !(loop->sources[source].flags & REDCC_MEETS_NO_ARRAY);
 }
 
-/** May the source overlap number `kept`, a scalar in memory that the loop adds to, or an
- * iteration's own element, as far as the translator knows? */
+/** Must the source be compared with scalars? Every flag above REDCC_IS_SUBSCRIPT says so. */
+static inline bool redcc_meets_scalars(const redcc_loop *loop, uint32_t source) {
+    return loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
+}
+
+/** May source `source` overlap source `kept`, which is a scalar accumulator in memory or an
+ *  iteration's own element? False: `kept` is neither, or the translator proved that they do not. */
 static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source, uint32_t kept) {
     const int a = loop->sources[source].flags, b = loop->sources[kept].flags;
     const bool are_behind_one = a >= REDCC_BEHIND(1) && a / REDCC_BEHIND(1) == b / REDCC_BEHIND(1);
-    return source != kept && a > REDCC_IS_SUBSCRIPT && (b & REDCC_IS_SCALAR) && !are_behind_one;
+    return source != kept && redcc_meets_scalars(loop, source) && (b & REDCC_IS_SCALAR) &&
+           !are_behind_one;
 }
 
-/** Are these ranges disjoint, of a source and of number `kept`, or need not be? */
+/** Are the ranges of a source and of the scalar `kept` disjoint, or may they overlap? False:
+ *  *overlap is this pair. */
 static inline bool redcc_are_apart(const redcc_loop *loop, uint32_t source, struct range read,
                                    uint32_t kept, struct range scalar, struct overlap *overlap) {
     if (!redcc_may_meet_scalar(loop, source, kept) || !redcc_ranges_overlap(read, scalar))
@@ -37,7 +51,7 @@ static inline bool redcc_are_apart(const redcc_loop *loop, uint32_t source, stru
 static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
                                                      const struct range *read, uint32_t source,
                                                      struct overlap *overlap) {
-    const bool may_meet = loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
+    const bool may_meet = redcc_meets_scalars(loop, source);
     for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
         if (!redcc_are_apart(loop, source, read[source], s, read[s], overlap))
             return false;
@@ -49,7 +63,7 @@ static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
                                                       const redcc_extent *known,
                                                       struct overlap *overlap) {
     for (uint32_t r = 0; r < loop->source_count; r++) {
-        const bool may_meet = loop->sources[r].flags > REDCC_IS_SUBSCRIPT;
+        const bool may_meet = redcc_meets_scalars(loop, r);
         for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
             if (!redcc_are_apart(loop, r, redcc_range_of(known[r]), s, redcc_range_of(known[s]),
                                  overlap))
@@ -60,9 +74,7 @@ static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
 
 /**
  * Is everything that the loop reads (read [loop->source_count]) disjoint from everything that it
- * writes (written [written_count])? Checked for a new plan with the inspection's ranges, for a kept
- * one with the current ranges of arrays and sources. False: *overlap is the first pair that
- * overlaps.
+ * writes (written [written_count])? False: *overlap is the first pair that overlaps.
  */
 static inline bool redcc_ranges_are_apart(const redcc_loop *loop, const struct range *read,
                                           const struct range *written, uint32_t written_count,

@@ -51,10 +51,9 @@ struct method {
                             * used with one thread */
     enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
 
-    bool by_graph;  /* the plan is built from a complete access log (inspect/logging.c), if
-                     * possible: owners are cut from its graph (ownership/graph/divide.h; otherwise
-                     * by address), */
-    bool in_levels; /* or the iterations are put in levels (ownership/graph/levels.h) */
+    bool by_graph;  /* owners are cut from the graph of a complete access log (inspect/logging.c,
+                     * ownership/graph/divide.h); by address if that is impossible */
+    bool in_levels; /* iterations are put in levels by such a log (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
     bool in_bins;   /* it needs neither inspection nor plan: updates are recorded, and applied bin
                      * by bin (bins/binning.h) */
@@ -63,7 +62,7 @@ struct method {
     bool tiles;  /* its threads execute tiles of a loop over pairs (execute/tiles.h): the loop must
                   * have REDCC_TILES */
     bool steals; /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
-                  * finish early execute. (`owners` is not used) */
+                  * finish early execute. The function `owners` below is then ignored */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: invalid. */
     int (*parse)(const char *text);

@@ -6,8 +6,8 @@
 
 #include "analysis/base/facts.h"
 
-/** Fills in lower, and the other fields of `counted` for the initialisation; its counter, bound and
- *  body are known. False: it has other effects as well. */
+/** `counted` already has its counter, bound and body. Fills in `lower` and the other fields that
+ * the initialisation determines. Returns false if the initialisation has other effects as well. */
 bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
                                counted_loop *counted);
 bool counted_split_initialisation(const ir_node *loop, const ir_node *node, counted_loop *counted);

@@ -25,7 +25,8 @@ void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...) {
 static const char *or_obstacle(loop_text *loop, const ir_node *expression, const char *text) {
     if (text)
         return text;
-    loop_obstacle(loop, expression->range, "an expression of the loop cannot be spelled");
+    loop_obstacle(loop, expression->range,
+                  "an expression of the loop cannot be written as C outside of it");
     return "0";
 }
 

@@ -343,7 +343,7 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
-/** What is never executed may name variables that the copy does not get. */
+/** Text that is never executed may name variables that the copy does not get. */
 static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
     if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
         print_instead(copy, node->parent);

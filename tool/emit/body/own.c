@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Threads that execute one iteration keep the same, indivisibly. After the loop an element that has
- * other bits than what was kept is stored to: it was in the iteration, too. Where nothing was
- * stored, or the same, memory is left alone.
+ * Threads that execute one iteration keep the same value, atomically. After the loop the value is
+ * stored if its bits differ from the element's: then the iteration stored it, too. If the iteration
+ * stored nothing, or the same bits, memory is unchanged.
  */
 #include "emit/body/own.h"
 

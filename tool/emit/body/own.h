@@ -5,7 +5,7 @@
 
 #include "emit/base/loop.h"
 
-/** What is kept of own element `number`: the type, the name, and the number by which the runtime
+/** Of own element `number`'s kept value: the type, the name, and the number by which the runtime
  *  keeps it. */
 const char *kept_own_type(const loop_text *loop, unsigned number);
 const char *kept_own_name(loop_text *loop, unsigned number);

@@ -128,7 +128,7 @@ static const char *scalar_text(loop_text *loop, unsigned number) {
         text_operand(loop->arena, loop->facts->scalars[number].target, pointed, loop);
     if (!text)
         loop_obstacle(loop, loop->facts->scalars[number].target->range,
-                      "an expression of the loop cannot be spelled");
+                      "an expression of the loop cannot be written as C outside of it");
     return macro_argument(loop->arena, text ? text : "0");
 }
 

@@ -90,7 +90,8 @@ static void remember(inspector *self, logged_row item) {
 const char *log_row_text(inspector *self, const ir_node *row) {
     const char *text = text_operand(self->loop->arena, row, inspector_note_variable, self);
     if (!text)
-        loop_obstacle(self->loop, row->range, "an expression of the loop cannot be spelled");
+        loop_obstacle(self->loop, row->range,
+                      "an expression of the loop cannot be written as C outside of it");
     return text ? text : "0";
 }
 

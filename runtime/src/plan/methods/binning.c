@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * binning: in-order binning (propagation blocking). Each thread executes an equal share of a
- * batch's iterations and appends its updates to bins of rows. Then one thread applies the updates
+ * round's iterations and appends its updates to bins of rows. Then one thread applies the updates
  * of each bin, in the order of the loop. `records` and `copies` select a variant that auto chooses
  * itself: records in bins, or, for small arrays of integers, private copies.
  *

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * DWA-LIP: data write affinity with loop-index prefetching, section 4.2.1 and figure 10 of the
- * paper. The arrays are cut into one block per thread. An iteration's pair is (Bmin, deltaB): the
+ * DWA-LIP: data write affinity with loop-index prefetching, section 4.2.1 and figure 10 of
+ * *Parallelization Issues of a Code for Physically-based Simulation of Fabrics* (docs/paper.md).
+ * The arrays are cut into one block per thread. An iteration's pair is (Bmin, deltaB): the
  * lowest block that it writes, and the distance from there to the highest. Iterations of pairs
  * whose blocks [Bmin, Bmin + deltaB] do not overlap are write dissimilar:
  *
@@ -20,7 +21,7 @@
 
 #include "base/memory.h"
 
-/* The number of (deltaB, stage) in the order of figure 10. */
+/* The number of the stage of pairs (lowest = Bmin, delta = deltaB), in the order above. */
 static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
     return delta * (delta + 1) / 2 + lowest % (delta + 1);
 }

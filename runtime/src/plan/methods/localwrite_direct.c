@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE without access summaries or schedules: each thread evaluates the index part of all
+ * LOCALWRITE without access summaries or schedules: each thread evaluates the slice of all
  * iterations, finds those that touch elements it owns, and executes these (execute/select.h). The
  * inspection cuts the arrays according to its sample, and finds extents for the overlap guard.
  *
