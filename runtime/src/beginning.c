@@ -114,7 +114,7 @@ void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
     execute(site, attempt, member, context, 0, beginning->done);
     const double seconds = redcc_seconds() - began;
     leave_rest(beginning, loop, attempt);
-    if (seconds * PART >= long_enough) {
+    if (seconds * (double)PART >= long_enough) {
         redcc_note_begun(loop, beginning->rest.trip, beginning->done, seconds);
         return;
     }
