@@ -161,6 +161,50 @@ again:
         goto again;
 }
 
+/* The turns of a triangle step it, in subscripts too; rows before and behind the triangle have none. */
+static int over_triangles(int n, int m, int k) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        h[s[i]] += 0.25;
+        for (int j = i + 2; j <= m; j++) {
+            h[s[k]] += e[i];
+            k += 2;
+            counted[s[j]] += k;
+            k--;
+        }
+    }
+    int q = k;
+    for (int i = -9; i < n; i++) // EXPECT: transformed
+        for (int j = 3; j < i; j++, q--)
+            h[s[j]] -= e[q % 9 + 9];
+    return 3 * k + q;
+}
+
+/* Near twins: the numbers of turns are not known before, or other steps are made as well. */
+static int no_triangles(int n, int k) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse scalar-carried
+        for (int j = 2 * i; j < n; j++, k++) // EXPECT: transformed
+            h[s[j]] += e[k];
+    for (int i = 0; i < n; i++) // EXPECT: refuse scalar-carried
+        if (s[i] > 3)
+            for (int j = i + 1; j < n; j++, k++) // EXPECT: transformed
+                h[s[j]] += e[k];
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        for (int j = i + 1; j < n; j++, k++) // EXPECT: transformed
+            h[s[j]] += e[k];
+        k++;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        for (int j = i + 1; j < n; j++, k++) // EXPECT: transformed
+            h[s[j]] += e[k];
+        for (int j = 0; j < i; j++, k++) // EXPECT: transformed
+            h[s[j]] += e[k];
+    }
+    for (int i = 0; i < n; i += 2) // EXPECT: refuse scalar-carried
+        for (int j = i + 1; j < n; j++, k++) // EXPECT: transformed
+            h[s[j]] += e[k];
+    return k;
+}
+
 int main(void) {
     unsigned long sum = 0;
     case_values(e, 3 * N + 9);
@@ -182,7 +226,10 @@ int main(void) {
         sum = 3 * sum + (unsigned long)by_strides(N, 1, 4000000001u, (signed char)(round - 1));
         sum = 3 * sum + (unsigned long)by_strides(0, 2000000000, 4, 5);
         sum = 3 * sum + (unsigned long)by_while(N, N + round);
+        sum = 3 * sum + (unsigned long)no_triangles(40, round);
         skipped_after(N, 3);
+        for (int m = -2; m < 100; m += 17)
+            sum = 3 * sum + (unsigned long)over_triangles(70 - round, m, 5);
         sum = 3 * sum + (unsigned long)again_and_again(N, 2);
         goes_on(N, 3);
         goes_on_by_jump(N, 2);

@@ -140,6 +140,8 @@ void fill_key(loop_text *loop, writer *out) {
             writer_line(out, "redcc__key[%u] = redcc__from_%u;", number++, i);
             if (facts->variables.privates[i].by)
                 writer_line(out, "redcc__key[%u] = redcc__by_%u;", number++, i);
+            if (facts->variables.privates[i].turns.loop)
+                writer_line(out, "redcc__key[%u] = (redcc_word)redcc__turns_%u;", number++, i);
         }
     for (unsigned i = 0; i < facts->inspector.key_count; i++) {
         const ir_node *key = facts->inspector.key[i];

@@ -63,11 +63,31 @@ static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     return false;
 }
 
+/** A bound that is a macro's name, all between < and ; of the condition. */
+static bool is_named_bound(const pairs *p, const ir_node *node, const ir_node *loop) {
+    const ir_node *condition = loop->children[1];
+    const source *text = p->plan->unit->source;
+    uint32_t before = node->range.begin;
+    if (!text || condition->kind != IR_BINARY || !ir_contains(condition->children[1], node) ||
+        (condition->op != IR_OP_LESS && condition->op != IR_OP_LESS_EQUAL) ||
+        condition->children[0]->flags & (IR_FROM_MACRO | IR_FROM_CALL))
+        return false;
+    for (uint32_t at = before; at < node->range.end; at++)
+        if (!source_is_name_byte(text->text[at]))
+            return false;
+    while (before > loop->range.begin && text->text[before - 1] == ' ')
+        before--;
+    const uint32_t end = source_skip_blanks(text, node->range.end, loop->range.end);
+    return text->text[end] == ';' &&
+           text->text[before - 1] == (condition->op == IR_OP_LESS ? '<' : '=');
+}
+
 /** In the text of the header, so that it can be replaced there. */
-static bool is_editable(const ir_node *node, const ir_node *loop) {
-    return node && !(node->flags & (IR_FROM_MACRO | IR_FROM_CALL)) &&
-           node->range.begin < node->range.end && loop->range.begin < node->range.begin &&
-           node->range.end <= loop->children[3]->range.begin;
+static bool is_editable(const pairs *p, const ir_node *node, const ir_node *loop) {
+    return node && !(node->flags & IR_FROM_CALL) && node->range.begin < node->range.end &&
+           loop->range.begin < node->range.begin &&
+           node->range.end <= loop->children[3]->range.begin &&
+           (!(node->flags & IR_FROM_MACRO) || is_named_bound(p, node, loop));
 }
 
 /** Is the first column's number a row's? With steps of more than one, others may lie in between. */
@@ -88,7 +108,7 @@ static const char *look_at_header(const pairs *p, tile_plan *tiles) {
     if (inner->step != outer->step || inner->stride || inner->start_count > 0 || inner->ahead ||
         inner->bound_variable || !ir_type_equal(p->row->type, p->column->type))
         return "the counters of the two loops differ";
-    if (!is_editable(inner->lower, p->span.loop) || !is_editable(inner->bound, p->span.loop))
+    if (!is_editable(p, inner->lower, p->span.loop) || !is_editable(p, inner->bound, p->span.loop))
         return "the bounds of the inner loop are not in its text";
     tiles->is_inclusive = inner->comparison == IR_OP_LESS_EQUAL;
     tiles->lower = inner->lower;
@@ -174,7 +194,8 @@ static bool is_set_before(const pairs *p, const ir_variable *variable) {
 }
 
 /** Keeps a variable from tile to tile. */
-static bool keep(const pairs *p, tile_plan *tiles, const ir_variable *variable) {
+static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item) {
+    const ir_variable *variable = item->variable;
     enum { MOST_BYTES = 128 };
     const ir_type *type = variable->type;
     if (variable->has_other_name || !type->spelling || type->size <= 0 || type->size > MOST_BYTES ||
@@ -182,7 +203,8 @@ static bool keep(const pairs *p, tile_plan *tiles, const ir_variable *variable) 
         (variable->storage != IR_LOCAL && variable->storage != IR_PARAMETER) ||
         tiles->kept_count == TILES_MOST_KEPT)
         return false;
-    tiles->kept[tiles->kept_count++] = (kept_value){variable, !is_set_before(p, variable)};
+    tiles->kept[tiles->kept_count++] =
+        (kept_value){variable, !item->is_stepped && !is_set_before(p, variable)};
     return true;
 }
 
@@ -204,9 +226,9 @@ static bool keep_values(const pairs *p, tile_plan *tiles) {
         const bool is_named = expression_mentions(p->span.loop, variable);
         if (ir_declarator_in(p->span.loop, variable) || (!is_named && !variable->address_taken))
             continue;
-        if (variable == p->column
-                ? is_read_behind(p, variable)
-                : may_be_left(p, variable) && !(is_named && keep(p, tiles, variable)))
+        if (variable == p->column ? is_read_behind(p, variable)
+                                  : may_be_left(p, variable) &&
+                                        !(is_named && keep(p, tiles, &variables->privates[i])))
             return false;
     }
     return true;
@@ -214,10 +236,8 @@ static bool keep_values(const pairs *p, tile_plan *tiles) {
 
 static bool has_other_results(const loop_facts *facts) {
     const loop_exits *exits = facts->slice.exits;
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped)
-            return true;
-    return leaves_variables(facts) || facts->forward_count > 0 || facts->variables.own_count > 0 ||
+    return has_live_outs(facts) || has_conditional_live_outs(facts) || facts->forward_count > 0 ||
+           facts->variables.own_count > 0 ||
            (facts->distribution && facts->distribution->count > 0) || (exits && exits->count > 0) ||
            facts->slice.may_abort;
 }

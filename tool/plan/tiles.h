@@ -34,10 +34,10 @@
  * on the same side as without tiles. All else only computes variables of the iteration, without
  * other effects: what stands before the loop is computed again in each tile, what stands behind it
  * in the last one. Variables that turns or the inner loop's header change and that later turns or
- * statements read (sums of a row), or whose address is taken, are kept from tile to tile: one thread executes the tiles of a row, one after the other, so
- * that turns of a row may even depend on each other. The sums of scalars are kept by row, and each
- * row's operands in the order of its tiles (emit/body/series.h); bands add them one after the
- * other.
+ * statements read (sums of a row), or whose address is taken, are kept from tile to tile: one
+ * thread executes the tiles of a row, one after the other, so that turns of a row may even depend
+ * on each other. The sums of scalars are kept by row, and each row's operands in the order of its
+ * tiles (emit/body/series.h); bands add them one after the other.
  */
 #ifndef PLAN_TILES_H
 #define PLAN_TILES_H

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Macros for tiles: a body that is clipped to some of the columns. loop.h includes this file.
+ * Loops over pairs: tiles, a body that is clipped to some of the columns; and turns before a row.
+ * loop.h includes this file.
  */
 #ifndef REDCC_TILES_H
 #define REDCC_TILES_H
@@ -37,5 +38,23 @@
             redcc_call_of_tile;                                                                    \
         redcc_after_tile continue;                                                                 \
     }
+
+/* m (m - 1) / 2 modulo 2^64 */
+REDCC_INLINE redcc_word redcc_pairs(redcc_word m) {
+    return m % 2 ? m * ((m - 1) / 2) : m / 2 * (m - 1);
+}
+
+/** The turns of rows 0 to k - 1 that have first, first - 1, ... turns, at least none. */
+REDCC_INLINE redcc_word redcc_turns_above(redcc_int first, redcc_int k) {
+    const redcc_word rows = (redcc_word)(first < 0 ? 0 : first < k ? first : k);
+    return rows * (redcc_word)first - redcc_pairs(rows);
+}
+
+/** The same for first, first + 1, ... turns. */
+REDCC_INLINE redcc_word redcc_turns_below(redcc_int first, redcc_int k) {
+    const redcc_int empty = first < 0 ? -first : 0;
+    const redcc_word rows = (redcc_word)(k < empty ? 0 : k - empty);
+    return rows * (redcc_word)(first + empty) + redcc_pairs(rows);
+}
 
 #endif

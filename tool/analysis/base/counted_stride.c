@@ -4,7 +4,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-static bool is_steady(const ir_node *loop, const ir_node *node) {
+bool stride_is_steady(const ir_node *loop, const ir_node *node) {
     const ir_variable *variable = node->variable;
     if (node->kind == IR_VARIABLE)
         return ir_type_is_plain_integer(node->type) && variable_is_automatic(variable) &&
@@ -15,7 +15,7 @@ static bool is_steady(const ir_node *loop, const ir_node *node) {
         !ir_type_is_plain_integer(node->type) || expression_is_hazard(node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_steady(loop, node->children[i]))
+        if (!stride_is_steady(loop, node->children[i]))
             return false;
     return true;
 }
@@ -34,7 +34,8 @@ const ir_node *stride_added(const ir_node *loop, const ir_node *write, const ir_
         value = value->children[1 - side];
     }
     *is_down = op == IR_OP_SUBTRACT;
-    return (op == IR_OP_ADD || op == IR_OP_SUBTRACT) && is_steady(loop, value) ? value : NULL;
+    return (op == IR_OP_ADD || op == IR_OP_SUBTRACT) && stride_is_steady(loop, value) ? value
+                                                                                      : NULL;
 }
 
 bool counted_split_stride(const ir_node *loop, const ir_node *increment, counted_loop *counted) {

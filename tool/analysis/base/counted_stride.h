@@ -5,10 +5,12 @@
 
 #include "analysis/base/facts.h"
 
-/** v += e, v -= e, v = v + e and the like: returns e if it is an integer expression of numbers and
- *  of local variables that are changed only by name, and not in `loop`. Its evaluation then has no
- *  effect, and the same value in all iterations. *is_down: it is subtracted. NULL: `write` has
- *  another form. */
+/** Is it an integer expression of numbers and of local variables that are changed only by name, and
+ *  not in `loop`? Its evaluation then has no effect, and the same value in all iterations. */
+bool stride_is_steady(const ir_node *loop, const ir_node *node);
+
+/** v += e, v -= e, v = v + e and the like: returns e if it is steady. *is_down: it is subtracted.
+ * NULL: `write` has another form. */
 const ir_node *stride_added(const ir_node *loop, const ir_node *write, const ir_variable *v,
                             bool *is_down);
 

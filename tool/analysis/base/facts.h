@@ -195,6 +195,16 @@ typedef struct loop_source {
     const element_bounds *bounds; /* EXTENT_BOUNDED */
 } loop_source;
 
+/** An inner `for` with step 1 over a triangle, `for (j = i + c; j < end; j++)` or `for (j = end; j
+ * < i + c; j++)` with the loop's counter i, which has step 1. Iteration k has `offset` + end - i
+ *  turns, or (is_below) `offset` + i - end, or none. */
+typedef struct triangle {
+    const ir_node *loop; /* NULL: none */
+    const ir_node *end;  /* of numbers and of variables that the loop does not change */
+    int64_t offset;
+    bool is_below;
+} triangle;
+
 typedef struct private_variable {
     ir_variable *variable;
     bool is_declared_inside; /* then no code is generated for it */
@@ -210,6 +220,7 @@ typedef struct private_variable {
     const ir_node *by; /* is_stepped: its step is multiplied by this integer expression of invariant
                         * local variables; NULL: no factor */
     bool is_down;      /* `by` is subtracted */
+    triangle turns;    /* is_stepped: each turn of this inner loop steps it, not the iteration */
     const ir_node *entry;       /* is_stepped: its value on entry, if the header sets it; NULL: its
                                  * present value */
     bool is_declared_in_header; /* with the counter: it does not exist outside of the loop. Its type

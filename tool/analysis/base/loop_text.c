@@ -89,7 +89,8 @@ static const char *after_word(const char *text, const char *word) {
 }
 
 static bool is_about_speed(const char *pragma) {
-    static const char *const words[] = {"ivdep", "unroll", "nounroll", "loop"};
+    static const char *const words[] = {"ivdep",  "unroll",   "nounroll", "loop",
+                                        "vector", "novector", "simd"};
     if (pragma[0] != '#')
         return false;
     const char *at = after_word(pragma + 1 + strspn(pragma + 1, " \t"), "pragma");

@@ -3,7 +3,8 @@
  * v = v0 + c (t - t0): if every iteration adds the same c to v, exactly once in any case, each
  * iteration can begin with a copy that has the sequential loop's value there, and execute its text
  * unchanged. The sum is computed modulo 2^64 and converted to v's type: the sequential loop has the
- * same value unless it overflows.
+ * same value unless it overflows. If it is each turn of an inner loop that adds c, the same holds
+ * with the number of turns in the iterations before t (triangle.h).
  */
 #include "analysis/private/induction.h"
 
@@ -14,6 +15,7 @@
 #include "analysis/base/step_inside.h"
 #include "analysis/loop/executed.h"
 #include "analysis/private/live.h"
+#include "analysis/private/triangle.h"
 
 static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
     if (ir_contains(j->counted.body, write))
@@ -37,23 +39,38 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
             !(declarator && ir_contains(j->loop, declarator)));
 }
 
+/* All steps of a variable must be made by the iterations, or all by the turns of one loop. */
+static bool is_step_of_turns(const loop_analysis *j, const ir_node *write, bool is_first,
+                             private_variable *item) {
+    triangle turns;
+    if (!triangle_around(j, write, &turns) || item->variable->type->kind == IR_POINTER ||
+        (!is_first && item->turns.loop != turns.loop))
+        return false;
+    item->turns = turns;
+    return true;
+}
+
 /* The sum of all steps in the loop, at most one of them not constant; false: there is another
  * write. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     const loop_start *start = analysis_start_of(j, variable);
     int64_t sum = 0;
+    bool is_first = true;
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
         ir_variable *stepped;
         int64_t step;
         if (!ir_contains(j->loop, write) || (start && write == start->node))
             continue;
-        if (!is_executed_once(j, write))
+        if (is_executed_once(j, write) ? item->turns.loop != NULL
+                                       : !is_step_of_turns(j, write, is_first, item))
             return false;
+        is_first = false;
         if (counted_step(write, &stepped, &step) && stepped == variable)
             sum += step;
-        else if (item->by || !(item->by = stride_added(j->loop, write, variable, &item->is_down)))
+        else if (item->turns.loop || item->by ||
+                 !(item->by = stride_added(j->loop, write, variable, &item->is_down)))
             return false;
     }
     item->step = sum;
@@ -89,7 +106,7 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
 /* Is the variable's value at the end of an iteration unused? */
 static bool is_left_behind(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
-    private_variable item = {0};
+    private_variable item = {.variable = (ir_variable *)variable};
     return variable == j->counted.counter || (declarator && ir_contains(j->loop, declarator)) ||
            sum_steps(j, variable, &item);
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Induction variables (analysis/induction.h): the copy of iteration redcc__k begins with the value
- * on entry, redcc__from_N, plus redcc__k steps. Words of 64 bits wrap around, and after conversion
- * have the sequential loop's value.
+ * on entry, redcc__from_N, plus redcc__k steps, or those of the turns before (redcc/tiles.h). Words
+ * of 64 bits wrap around, and after conversion have the sequential loop's value.
  */
 #include "emit/base/step.h"
 
@@ -23,6 +23,25 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
                         (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
+/** The turns of the first iteration, perhaps less than none. */
+static const char *turns_text(loop_text *loop, const private_variable *item) {
+    const triangle *turns = &item->turns;
+    const char *end = loop_operand(loop, turns->end);
+    const long long offset = (long long)turns->offset;
+    return turns->is_below
+               ? arena_format(loop->arena, "redcc__lower - (redcc_int)%s + %lld", end, offset)
+               : arena_format(loop->arena, "(redcc_int)%s - redcc__lower + %lld", end, offset);
+}
+
+/** The number of steps before an iteration. */
+static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
+                              const char *iteration) {
+    if (!item->turns.loop)
+        return arena_format(loop->arena, "(redcc_word)%s", iteration);
+    return arena_format(loop->arena, "redcc_turns_%s(%s, %s)",
+                        item->turns.is_below ? "below" : "above", first, iteration);
+}
+
 /** Its type, at a place where the type's name may be undeclared. */
 static const char *type_of(loop_text *loop, const private_variable *item) {
     return item->is_declared_in_header ? origin_type(loop->arena, item->variable->type)
@@ -36,6 +55,8 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
         const char *name = origin_variable(loop->arena, item->variable);
         if (item->by && !by_header) /* the loop is known to iterate, and to evaluate it */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
+        if (item->turns.loop && !by_header)
+            writer_line(out, "const redcc_int redcc__turns_%u = %s;", i, turns_text(loop, item));
         if (!item->is_stepped || by_header != (item->entry != NULL))
             continue;
         if (by_header)
@@ -53,9 +74,10 @@ const char *stepped_value(loop_text *loop, unsigned number) {
         return "";
     const char *stride =
         item->by ? arena_format(loop->arena, "redcc__by_%u", number) : stride_text(loop, item);
-    return arena_format(loop->arena,
-                        " = (__typeof__(%s))(redcc__from_%u + %s * (redcc_word)redcc__k)",
-                        origin_variable(loop->arena, item->variable), number, stride);
+    const char *turns = arena_format(loop->arena, "redcc__turns_%u", number);
+    return arena_format(loop->arena, " = (__typeof__(%s))(redcc__from_%u + %s * %s)",
+                        origin_variable(loop->arena, item->variable), number, stride,
+                        count_text(loop, item, turns, "redcc__k"));
 }
 
 void write_stepped_values(loop_text *loop, writer *out) {
@@ -65,8 +87,10 @@ void write_stepped_values(loop_text *loop, writer *out) {
         const char *from = item->entry ? arena_format(loop->arena, "redcc__from_%u", i)
                                        : arena_format(loop->arena, "(redcc_word)%s", name);
         if (item->is_stepped && item->is_step_wanted)
-            writer_line(out, "%s = (__typeof__(%s))(%s + %s * (redcc_word)redcc__trip);", name,
-                        name, from, stride_text(loop, item));
+            writer_line(out, "%s = (__typeof__(%s))(%s + %s * %s);", name, name, from,
+                        stride_text(loop, item),
+                        count_text(loop, item, item->turns.loop ? turns_text(loop, item) : "",
+                                   "redcc__trip"));
     }
 }
 
