@@ -121,5 +121,5 @@ if [ $speed -lt 110 ]; then
   echo "readme: no gain is asked for where others want the processors ($running processes are running)"
 fi
 spent=$((SECONDS - start))
-[ $spent -lt 600 ] || fail "$spent seconds"
+[ $spent -lt 600 ] || [ "$running" -gt 2 ] || fail "$spent seconds, on a machine with nothing else to do"
 echo "readme: passed, all in $spent s"
