@@ -30,7 +30,7 @@ static const redcc_series_calls series = {.join = redcc_series_join,
                                           .has_any = redcc_series_has_any,
                                           .find = redcc_series_find,
                                           .await_band = redcc_series_await_band,
-                                          .take = redcc_series_take_part,
+                                          .part_of = redcc_series_part_of,
                                           .end_band = redcc_series_end_band,
                                           .give = redcc_operands_give_all};
 

@@ -199,11 +199,9 @@ void redcc_series_await_band(redcc_worker *worker) {
     redcc_tiles_await_sums(&thread->runner.tiles, thread->runner.plan);
 }
 
-redcc_series_part *redcc_series_take_part(redcc_series *series, redcc_int k) {
+const redcc_series_part *redcc_series_part_of(const redcc_series *series, redcc_int k) {
     assert(0 <= k && k < series->trip);
-    redcc_series_part *part = atomic_load_explicit(&series->part[k], memory_order_relaxed);
-    atomic_store_explicit(&series->part[k], NULL, memory_order_relaxed);
-    return part;
+    return atomic_load_explicit(&series->part[k], memory_order_relaxed);
 }
 
 void redcc_series_end_band(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {

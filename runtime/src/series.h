@@ -35,9 +35,8 @@ const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int
 /** Waits until the operands of all bands above the thread's, which is done, were added. */
 void redcc_series_await_band(redcc_worker *worker);
 
-/** The operands of iteration k, of the thread's band; NULL: it has none. No other call finds them
- *  again. */
-redcc_series_part *redcc_series_take_part(redcc_series *series, redcc_int k);
+/** The operands of iteration k, of the thread's band; NULL: it has none. */
+const redcc_series_part *redcc_series_part_of(const redcc_series *series, redcc_int k);
 
 /** All operands of the thread's band were added: their memory serves for its next band, and the
  *  next thread adds. */

@@ -122,9 +122,9 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
     {                                                                                              \
         redcc_type redcc__of_band = redcc_sum;                                                     \
         redcc_size redcc__j;                                                                       \
-        redcc_series_part *redcc__part;                                                            \
+        const redcc_series_part *redcc__part;                                                      \
         for (redcc__k = redcc__tile.row; redcc__k < redcc__tile.row_end; redcc__k++)               \
-            for (redcc__part = (redcc_writer).calls->take((redcc_writer).series, redcc__k);        \
+            for (redcc__part = (redcc_writer).calls->part_of((redcc_writer).series, redcc__k);     \
                  redcc__part; redcc__part = redcc__part->more) {                                   \
                 if (!redcc_is_set) {                                                               \
                     redcc__of_band = redcc_scalar;                                                 \
@@ -155,13 +155,13 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         redcc_int redcc__i = (redcc_writer).next;                                                  \
         redcc_size redcc__j;                                                                       \
         const redcc_series_part *redcc__part;                                                      \
-        if ((redcc_is_set) && !(redcc_writer).adds) /* by bands */                                 \
-            redcc_own = redcc_sum;                                                                 \
-        else if (!(redcc_writer).adds || (redcc_writer).in_front) {                                \
+        if (!(redcc_writer).adds || (redcc_writer).in_front) {                                     \
             if (!(redcc_writer).added)                                                             \
                 redcc_own = (redcc_is_set) ? redcc_sum : redcc_scalar;                             \
-            while ((redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
-                   0)                                                                              \
+            /* it is set: bands have added */                                                      \
+            while (!(redcc_is_set) &&                                                              \
+                   (redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
+                       0)                                                                          \
                 for (redcc__i++; redcc__part; redcc__part = redcc__part->more)                     \
                     for (redcc__j = 0; redcc__j < redcc__part->count; redcc__j++)                  \
                         redcc_own = (redcc_type)(redcc_own redcc_operator(redcc_operand)           \

@@ -432,7 +432,7 @@ typedef struct redcc_series_calls {
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
     /** In tiles, when the thread's band is done; and when its operands were added. */
     void (*await_band)(redcc_worker *worker);
-    redcc_series_part *(*take)(redcc_series *series, redcc_int k);
+    const redcc_series_part *(*part_of)(const redcc_series *series, redcc_int k);
     void (*end_band)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
     /** Frees all memory that the loop's operands were kept in. */
     void (*give)(const struct redcc_attempt *attempt);
