@@ -23,6 +23,12 @@ static int may_load(const redcc_loop *loop, redcc_word *last) {
            redcc_is_time_to_load(last);
 }
 
+static int is_in_order(const redcc_loop *loop) {
+    const struct settings *settings = redcc_settings_for(loop);
+    return (settings->order_given && settings->order == REDCC_ORDER_SERIAL) ||
+           (settings->method && settings->method->keeps == REDCC_ORDER_SERIAL);
+}
+
 static const redcc_series_calls series = {.join = redcc_series_join,
                                           .room = redcc_series_room,
                                           .again = redcc_series_again,
@@ -56,4 +62,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
                                    .before = &before,
-                                   .ahead = &redcc_ahead_library};
+                                   .ahead = &redcc_ahead_library,
+                                   .is_in_order = is_in_order};

@@ -509,6 +509,8 @@ typedef struct redcc_calls {
     const redcc_series_calls *series;
     const redcc_before_calls *before;
     const redcc_ahead_calls *ahead;
+    /** Does REDCC_ORDER or REDCC_METHOD ask for the sequential loop's bits? */
+    int (*is_in_order)(const redcc_loop *loop);
 } redcc_calls;
 
 #endif
