@@ -37,8 +37,17 @@ static const redcc_series_calls series = {.join = redcc_series_join,
 static const redcc_behind_calls behind = {.is_there = redcc_is_readable,
                                           .push_span = redcc_push_span};
 
-static const redcc_before_calls before = {
-    .is_alone = redcc_is_alone, .may_load = may_load, .load = redcc_load, .behind = &behind};
+static int is_in_order(const redcc_loop *loop) {
+    const struct settings *settings = redcc_settings_for(loop);
+    return (settings->order_given && settings->order == REDCC_ORDER_SERIAL) ||
+           (settings->method && settings->method->keeps == REDCC_ORDER_SERIAL);
+}
+
+static const redcc_before_calls before = {.is_alone = redcc_is_alone,
+                                          .may_load = may_load,
+                                          .load = redcc_load,
+                                          .behind = &behind,
+                                          .is_in_order = is_in_order};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),

@@ -5,6 +5,7 @@
 enum { N = 1000 };
 double h[N], w[N];
 int s[N];
+double sum;
 
 #pragma omp declare target
 void on_a_device(int n) {
@@ -13,5 +14,8 @@ void on_a_device(int n) {
 #pragma omp atomic
         h[s[t]] += w[t];
     }
+#pragma omp parallel for reduction(+ : sum)
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        sum += w[t];
 }
 #pragma omp end declare target

@@ -177,9 +177,6 @@ void macros(int n) {
         x = w[t];
         h[s[t]] += x;
     }
-    _Pragma("omp parallel for reduction(+ : h)")
-    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
-        h[s[t]] += w[t];
     LOOP
     for (int t = 0; t < n; t++) { // EXPECT: nothing
 #pragma omp atomic

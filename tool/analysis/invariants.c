@@ -201,7 +201,13 @@ void analysis_assert_verdict(const ir_unit *unit, const loop_verdict *verdict) {
         assert_reason(unit, &verdict->why);
         return;
     }
-    assert(verdict->kind == VERDICT_TRANSFORM && verdict->why.id == REASON_NONE);
+    assert(verdict->why.id == REASON_NONE);
+    if (verdict->kind == VERDICT_BLOCKS) {
+        assert(verdict->facts->variables.blocks);
+        assert_counted(&verdict->facts->counted);
+        return;
+    }
+    assert(verdict->kind == VERDICT_TRANSFORM);
     assert(!verdict->function->has_errors && !unit->dialect.refusing_option);
     assert_facts(verdict->facts);
 }

@@ -11,6 +11,7 @@
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
+#include "analysis/reduction/fixed_blocks.h"
 #include "analysis/verdict.h"
 
 /* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
@@ -216,6 +217,46 @@ static void search(loop_search *s, ir_node *node) {
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
+/* Is the loop part of one that is written anew? */
+static bool is_in_written(const loop_search *s, unsigned from, const ir_node *loop) {
+    for (unsigned i = from; i < s->verdicts.count; i++) {
+        const loop_verdict *verdict = &s->verdicts.items[i];
+        if (verdict_is_written(verdict) && ir_contains(verdict->loop, loop))
+            return true;
+    }
+    return false;
+}
+
+static bool holds_written(const loop_search *s, unsigned from, const ir_node *loop) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&
+            ir_contains(loop, s->verdicts.items[i].loop))
+            return true;
+    return false;
+}
+
+/* The loop's own verdict gives way to the one about its scalars. */
+static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].loop == verdict.loop) {
+            if (verdict.kind == VERDICT_BLOCKS ||
+                s->verdicts.items[i].kind == VERDICT_NOT_A_REDUCTION)
+                s->verdicts.items[i] = verdict;
+            return;
+        }
+    VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+}
+
+/* Loops below `node` that an OpenMP directive reduces scalars of. */
+static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
+    loop_verdict verdict;
+    if (ir_is_loop(node) && !is_in_written(s, from, node) && !holds_written(s, from, node) &&
+        blocks_of_loop(s->an, s->function, node, &verdict))
+        put_verdict(s, from, verdict);
+    for (unsigned i = 0; i < node->child_count; i++)
+        search_blocks(s, from, node->children[i]);
+}
+
 static int by_position(const void *a, const void *b) {
     const ir_node *x = ((const loop_verdict *)a)->loop;
     const ir_node *y = ((const loop_verdict *)b)->loop;
@@ -229,6 +270,8 @@ void check_loops(loop_search *s, ir_function *function) {
     unsigned from = s->verdicts.count;
     s->function = function;
     search(s, function->body);
+    if (s->an->unit->dialect.replaces_openmp && !s->an->options->any_order)
+        search_blocks(s, from, function->body);
     if (s->verdicts.count > from)
         qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),
               by_position);

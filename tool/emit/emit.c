@@ -6,6 +6,7 @@
 
 #include "analysis/invariants.h"
 #include "emit/as_compiled.h"
+#include "emit/blocks.h"
 #include "emit/unfused.h"
 #include "emit/write_loop.h"
 #include "ir/ir_position.h"
@@ -290,7 +291,7 @@ static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
     for (unsigned i = 0; i < loops->count; i++) {
         const written_loop *piece = &loops->items[i];
         assert(piece->verdict < analysis->verdict_count);
-        assert(analysis->verdicts[piece->verdict].kind == VERDICT_TRANSFORM);
+        assert(verdict_is_written(&analysis->verdicts[piece->verdict]));
         assert(piece->replaced.end <= unit->source->length && piece->text);
         assert(i == 0 || loops->items[i - 1].replaced.end <= piece->replaced.begin);
         const size_t length = strlen(piece->text);
@@ -322,6 +323,7 @@ typedef struct file_text {
     const loop_plan **plans; /* by verdict */
     lanes_outcome *lanes;
     reason *obstacles;
+    const char *obstacle; /* the reason why nothing is written; NULL: none */
 } file_text;
 
 /** Writes its loops, with lanes if possible. Does any loop have them? */
@@ -364,6 +366,27 @@ static bool may_have_lanes(const file_text *f) {
     return may;
 }
 
+/** Adds the text of a loop in fixed blocks: its head, and what follows its body. */
+static void add_blocks(const file_text *f, unsigned number, loop_list *loops) {
+    const loop_verdict *verdict = &f->analysis->verdicts[number];
+    const loop_text start = {.arena = f->arena,
+                             .whole = f->whole,
+                             .unit = f->whole,
+                             .facts = verdict->facts,
+                             .options = f->options};
+    loop_piece head, tail;
+    if (!write_blocks(start, &head, &tail, &f->obstacles[number]))
+        return;
+    const ir_range all = {head.replaced.begin, tail.replaced.end};
+    if (overlaps_another(loops, all)) {
+        f->obstacles[number] = (reason){.message = "another loop's text is part of its own",
+                                        .range = verdict->loop->range};
+        return;
+    }
+    insert(f->arena, loops, unmark(f->arena, f->whole, &head, number));
+    insert(f->arena, loops, unmark(f->arena, f->whole, &tail, number));
+}
+
 static void write_file(const file_text *f, emit_result *result) {
     arena *a = f->arena;
     bool has_lanes = may_have_lanes(f);
@@ -377,6 +400,9 @@ static void write_file(const file_text *f, emit_result *result) {
             has_lanes = false;
             continue;
         }
+        for (unsigned i = 0; !f->obstacle && i < f->analysis->verdict_count; i++)
+            if (f->analysis->verdicts[i].kind == VERDICT_BLOCKS)
+                add_blocks(f, i, &loops);
         unfuse_functions(a, f->whole, f->analysis, is_unfused, &loops);
         result->loop_count = loops.count;
         result->loops = loops.items;
@@ -395,6 +421,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
                       .seen = unit_as_compiled(a, unit, analysis),
                       .analysis = analysis,
                       .options = options,
+                      .obstacle = obstacle,
                       .lanes = ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1),
                       .obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1)};
     assert(options->order <= ORDER_ANY);
@@ -406,7 +433,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
                           : plan_loops(a, unit, file.seen, analysis, options);
     write_file(&file, &result);
     for (unsigned i = 0; obstacle && i < analysis->verdict_count; i++)
-        if (analysis->verdicts[i].kind == VERDICT_TRANSFORM)
+        if (verdict_is_written(&analysis->verdicts[i]))
             file.obstacles[i] =
                 (reason){.message = obstacle, .range = analysis->verdicts[i].loop->range};
     return result;

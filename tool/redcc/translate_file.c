@@ -121,7 +121,7 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
                                          analysis_result analysed) {
     bool has_transformed = false;
     for (unsigned i = 0; i < analysed.verdict_count; i++)
-        has_transformed |= analysed.verdicts[i].kind == VERDICT_TRANSFORM;
+        has_transformed |= verdict_is_written(&analysed.verdicts[i]);
     const char *word = unit->text.unseen_word;
     if (!word && has_transformed && !knows_compiler && !compilers_agree(a, file, flags, unit))
         word = unit->text.compiler_word;
@@ -130,7 +130,7 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed.verdict_count);
     for (unsigned i = 0; i < analysed.verdict_count; i++) {
         verdicts[i] = analysed.verdicts[i];
-        if (verdicts[i].kind != VERDICT_TRANSFORM)
+        if (!verdict_is_written(&verdicts[i]))
             continue;
         verdicts[i].kind = VERDICT_REFUSE;
         verdicts[i].why = reason_make(a, REASON_COMPILER, word, verdicts[i].loop->range);
@@ -210,7 +210,7 @@ static const char *show_report(arena *a, const options *o, const report_input *i
 static file_outcome count_verdicts(const analysis_result *analysis) {
     file_outcome counts = {0};
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
-        counts.transformed += analysis->verdicts[i].kind == VERDICT_TRANSFORM;
+        counts.transformed += verdict_is_written(&analysis->verdicts[i]);
         counts.by_declarations += analysis->verdicts[i].foreign_count > 0;
     }
     return counts;

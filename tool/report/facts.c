@@ -4,11 +4,13 @@
 #include <assert.h>
 #include <string.h>
 
+#include "analysis/base/openmp_loop.h"
 #include "report/plan.h"
 
 const char *verdict_word(const loop_verdict *verdict) {
     switch (verdict->kind) {
     case VERDICT_TRANSFORM:
+    case VERDICT_BLOCKS:
         return "transformed";
     case VERDICT_REFUSE:
         return "refused";
@@ -60,6 +62,14 @@ static const char *array_list(arena *a, const loop_facts *facts) {
     return buffer_take(a, &out);
 }
 
+static const char *scalar_list(arena *a, const fixed_blocks *blocks) {
+    buffer out = {0};
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", blocks->scalars[i].variable->name,
+                      blocks->scalars[i].operator);
+    return buffer_take(a, &out);
+}
+
 static const char *plan_words(arena *a, const loop_verdict *verdict) {
     const char *plan = verdict_plan(a, verdict).word;
     return strcmp(plan, "never") == 0    ? "is translated, but stays sequential"
@@ -76,6 +86,11 @@ const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
                             verdict->facts->variables.openmp
                                 ? "; its directive is replaced: same bits at every thread count"
                                 : "");
+    case VERDICT_BLOCKS:
+        return arena_format(a,
+                            "loop in '%s' runs by its directive, in fixed blocks: same bits at "
+                            "every thread count: %s",
+                            function, scalar_list(a, verdict->facts->variables.blocks));
     case VERDICT_REFUSE:
         return arena_format(a, "loop in '%s' stays %s: %s: %s", function,
                             verdict->facts && verdict->facts->variables.openmp ? "as it is"

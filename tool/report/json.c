@@ -114,7 +114,7 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
     const lanes_remark *lanes = verdict_lanes(input, verdict);
     if (lanes)
         json_object_set_new(loop, "lanes", lanes_of(input, lanes));
-    json_object_set_new(loop, "multiversioned", json_boolean(verdict->kind == VERDICT_TRANSFORM));
+    json_object_set_new(loop, "multiversioned", json_boolean(verdict_is_written(verdict)));
     return loop;
 }
 

@@ -74,9 +74,9 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     json_t *result = json_object();
     json_object_set_new(result, "ruleId", json_text(rule_of(verdict)));
     json_object_set_new(result, "kind",
-                        json_text(verdict->kind == VERDICT_TRANSFORM ? "pass"
-                                  : is_refused                       ? "review"
-                                                                     : "notApplicable"));
+                        json_text(verdict_is_written(verdict) ? "pass"
+                                  : is_refused                ? "review"
+                                                              : "notApplicable"));
     json_object_set_new(result, "level", json_text("none"));
     json_object_set_new(result, "message", message(verdict_sentence(a, verdict)));
     json_t *locations = json_array();
@@ -96,9 +96,8 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
 /* The message without the name that it inserts, which becomes dots. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
-        return verdict->kind == VERDICT_TRANSFORM
-                   ? "the loop runs in parallel"
-                   : "the loop has no update in which iterations may meet";
+        return verdict_is_written(verdict) ? "the loop runs in parallel"
+                                           : "the loop has no update in which iterations may meet";
     return reason_make(a, verdict->why.id, "...", (ir_range){0}).message;
 }
 
@@ -123,7 +122,7 @@ static json_t *rule_object(arena *a, const report_input *input, const loop_verdi
 
 /* Is it a result? A loop that runs in parallel needs no review. */
 static bool is_told(const report_input *input, const loop_verdict *verdict) {
-    return input->all || verdict->kind != VERDICT_TRANSFORM;
+    return input->all || !verdict_is_written(verdict);
 }
 
 static bool has_rule(const json_t *rules, const char *id) {

@@ -120,6 +120,9 @@ void report_text(arena *a, buffer *out, const report_input *input) {
         const loop_verdict *verdict = &input->analysis->verdicts[i];
         if (verdict->kind == VERDICT_TRANSFORM)
             transformed(a, out, input, verdict);
+        else if (verdict->kind == VERDICT_BLOCKS)
+            message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
+                    " [-Rredcc=reduction]");
         else if (verdict->kind == VERDICT_REFUSE)
             refused(a, out, input, verdict);
         else

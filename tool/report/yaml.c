@@ -18,12 +18,12 @@ static void record(arena *a, buffer *out, const report_input *input, const loop_
     const bool is_refused = verdict->kind == VERDICT_REFUSE;
     const ir_position at = verdict_position(input, verdict);
     buffer_format(out, "--- !%s\nPass:            redcc\nName:            ",
-                  verdict->kind == VERDICT_TRANSFORM ? "Passed"
-                  : is_refused                       ? "Missed"
-                                                     : "Analysis");
-    scalar(out, is_refused                           ? reason_slug(verdict->why.id)
-                : verdict->kind == VERDICT_TRANSFORM ? "reduction"
-                                                     : "not-a-reduction");
+                  verdict_is_written(verdict) ? "Passed"
+                  : is_refused                ? "Missed"
+                                              : "Analysis");
+    scalar(out, is_refused                    ? reason_slug(verdict->why.id)
+                : verdict_is_written(verdict) ? "reduction"
+                                              : "not-a-reduction");
     buffer_text(out, "\nDebugLoc:        { File: ");
     scalar(out, at.file);
     buffer_format(out, ", Line: %u, Column: %u }\nFunction:        ", at.line, at.column);

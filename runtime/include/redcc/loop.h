@@ -172,6 +172,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
      (!(redcc_locks) || (redcc_is_known(&(redcc_site)) &&                                          \
                          (redcc_site).calls->before->is_alone(&(redcc_site).binned.loop))))
 
+#include <redcc/blocks.h>
+
 /** Executes the loop in parallel and returns 1; 0: nothing was written, and the original loop must
  *  run. Marked unlikely, so that the compiler gives the registers to the sequential loop. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \

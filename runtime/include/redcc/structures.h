@@ -457,6 +457,8 @@ typedef struct redcc_before_calls {
     /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
     const redcc_behind_calls *behind;
+    /** Does REDCC_ORDER or REDCC_METHOD ask for the sequential loop's bits? */
+    int (*is_in_order)(const redcc_loop *loop);
 } redcc_before_calls;
 
 /** Rows that iterations read: iteration k at first + k * step, in bytes. */

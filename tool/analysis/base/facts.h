@@ -367,8 +367,9 @@ typedef struct loop_variables {
     const loop_loads *loads;      /* NULL: no variable replaces a pointer */
     unsigned own_count;
     const own_element *own;
-    const struct openmp_loop *openmp; /* its directives, without which it is executed if it is
-                                       * transformed; NULL: none */
+    const struct openmp_loop *openmp;  /* its directives, without which it is executed if it is
+                                        * transformed; NULL: none */
+    const struct fixed_blocks *blocks; /* of VERDICT_BLOCKS */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */
@@ -426,7 +427,8 @@ typedef struct loop_facts {
 typedef enum verdict_kind {
     VERDICT_TRANSFORM,
     VERDICT_REFUSE,
-    VERDICT_NOT_A_REDUCTION
+    VERDICT_NOT_A_REDUCTION,
+    VERDICT_BLOCKS /* its OpenMP directive stays, and reduces scalars in fixed blocks */
 } verdict_kind;
 
 /** A function of another file that a verdict depends on; set by the callers that know other
@@ -448,6 +450,11 @@ typedef struct loop_verdict {
     const user_pragma *pragmas; /* the pragmas that the verdict depends on, or that it follows */
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;
+
+/** Is the loop's text another one in the output? */
+static inline bool verdict_is_written(const loop_verdict *verdict) {
+    return verdict->kind == VERDICT_TRANSFORM || verdict->kind == VERDICT_BLOCKS;
+}
 
 /** Known properties of a function that another file of the build defines. */
 typedef enum exported_kind {

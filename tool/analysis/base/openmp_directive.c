@@ -37,11 +37,17 @@ static const char *after(const char *text, const char *word) {
     return is_word(at, length, word) ? at + length : NULL;
 }
 
+/* What follows `omp`, in `#pragma omp ...` or `_Pragma("omp ...")`; NULL: it is neither. */
+static const char *after_omp(const char *text) {
+    const char *at = *text == '#' ? after(text + 1, "pragma") : NULL;
+    if (*text == '_' && (at = after(text, "_Pragma")) && (at = after(at, "(")))
+        at = after(at, "\"");
+    return at ? after(at, "omp") : NULL;
+}
+
 bool directive_is_openmp_pragma(const ir_directive *d) {
-    if (d->kind != IR_DIRECTIVE_PRAGMA || !d->text || *d->text != '#')
-        return false;
-    const char *at = after(d->text + 1, "pragma");
-    return at && after(at, "omp");
+    return d->kind == IR_DIRECTIVE_PRAGMA && d->text && after_omp(d->text) &&
+           (*d->text == '#' || !strchr(d->text, '\\'));
 }
 
 const char *openmp_plain_text(arena *a, const char *text) {
@@ -88,7 +94,7 @@ static void add(reader *r, openmp_item item) {
 }
 
 /* a, b[:n], c[0:n][:3] */
-static void read_list(reader *r, openmp_clause_kind kind, reduction_operator op, const char *at) {
+static void read_list(reader *r, openmp_item item, const char *at) {
     for (;;) {
         size_t length;
         const char *name = openmp_token(at, &length);
@@ -96,7 +102,8 @@ static void read_list(reader *r, openmp_clause_kind kind, reduction_operator op,
             r->kept = "a list of names that is not understood";
             return;
         }
-        openmp_item item = {kind, op, arena_copy(r->memory, name, length), NULL};
+        item.text = arena_copy(r->memory, name, length);
+        item.section = NULL;
         at = openmp_token(name + length, &length);
         while (at && *at == '[') {
             const char *inside = at + 1;
@@ -124,14 +131,16 @@ static void read_reduction(reader *r, const char *inside) {
         const char *text;
         reduction_operator op;
     } known[] = {{"+", REDUCTION_SUM},       {"-", REDUCTION_SUM},       {"*", REDUCTION_PRODUCT},
-                 {"min", REDUCTION_MINIMUM}, {"max", REDUCTION_MAXIMUM}, {"&", REDUCTION_AND},
-                 {"|", REDUCTION_OR},        {"^", REDUCTION_XOR}};
+                 {"min", REDUCTION_MINIMUM}, {"max", REDUCTION_MAXIMUM}, {"&&", REDUCTION_NONE},
+                 {"||", REDUCTION_NONE},     {"&", REDUCTION_AND},       {"|", REDUCTION_OR},
+                 {"^", REDUCTION_XOR}};
     size_t length;
     const char *op = openmp_token(inside, &length);
+    length += (*op == '&' || *op == '|') && op[1] == *op;
     const char *list = after(op + length, ":");
     for (size_t i = 0; list && i < sizeof known / sizeof *known; i++)
         if (is_word(op, length, known[i].text)) {
-            read_list(r, OPENMP_REDUCTION, known[i].op, list);
+            read_list(r, (openmp_item){OPENMP_REDUCTION, known[i].op, .word = known[i].text}, list);
             return;
         }
     r->kept = "a reduction by another operator, or with a modifier";
@@ -150,55 +159,73 @@ static bool assigns(const char *text) {
 }
 
 /* An expression of names, numbers and operators. */
-static void read_expression(reader *r, openmp_clause_kind kind, const char *inside) {
+static void read_expression(reader *r, openmp_clause_kind kind, const char *word,
+                            const char *inside) {
     const char *rest = kind == OPENMP_IF ? after(inside, "parallel") : NULL;
     rest = rest ? after(rest, ":") : NULL;
     inside = rest ? rest : inside;
     if (strpbrk(inside, "\"'{};#\\") || assigns(inside) ||
         (strchr(inside, ':') && !strchr(inside, '?')))
         r->kept = "a clause with an expression that is not understood";
-    add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL});
+    add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL, word});
 }
 
-static bool is_of(const char *at, size_t length, const char *const *words) {
-    for (; *words; words++)
-        if (is_word(at, length, *words))
-            return true;
-    return false;
-}
+/* Of parallel for, and for. */
+static const struct {
+    const char *word;
+    openmp_clause_kind kind;
+} loop_clauses[] = {{"private", OPENMP_PRIVATE},
+                    {"firstprivate", OPENMP_FIRSTPRIVATE},
+                    {"lastprivate", OPENMP_LASTPRIVATE},
+                    {"reduction", OPENMP_REDUCTION},
+                    {"if", OPENMP_IF},
+                    {"num_threads", OPENMP_NUM_THREADS},
+                    {"schedule", OPENMP_SCHEDULE},
+                    {"shared", OPENMP_SHARING},
+                    {"default", OPENMP_SHARING},
+                    {"proc_bind", OPENMP_OF_REGION},
+                    {"copyin", OPENMP_OF_REGION},
+                    {"allocate", OPENMP_OF_REGION}};
 
-static const char *clause_text(reader *r, const char *word, size_t length, const char *inside) {
-    return arena_format(r->memory, inside ? "the clause '%.*s(%s)'" : "the clause '%.*s'",
-                        (int)length, word, inside);
-}
-
-/* Of parallel for. */
-static void read_loop_clause(reader *r, const char *word, size_t length, const char *inside) {
-    static const char *const neutral[] = {"shared", "default", "schedule", NULL};
-    if (!inside)
-        r->kept = clause_text(r, word, length, NULL);
-    else if (is_word(word, length, "private"))
-        read_list(r, OPENMP_PRIVATE, REDUCTION_NONE, inside);
-    else if (is_word(word, length, "firstprivate"))
-        read_list(r, OPENMP_FIRSTPRIVATE, REDUCTION_NONE, inside);
-    else if (is_word(word, length, "lastprivate"))
-        read_list(r, OPENMP_LASTPRIVATE, REDUCTION_NONE, inside);
-    else if (is_word(word, length, "reduction"))
-        read_reduction(r, inside);
-    else if (is_word(word, length, "if"))
-        read_expression(r, OPENMP_IF, inside);
-    else if (is_word(word, length, "num_threads"))
-        read_expression(r, OPENMP_NUM_THREADS, inside);
-    else if (!is_of(word, length, neutral) &&
-             !(is_word(word, length, "collapse") && strcmp(inside, "1") == 0))
-        r->kept = clause_text(r, word, length, inside);
+static openmp_clause_kind kind_of_loop_clause(const char *word, const char *inside) {
+    for (size_t i = 0; inside && i < sizeof loop_clauses / sizeof *loop_clauses; i++)
+        if (strcmp(loop_clauses[i].word, word) == 0)
+            return loop_clauses[i].kind;
+    return inside && strcmp(word, "collapse") == 0 && strcmp(inside, "1") == 0
+               ? OPENMP_COLLAPSE_ONE
+               : OPENMP_OTHER_CLAUSE;
 }
 
 /* The clauses of atomic and critical: only hints, and words for the default. */
-static void read_lock_clause(reader *r, const char *word, size_t length, const char *inside) {
-    static const char *const neutral[] = {"update", "relaxed", "hint", NULL};
-    if (!is_of(word, length, neutral))
-        r->kept = clause_text(r, word, length, inside);
+static openmp_clause_kind kind_of_lock_clause(const char *word, const char *inside) {
+    (void)inside;
+    return strcmp(word, "update") == 0 || strcmp(word, "relaxed") == 0 || strcmp(word, "hint") == 0
+               ? OPENMP_SHARING
+               : OPENMP_OTHER_CLAUSE;
+}
+
+static void read_clause(reader *r, openmp_clause_kind kind, const char *word, const char *inside) {
+    switch (kind) {
+    case OPENMP_PRIVATE:
+    case OPENMP_FIRSTPRIVATE:
+    case OPENMP_LASTPRIVATE:
+        read_list(r, (openmp_item){kind, REDUCTION_NONE, .word = word}, inside);
+        break;
+    case OPENMP_REDUCTION:
+        read_reduction(r, inside);
+        break;
+    case OPENMP_IF:
+    case OPENMP_NUM_THREADS:
+        read_expression(r, kind, word, inside);
+        break;
+    case OPENMP_OTHER_CLAUSE:
+        add(r, (openmp_item){kind, REDUCTION_NONE,
+                             arena_format(r->memory, inside ? "%s(%s)" : "%s", word, inside), NULL,
+                             word});
+        break;
+    default:
+        add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL, word});
+    }
 }
 
 static void read_clauses(reader *r, openmp_construct construct, const char *at) {
@@ -221,23 +248,78 @@ static void read_clauses(reader *r, openmp_construct construct, const char *at) 
         }
         if (*word == ',')
             continue;
-        if (construct == OPENMP_PARALLEL_FOR)
-            read_loop_clause(r, word, length, inside);
-        else
-            read_lock_clause(r, word, length, inside);
+        word = arena_copy(r->memory, word, length);
+        read_clause(r,
+                    construct == OPENMP_ATOMIC || construct == OPENMP_CRITICAL
+                        ? kind_of_lock_clause(word, inside)
+                        : kind_of_loop_clause(word, inside),
+                    word, inside);
+    }
+}
+
+/* ---- macros ---------------------------------------------------------------------------------- */
+
+/* Past `define NAME` or `undef NAME`; NULL: the directive is another one. */
+static const char *after_definition(const char *text, const char *word, const char *name) {
+    const char *at = *text == '#' ? after(text + 1, word) : NULL;
+    return at ? after(at, name) : NULL;
+}
+
+/* The number that the macro stands for at `place`: the file defines it once, as a number, and
+ * nothing is included in between. NULL: another text, or it is unknown. */
+static const char *number_of_macro(arena *a, const ir_unit *unit, const char *name,
+                                   uint32_t place) {
+    const char *value = NULL;
+    for (unsigned i = 0; i < unit->directive_count && unit->directives[i].range.begin < place;
+         i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->is_skipped || !d->text)
+            continue;
+        const char *text = openmp_plain_text(a, d->text);
+        const char *rest = after_definition(text, "define", name);
+        if (rest && isspace((unsigned char)*rest))
+            value = rest;
+        else if (rest || after_definition(text, "undef", name) || strstr(text, "include") ||
+                 strstr(text, "import") || strstr(text, "pop_macro"))
+            value = NULL;
+    }
+    if (!value)
+        return NULL;
+    size_t length, rest;
+    const char *const bracket = after(value, "(");
+    const char *const number = openmp_token(bracket ? bracket : value, &length);
+    if (length == 0 || strspn(number, "0123456789") < length)
+        return NULL;
+    const char *const end = bracket ? after(number + length, ")") : number + length;
+    if (!end)
+        return NULL;
+    openmp_token(end, &rest);
+    return rest == 0 ? arena_copy(a, number, length) : NULL;
+}
+
+/* The text with the numbers that its macros stand for; *macro: one that stands for something else,
+ * or NULL. */
+static const char *with_numbers(arena *a, const ir_unit *unit, const char *text, uint32_t place,
+                                const char **macro) {
+    *macro = NULL;
+    for (;;) {
+        size_t length;
+        const char *name = unit->text.macros ? source_find_name(text, text + strlen(text),
+                                                                unit->text.macros, &length)
+                                             : NULL;
+        if (!name)
+            return text;
+        const char *const known = arena_copy(a, name, length);
+        const char *const number = number_of_macro(a, unit, known, place);
+        if (!number) {
+            *macro = known;
+            return text;
+        }
+        text = arena_format(a, "%.*s%s%s", (int)(name - text), text, number, name + length);
     }
 }
 
 /* ---- the directive ------------------------------------------------------------------------- */
-
-/* A name of the directive's that a macro may replace; NULL: none. */
-static const char *macro_in(arena *a, const ir_unit *unit, const char *text) {
-    size_t length;
-    const char *end = text + strlen(text);
-    const char *name =
-        unit->text.macros ? source_find_name(text, end, unit->text.macros, &length) : NULL;
-    return name ? arena_copy(a, name, length) : NULL;
-}
 
 /* The construct; *rest: its clauses. */
 static openmp_construct construct_of(const char *text, const char **rest) {
@@ -247,6 +329,8 @@ static openmp_construct construct_of(const char *text, const char **rest) {
         *rest = at;
         return OPENMP_PARALLEL_FOR;
     }
+    if ((*rest = after(text, "for")))
+        return OPENMP_FOR;
     if ((*rest = after(text, "atomic")))
         return OPENMP_ATOMIC;
     if ((*rest = after(text, "critical"))) {
@@ -265,11 +349,13 @@ openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *
     const char *text = openmp_plain_text(a, d->text);
     if (strstr(text, "?\?/")) /* a trigraph that may join lines */
         return (openmp_directive){OPENMP_OTHER, 0, NULL, "a trigraph"};
-    const char *rest = after(after(text + 1, "pragma"), "omp");
-    const char *macro = macro_in(a, unit, rest);
+    const char *macro, *rest = with_numbers(a, unit, after_omp(text), d->range.begin, &macro);
+    if (*text == '_')
+        rest = arena_copy(a, rest, strcspn(rest, "\""));
     result.construct = construct_of(rest, &rest);
     if (result.construct == OPENMP_OTHER)
-        result.kept = "the construct, which is none of 'parallel for', 'atomic' and 'critical'";
+        result.kept =
+            "the construct, which is none of 'parallel for', 'for', 'atomic' and 'critical'";
     else if (macro)
         result.kept = arena_format(a, "the macro '%s'", macro);
     if (result.kept)

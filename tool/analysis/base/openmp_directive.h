@@ -7,6 +7,7 @@
 
 typedef enum openmp_construct {
     OPENMP_PARALLEL_FOR, /* parallel for */
+    OPENMP_FOR,          /* for, by the team of a region around it */
     OPENMP_ATOMIC,       /* atomic [update] */
     OPENMP_CRITICAL,
     OPENMP_OTHER
@@ -18,29 +19,36 @@ typedef enum openmp_clause_kind {
     OPENMP_LASTPRIVATE,
     OPENMP_REDUCTION,
     OPENMP_IF,
-    OPENMP_NUM_THREADS
+    OPENMP_NUM_THREADS,
+    OPENMP_SCHEDULE,
+    OPENMP_SHARING,      /* shared, default */
+    OPENMP_OF_REGION,    /* proc_bind, copyin, allocate: of the threads, not of the loop */
+    OPENMP_COLLAPSE_ONE, /* collapse(1) */
+    OPENMP_OTHER_CLAUSE  /* what only the directive itself can do */
 } openmp_clause_kind;
 
-/** One name of a clause's list, or the whole of a clause that holds an expression. Clauses that say
- *  nothing of the sequential order (shared, default, schedule, collapse(1)) are left out. */
+/** One name of a clause's list, or the whole of a clause that has none. */
 typedef struct openmp_item {
     openmp_clause_kind kind;
-    reduction_operator op; /* OPENMP_REDUCTION */
-    const char *text;      /* the name, without its section; or the expression */
+    reduction_operator op; /* OPENMP_REDUCTION; NONE: by && or || */
+    const char *text;      /* the name, without its section; what the clause encloses; of
+                            * OPENMP_OTHER_CLAUSE the whole clause */
     const char *section;   /* what its brackets enclose, "][" between two; NULL: there are none */
+    const char *word;      /* the clause's name; of OPENMP_REDUCTION the operator */
 } openmp_item;
 
 typedef struct openmp_directive {
     openmp_construct construct;
     unsigned item_count;
     const openmp_item *items;
-    const char *kept; /* what only the directive itself can do; NULL: nothing */
+    const char *kept; /* what is not understood of it; NULL: nothing */
 } openmp_directive;
 
-/** Is it `#pragma omp ...`, and not made by _Pragma? */
+/** Is it `#pragma omp ...`, or `_Pragma("omp ...")` in these words? */
 bool directive_is_openmp_pragma(const ir_directive *d);
 
-/** Reads one for which directive_is_openmp_pragma holds. The result lives in the arena. */
+/** Reads one for which directive_is_openmp_pragma holds: macros that the file defines as numbers
+ * are replaced by them; another macro is not understood. The result lives in the arena. */
 openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *d);
 
 /** The next identifier, number or other byte of `text`, without blanks before it; its length is 0

@@ -12,8 +12,7 @@ static bool is_compiled(const ir_directive *d) {
     return !d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d);
 }
 
-/* Code that devices execute as well cannot use the runtime. */
-static bool has_devices(const ir_unit *unit) {
+bool openmp_has_devices(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (is_compiled(&unit->directives[i]) && strstr(unit->directives[i].text, "target"))
             return true;
@@ -25,6 +24,20 @@ static bool has_devices(const ir_unit *unit) {
 
 static const char *with_text(arena *a, const char *what, const ir_directive *d) {
     return arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text));
+}
+
+/* A clause that the sequential order cannot honour; NULL: there is none. */
+static const char *only_by_directive(arena *a, const openmp_directive *read) {
+    for (unsigned i = 0; i < read->item_count; i++) {
+        const openmp_item *item = &read->items[i];
+        if (item->kind == OPENMP_OTHER_CLAUSE)
+            return arena_format(a, "the clause '%s'", item->text);
+        if (item->kind == OPENMP_OF_REGION)
+            return arena_format(a, "the clause '%s(%s)'", item->word, item->text);
+        if (item->kind == OPENMP_REDUCTION && item->op == REDUCTION_NONE)
+            return "a reduction by another operator, or with a modifier";
+    }
+    return NULL;
 }
 
 /* Takes the directive as the one above the loop. */
@@ -74,13 +87,14 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
             return result;
         }
         const openmp_directive read = openmp_read(a, unit, d);
+        const char *kept = read.kept ? read.kept : only_by_directive(a, &read);
         if (is_above)
             take_above(a, result, &read, d);
-        else if (read.construct == OPENMP_PARALLEL_FOR)
+        else if (read.construct <= OPENMP_FOR)
             result->kept = with_text(a, "a region in the loop", d);
         result->has_locks |= !is_above;
-        if (read.kept)
-            result->kept = with_text(a, read.kept, d);
+        if (kept)
+            result->kept = with_text(a, kept, d);
         if (result->kept)
             return result;
     }
@@ -93,7 +107,7 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         result->kept = "several directives above the loop";
     else if (function)
         result->kept = arena_format(a, "the loop asks %s", function);
-    else if (has_devices(unit))
+    else if (openmp_has_devices(unit))
         result->kept = "code for devices in the file";
     return result;
 }

@@ -14,8 +14,26 @@ typedef struct openmp_loop {
     const char *kept; /* the reason to keep it, from its text; NULL: none so far */
 } openmp_loop;
 
+typedef struct blocked_scalar {
+    const ir_variable *variable;
+    const char *operator; /* of the clause */
+} blocked_scalar;
+
+/** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
+typedef struct fixed_blocks {
+    ir_range header; /* `for ( ... )` */
+    unsigned scalar_count;
+    const blocked_scalar *scalars;
+    openmp_directive directive;
+    bool keeps_counter; /* a clause names the counter: it says what becomes of it */
+    bool is_balanced;   /* iterations take the same time, according to `schedule` */
+} fixed_blocks;
+
 /** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop);
+
+/** Does the file have code that devices execute as well? It cannot use the runtime. */
+bool openmp_has_devices(const ir_unit *unit);
 
 /** Is a `parallel for` above this loop omitted that makes the variable private to the threads, so
  *  that it keeps its value from before the loop? For the counter this needs no clause. */

@@ -167,6 +167,8 @@ static const char *check_expression(const loop_analysis *j, const openmp_item *i
 static const char *check_item(const loop_analysis *j, const openmp_item *item, bool *protects) {
     if (item->kind == OPENMP_IF || item->kind == OPENMP_NUM_THREADS)
         return check_expression(j, item);
+    if (item->kind > OPENMP_REDUCTION)
+        return NULL;
     const ir_variable *variable = openmp_variable(j->an->unit, j->loop, j->function, item->text);
     if (!variable)
         return kept(j, "a clause with '%s', which is no variable", item->text);

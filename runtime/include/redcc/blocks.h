@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Loops whose OpenMP directive reduces scalars, in blocks whose number follows from the trip count
+ * alone: the same sums at every number of threads. The blocks need no runtime; if one is linked,
+ * REDCC_ORDER=serial makes all iterations one block, which begins with the variables' own values.
+ */
+#ifndef REDCC_BLOCKS_H
+#define REDCC_BLOCKS_H
+
+/** Iterations of a loop from `redcc_low` to before (_TO: to) `redcc_high`, in steps of
+ *  `redcc_step` > 0; both ends have the counter's type. */
+#define REDCC_TRIP(redcc_low, redcc_high, redcc_step)                                              \
+    ((redcc_low) < (redcc_high)                                                                    \
+         ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)-1) / (redcc_step)) + 1  \
+         : 0)
+#define REDCC_TRIP_TO(redcc_low, redcc_high, redcc_step)                                           \
+    ((redcc_low) <= (redcc_high)                                                                   \
+         ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)) / (redcc_step)) + 1    \
+         : 0)
+
+/** The number of blocks. Short iterations: a power of two, so that 2, 4 or 8 threads get equal
+ *  shares, of 64 iterations or more in each. */
+#define REDCC_BLOCKS_LONG(redcc_trip, redcc_most)                                                  \
+    ((redcc_trip) < (redcc_most) ? (redcc_trip) : (redcc_most))
+#define REDCC_BLOCKS_SHORT(redcc_trip, redcc_most) redcc_blocks_short(redcc_trip, redcc_most)
+REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
+    const redcc_word least = (redcc_word)trip / 64;
+    if (trip <= 0)
+        return 0;
+    if (least >= (redcc_word)most)
+        return most;
+    return least < 2 ? 1 : (redcc_int)1 << (63 - __builtin_clzll(least));
+}
+
+/** The counter's value in the first iteration of a block, less redcc_back steps. */
+#define REDCC_BLOCK_BEGIN(redcc_number, redcc_step, redcc_back)                                    \
+    ((redcc_word)redcc__lower +                                                                    \
+     (redcc_word)(redcc_block_begin(redcc__trip, redcc__blocks, redcc_number) - (redcc_back)) *    \
+         (redcc_word)(redcc_step))
+REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc_int number) {
+    const redcc_int longer = trip % blocks;
+    return number * (trip / blocks) + (number < longer ? number : longer);
+}
+
+/** Does REDCC_ORDER ask for the bits of the sequential loop? */
+#define REDCC_IN_ORDER(redcc_site) (redcc_run && redcc_is_in_order(&(redcc_site)))
+REDCC_INLINE int redcc_is_in_order(redcc_site *site) {
+    return redcc_is_known(site) && site->calls->before->is_in_order(&site->binned.loop);
+}
+
+/** What is neutral for min: FLT, DBL, LDBL. */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#define REDCC_GREATEST(redcc_type) __##redcc_type##_MAX__
+#else
+#define REDCC_GREATEST(redcc_type) __builtin_inf()
+#endif
+
+#endif

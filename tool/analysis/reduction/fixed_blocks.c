@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/reduction/fixed_blocks.h"
+
+#include <string.h>
+
+#include "analysis/base/counted.h"
+#include "analysis/base/loop_text.h"
+#include "analysis/base/openmp_loop.h"
+#include "analysis/base/reason.h"
+#include "analysis/loop/candidate.h"
+#include "ir/ir_syntax.h"
+
+typedef struct search {
+    const analyser *an;
+    const ir_function *function;
+    ir_node *loop;
+    const char *why; /* the first obstacle; NULL: none so far */
+} search;
+
+static void obstacle(search *s, const char *format, const char *name) {
+    if (!s->why)
+        s->why = arena_format(s->an->memory, format, name);
+}
+
+static const ir_variable *variable_of(const search *s, const char *name) {
+    return openmp_variable(s->an->unit, s->loop, s->function, name);
+}
+
+/* ---- the directive ------------------------------------------------------------------------- */
+
+static bool reduces_scalar(const search *s, const openmp_item *item) {
+    const ir_variable *variable =
+        item->kind == OPENMP_REDUCTION && !item->section ? variable_of(s, item->text) : NULL;
+    return variable && variable->type->kind != IR_ARRAY;
+}
+
+/* The compiled OpenMP directives above the loop; `unread`: one of them is not plain text. */
+static unsigned directives_above(const search *s, const ir_directive **last, bool *unread) {
+    const ir_unit *unit = s->an->unit;
+    unsigned count = 0;
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, s->loop));
+         i < unit->directive_count && unit->directives[i].range.end <= s->loop->range.begin; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->is_skipped || d->kind != IR_DIRECTIVE_PRAGMA || !directive_is_openmp(d))
+            continue;
+        *unread |= !directive_is_openmp_pragma(d);
+        *last = d;
+        count++;
+    }
+    return count;
+}
+
+/* Does its text reduce something? Of directives that are not understood more is not known. */
+static bool may_reduce(const openmp_directive *read, const ir_directive *d) {
+    return read->kept && strstr(d->text, "reduction") != NULL;
+}
+
+static bool is_accepted(const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    return (type->kind == IR_INTEGER || type->kind == IR_BOOLEAN || type->kind == IR_FLOATING) &&
+           !type->is_volatile && !type->is_atomic && variable->storage != IR_THREAD_LOCAL;
+}
+
+static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks) {
+    const ir_variable *counter = NULL;
+    if (item->kind <= OPENMP_REDUCTION && !(counter = variable_of(s, item->text)))
+        obstacle(s, "a clause with '%s', which is no variable", item->text);
+    else if (item->kind == OPENMP_REDUCTION && !reduces_scalar(s, item))
+        obstacle(s, "'%s', an array, is reduced beside a scalar", item->text);
+    else if (item->kind == OPENMP_REDUCTION && !is_accepted(counter))
+        obstacle(s, "'%s' is reduced, which is no plain number", item->text);
+    else if (item->kind == OPENMP_OTHER_CLAUSE)
+        obstacle(s, "the clause '%s'", item->text);
+    else if (item->kind == OPENMP_SCHEDULE)
+        blocks->is_balanced = strstr(item->text, "static") != NULL;
+}
+
+static void read_items(search *s, fixed_blocks *blocks) {
+    const openmp_directive *read = &blocks->directive;
+    blocked_scalar *scalars = ARENA_ARRAY(s->an->memory, blocked_scalar, read->item_count + 1);
+    blocks->is_balanced = true;
+    for (unsigned i = 0; i < read->item_count; i++) {
+        const openmp_item *item = &read->items[i];
+        check_item(s, item, blocks);
+        if (reduces_scalar(s, item))
+            scalars[blocks->scalar_count++] =
+                (blocked_scalar){variable_of(s, item->text), item->word};
+    }
+    blocks->scalars = scalars;
+}
+
+/* ---- the loop ------------------------------------------------------------------------------ */
+
+/* Behind the bracket that closes the header's first; 0: it is not written as one. */
+static uint32_t header_end(const source *text, const ir_node *loop) {
+    uint32_t at = loop->range.begin;
+    if (strncmp(text->text + at, "for", 3) != 0 || source_is_name_byte(text->text[at + 3]))
+        return 0;
+    unsigned depth = 0;
+    for (at = source_skip_blanks(text, at + 3, loop->range.end); at < loop->range.end;
+         at = source_skip_blanks(text, at, loop->range.end)) {
+        const char c = text->text[at];
+        if (depth == 0 && c != '(')
+            return 0;
+        depth += c == '(';
+        if (c == ')' && --depth == 0)
+            return at + 1;
+        at = c == '"' || c == '\'' ? source_skip_quoted(text, at, loop->range.end) : at + 1;
+    }
+    return 0;
+}
+
+/* Conditional lines and other directives between the loop's beginning and its body. */
+static bool has_directive_in(const ir_unit *unit, ir_range range) {
+    const unsigned next = loop_text_first_directive(unit, range.begin);
+    return next < unit->directive_count && unit->directives[next].range.begin < range.end;
+}
+
+static bool is_integer(const ir_node *node) {
+    return node && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
+}
+
+static counted_loop check_header(search *s, fixed_blocks *blocks) {
+    const ir_unit *unit = s->an->unit;
+    const counted_result found = counted_recognise_analysed(s->loop);
+    const counted_loop *counted = &found.loop;
+    blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
+    if (!found.is_counted || s->loop->kind != IR_FOR || counted->stride || counted->ahead ||
+        counted->start_count > 0 || counted->bound_variable || counted->ends_below ||
+        counted->steps_first || !is_integer(counted->lower) || !is_integer(counted->bound) ||
+        counted->counter->type->kind != IR_INTEGER || counted->counter->type->size > 8 ||
+        counted->counter->type->is_volatile)
+        obstacle(s, "%s", "the loop's header, which is no counter from one integer to another");
+    else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header) ||
+             syntax_editable_statement(s->loop, s->function->body) != s->loop)
+        obstacle(s, "%s", "the loop's header, which a macro makes");
+    return found.loop;
+}
+
+/* A jump by which another thread's iterations would be left out. */
+static bool has_directive_named(const search *s, const char *word) {
+    const ir_unit *unit = s->an->unit;
+    for (unsigned i = loop_text_first_directive(unit, s->loop->range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < s->loop->range.end; i++)
+        if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
+            strstr(unit->directives[i].text, word))
+            return true;
+    return false;
+}
+
+/* Inline but not static: it cannot hold static data. The word may be that of `__inline__`, not of
+ * `noinline`. */
+static bool is_shared_inline(const ir_function *function, const source *text) {
+    if (function->linkage.is_static)
+        return false;
+    for (uint32_t i = function->range.begin; i + 6 <= function->body->range.begin; i++)
+        if (strncmp(text->text + i, "inline", 6) == 0 &&
+            (i == 0 || text->text[i - 1] == '_' || !source_is_name_byte(text->text[i - 1])))
+            return true;
+    return false;
+}
+
+static bool calls_named(const ir_node *node, const char *prefix) {
+    if (node->kind == IR_FUNCTION && strncmp(node->function->name, prefix, strlen(prefix)) == 0)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (calls_named(node->children[i], prefix))
+            return true;
+    return false;
+}
+
+static bool has_explicit_schedule(const fixed_blocks *blocks) {
+    for (unsigned i = 0; i < blocks->directive.item_count; i++)
+        if (blocks->directive.items[i].kind == OPENMP_SCHEDULE)
+            return true;
+    return false;
+}
+
+static void check_body(search *s, const fixed_blocks *blocks) {
+    const ir_unit *unit = s->an->unit;
+    if (has_directive_named(s, "cancel") || has_directive_named(s, "ordered") ||
+        has_directive_named(s, "scan"))
+        obstacle(s, "%s", "a directive in the loop that speaks of its iterations");
+    if (text_pragma_macro(s->an->memory, unit, s->loop->range))
+        obstacle(s, "%s", "a macro in the loop that may make a directive");
+    if (blocks->is_balanced && has_explicit_schedule(blocks) &&
+        calls_named(s->loop, "omp_get_thread_num"))
+        obstacle(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
+    if (openmp_has_devices(unit))
+        obstacle(s, "%s", "code for devices in the file");
+    if (is_shared_inline(s->function, unit->source))
+        obstacle(s, "'%s' is inline but not static: it cannot hold static data", s->function->name);
+    if (s->function->has_errors || unit->dialect.refusing_option)
+        obstacle(s, "%s", "the function, which is not understood");
+}
+
+/* Does a private copy of it replace the loop's own in the header? */
+static void check_names(search *s, fixed_blocks *blocks, const counted_loop *counted) {
+    const openmp_directive *read = &blocks->directive;
+    for (unsigned i = 0; i < read->item_count; i++)
+        if (read->items[i].kind <= OPENMP_REDUCTION)
+            blocks->keeps_counter |= variable_of(s, read->items[i].text) == counted->counter &&
+                                     !counted->counter_is_declared_in_header;
+}
+
+/* ---- the verdict --------------------------------------------------------------------------- */
+
+static loop_facts *facts_of(const search *s, const counted_loop *counted,
+                            const fixed_blocks *blocks) {
+    loop_facts *facts = ARENA_NEW(s->an->memory, loop_facts);
+    facts->loop = s->loop;
+    facts->function = (ir_function *)s->function;
+    facts->counted = *counted;
+    facts->has_short_iterations = candidate_is_short(s->an->unit, ir_loop_body(s->loop));
+    facts->variables.openmp = openmp_of_loop(s->an->memory, s->an->unit, s->loop);
+    facts->variables.blocks = blocks;
+    return facts;
+}
+
+bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
+                    loop_verdict *verdict) {
+    search s = {.an = an, .function = function, .loop = loop};
+    const ir_directive *above = NULL;
+    bool unread = false;
+    const unsigned count = directives_above(&s, &above, &unread);
+    if (count == 0 || !strstr(above->text, "reduction"))
+        return false;
+    fixed_blocks *blocks = ARENA_NEW(an->memory, fixed_blocks);
+    if (!unread)
+        blocks->directive = openmp_read(an->memory, an->unit, above);
+    read_items(&s, blocks);
+    if (!unread && blocks->scalar_count == 0 && !may_reduce(&blocks->directive, above))
+        return false;
+    if (unread || blocks->directive.kept)
+        s.why = unread ? "a directive that is not written as one" : blocks->directive.kept;
+    else if (count > 1)
+        s.why = "several directives above the loop";
+    else if (blocks->directive.construct != OPENMP_PARALLEL_FOR)
+        s.why = "the construct, which is no 'parallel for'";
+    const counted_loop counted = check_header(&s, blocks);
+    check_names(&s, blocks, &counted);
+    check_body(&s, blocks);
+    *verdict = (loop_verdict){.kind = s.why ? VERDICT_REFUSE : VERDICT_BLOCKS,
+                              .loop = loop,
+                              .function = function,
+                              .facts = facts_of(&s, &counted, blocks)};
+    if (s.why)
+        verdict->why = reason_make(an->memory, REASON_EXISTING_OPENMP,
+                                   arena_format(an->memory, "%s, in '%s'", s.why,
+                                                openmp_plain_text(an->memory, above->text)),
+                                   loop->range);
+    return true;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Loops whose OpenMP directive reduces scalars: `parallel for reduction(+ : sum)`. Their iterations
+ * are divided into blocks, whose number follows from the trip count alone. The directive
+ * distributes the blocks; each begins with the neutral element, and the results are combined in the
+ * order of the blocks. That is an execution of the loop which OpenMP permits: as by a team with a
+ * thread for each block (OpenMP 4.5, 2.7.1 and 2.15.3.6: which thread executes which iterations,
+ * and in which order the copies are combined, is open). So nothing needs to be shown of the loop's
+ * body but that it does not ask for the thread's number in a way that `schedule` fixes.
+ */
+#ifndef ANALYSIS_FIXED_BLOCKS_H
+#define ANALYSIS_FIXED_BLOCKS_H
+
+#include "analysis/base/openmp_loop.h"
+#include "analysis/loop/loop_analysis.h"
+
+/** False: no compiled OpenMP directive above the loop reduces scalars. Otherwise the verdict:
+ *  VERDICT_BLOCKS, or VERDICT_REFUSE with the reason. */
+bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
+                    loop_verdict *verdict);
+
+#endif

@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/blocks.h"
+
+#include <string.h>
+
+#include "analysis/base/loop_text.h"
+#include "analysis/base/openmp_loop.h"
+#include "emit/as_compiled.h"
+#include "emit/macro_names.h"
+#include "emit/text/origin.h"
+#include "ir/ir_position.h"
+#include "ir/ir_syntax.h"
+
+enum {
+    MOST_BLOCKS = 256,            /* at which 7 or 12 threads differ by some percent of the work, */
+    MOST_BLOCKS_UNBALANCED = 1024 /* and if iterations take different times */
+};
+
+static const fixed_blocks *blocks_of(const loop_text *loop) {
+    return loop->facts->variables.blocks;
+}
+
+/** In a directive or behind `typeof`, where the parser of the output sees no names. */
+static const char *name_of(const loop_text *loop, unsigned scalar) {
+    return blocks_of(loop)->scalars[scalar].variable->name;
+}
+
+static const char *value_of(const loop_text *loop, unsigned scalar) {
+    return origin_variable(loop->arena, blocks_of(loop)->scalars[scalar].variable);
+}
+
+/* ---- the clause's operator ------------------------------------------------------------------- */
+
+static bool is_operator(const blocked_scalar *scalar, const char *text) {
+    return strcmp(scalar->operator, text) == 0;
+}
+
+/** The greatest or least value of the type (OpenMP 4.5, table 2.7). */
+static const char *extreme_value(arena *a, const ir_type *type, bool is_greatest) {
+    if (type->kind == IR_FLOATING)
+        return arena_format(a, "%sREDCC_GREATEST(%s)", is_greatest ? "" : "-",
+                            type->size == 4   ? "FLT"
+                            : type->size == 8 ? "DBL"
+                                              : "LDBL");
+    if (type->kind == IR_BOOLEAN || !type->is_signed)
+        return is_greatest ? type->kind == IR_BOOLEAN ? "1" : "-1" : "0";
+    const unsigned long long greatest = ~0ull >> (65 - 8 * type->size);
+    return is_greatest ? arena_format(a, "%lluLL", greatest)
+                       : arena_format(a, "-%lluLL - 1", greatest);
+}
+
+static const char *neutral_value(arena *a, const blocked_scalar *scalar) {
+    const ir_type *type = scalar->variable->type;
+    if (is_operator(scalar, "min") || is_operator(scalar, "max"))
+        return extreme_value(a, type, is_operator(scalar, "min"));
+    if (is_operator(scalar, "&"))
+        return type->kind == IR_BOOLEAN ? "1" : "-1";
+    return is_operator(scalar, "*") || is_operator(scalar, "&&") ? "1" : "0";
+}
+
+/** `sum` with the block's part of it. */
+static const char *combination(arena *a, const blocked_scalar *scalar, const char *sum,
+                               const char *part) {
+    if (is_operator(scalar, "min") || is_operator(scalar, "max"))
+        return arena_format(a, "%s %c %s ? %s : %s", part, is_operator(scalar, "min") ? '<' : '>',
+                            sum, part, sum);
+    return arena_format(a, "%s %s %s", sum, is_operator(scalar, "-") ? "+" : scalar->operator,
+                        part);
+}
+
+/* ---- before the loop ------------------------------------------------------------------------- */
+
+static const char *comparison_text(const counted_loop *counted) {
+    switch (counted->comparison) {
+    case IR_OP_LESS:
+        return "<";
+    case IR_OP_LESS_EQUAL:
+        return "<=";
+    case IR_OP_GREATER:
+        return ">";
+    case IR_OP_GREATER_EQUAL:
+        return ">=";
+    default:
+        return "!=";
+    }
+}
+
+static bool is_inclusive(const counted_loop *counted) {
+    return counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
+}
+
+/** The loop's own description, of which the runtime reads the order. */
+static void write_site(loop_text *loop, writer *out) {
+    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
+    writer_line(out, "static redcc_site redcc__site = {");
+    writer_line(out, "    {{__FILE__, %u, %s, REDCC_ORDER_FIXED, 0, 0, 0, 0, 0, 0, 0}, 0, 0}, 0",
+                place.line, text_quoted(loop->arena, loop->facts->function->name));
+    writer_line(out, "};");
+}
+
+static void write_parts(loop_text *loop, writer *out) {
+    const fixed_blocks *blocks = blocks_of(loop);
+    writer_line(out, "struct {");
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        writer_line(out, "    __typeof__(%s) redcc__%u;", value_of(loop, i), i);
+    writer_line(out, "} redcc__parts[%d];",
+                blocks->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED);
+}
+
+/** The trip count, and the number of blocks. */
+static void write_counts(loop_text *loop, writer *out) {
+    const counted_loop *counted = &loop->facts->counted;
+    const bool ascends = counted->step > 0;
+    const bool is_sequential =
+        loop->options->order_is_explicit && loop->options->order == ORDER_SERIAL;
+    const char *type = origin_type(loop->arena, counted->counter->type);
+    if (!type)
+        loop_obstacle(loop, loop->facts->loop->range, "the counter's type cannot be spelled");
+    writer_line(out, "const %s redcc__lower = %s, redcc__bound = %s;", type ? type : "int",
+                loop_operand(loop, counted->lower), loop_operand(loop, counted->bound));
+    writer_line(out, "const redcc_int redcc__trip = REDCC_TRIP%s(%s, %s, %lld);",
+                is_inclusive(counted) ? "_TO" : "", ascends ? "redcc__lower" : "redcc__bound",
+                ascends ? "redcc__bound" : "redcc__lower",
+                (long long)(ascends ? counted->step : -counted->step));
+    if (is_sequential)
+        writer_line(out, "const int redcc__in_order = 1;");
+    else
+        writer_line(out, "const int redcc__in_order = REDCC_IN_ORDER(redcc__site);");
+    writer_line(out, "const redcc_int redcc__blocks = redcc__in_order ? redcc__trip > 0");
+    writer_line(out, "    : REDCC_BLOCKS_%s(redcc__trip, %d);",
+                loop->facts->has_short_iterations ? "SHORT" : "LONG",
+                blocks_of(loop)->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED);
+    writer_line(out, "redcc_int redcc__block;");
+}
+
+/** The directive, of the blocks. */
+static void write_directive(loop_text *loop, writer *out) {
+    const fixed_blocks *blocks = blocks_of(loop);
+    buffer_text(&out->out, "#pragma omp parallel for schedule(");
+    buffer_text(&out->out, blocks->is_balanced ? "static)" : "dynamic)");
+    for (unsigned i = 0; i < blocks->directive.item_count; i++) {
+        const openmp_item *item = &blocks->directive.items[i];
+        if (item->kind != OPENMP_REDUCTION && item->kind != OPENMP_SCHEDULE &&
+            item->kind != OPENMP_COLLAPSE_ONE)
+            buffer_format(&out->out, " %s(%s)", item->word, item->text);
+    }
+    buffer_text(&out->out, " \\\n    shared(redcc__parts, redcc__lower, redcc__bound, redcc__trip, "
+                           "redcc__blocks, redcc__in_order");
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        buffer_format(&out->out, ", %s", name_of(loop, i));
+    buffer_text(&out->out, ")\n");
+}
+
+/** A block's own variables, and the loop over its iterations. */
+static void write_block(loop_text *loop, writer *out) {
+    const fixed_blocks *blocks = blocks_of(loop);
+    const counted_loop *counted = &loop->facts->counted;
+    const char *type = origin_type(loop->arena, counted->counter->type);
+    type = type ? type : "int";
+    writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");
+    out->depth++;
+    writer_line(out, "REDCC_QUIET_BEGIN");
+    writer_line(out, "const %s redcc__first = (%s)REDCC_BLOCK_BEGIN(redcc__block, %lld, 0),", type,
+                type, (long long)counted->step);
+    writer_line(out, "    redcc__stop = redcc__block + 1 == redcc__blocks ? redcc__bound");
+    writer_line(out, "        : (%s)REDCC_BLOCK_BEGIN(redcc__block + 1, %lld, %d);", type,
+                (long long)counted->step, is_inclusive(counted));
+    for (unsigned i = 0; i < blocks->scalar_count; i++) {
+        writer_line(out, "__typeof__(redcc__parts[0].redcc__%u) redcc__%u =", i, i);
+        writer_line(out, "    redcc__in_order ? %s : (%s);", value_of(loop, i),
+                    neutral_value(loop->arena, &blocks->scalars[i]));
+    }
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        writer_line(out, "__typeof__(redcc__parts[0].redcc__%u) %s = redcc__%u;", i,
+                    origin_declarator(loop->arena, blocks->scalars[i].variable), i);
+    const bool is_declared = counted->counter_is_declared_in_header;
+    if (!is_declared && !blocks->keeps_counter)
+        writer_line(out, "%s %s;", type, origin_declarator(loop->arena, counted->counter));
+    writer_line(out, "REDCC_QUIET_END");
+    const char *name = origin_variable(loop->arena, counted->counter);
+    writer_line(out, "for (%s%s%s = redcc__first; %s %s redcc__stop; %s += %lld)",
+                is_declared ? type : "", is_declared ? " " : "",
+                is_declared ? origin_declarator(loop->arena, counted->counter) : name, name,
+                comparison_text(counted), name, (long long)counted->step);
+    out->depth--;
+}
+
+static void write_condition(loop_text *loop, writer *out) {
+    buffer_byte(&out->out, '\n');
+    begin_as_compiled(loop, &out->out);
+    buffer_text(&out->out, "#if defined(REDCC_RUNTIME_H) && defined(redcc__as_compiled)\n"
+                           "#define redcc__in_blocks\n"
+                           "#endif\n");
+    end_as_compiled(loop, &out->out);
+    buffer_text(&out->out, "#ifdef redcc__in_blocks\n");
+}
+
+static void write_head(loop_text *loop, writer *out, ir_range replaced) {
+    write_condition(loop, out);
+    writer_line(out, "{ /* redcc: in fixed blocks, with the same bits at every thread count */");
+    out->depth = 1;
+    writer_line(out, "REDCC_QUIET_BEGIN");
+    write_site(loop, out);
+    write_parts(loop, out);
+    write_counts(loop, out);
+    writer_line(out, "REDCC_QUIET_END");
+    write_directive(loop, out);
+    write_block(loop, out);
+    check_macro_names(loop, &out->out);
+    out->depth = 0;
+    const char *text = loop->unit->source->text;
+    buffer_format(&out->out, "#else\n%s\n%s", loop_line_directive(loop, replaced.begin),
+                  loop_column_blanks(loop, replaced.begin));
+    buffer_append(&out->out, text + replaced.begin, replaced.end - replaced.begin);
+    buffer_format(&out->out, "\n#endif\n%s\n%s", loop_line_directive(loop, replaced.end - 1),
+                  loop_column_blanks(loop, replaced.end));
+}
+
+/* ---- after it -------------------------------------------------------------------------------- */
+
+static void write_tail(loop_text *loop, writer *out, uint32_t end) {
+    const fixed_blocks *blocks = blocks_of(loop);
+    buffer_text(&out->out, "\n#ifdef redcc__in_blocks\n");
+    out->depth = 2;
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        writer_line(out, "redcc__parts[redcc__block].redcc__%u = %s;", i, value_of(loop, i));
+    out->depth = 1;
+    writer_line(out, "}");
+    writer_line(out, "REDCC_QUIET_BEGIN");
+    writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");
+    for (unsigned i = 0; i < blocks->scalar_count; i++) {
+        const char *part = arena_format(loop->arena, "redcc__parts[redcc__block].redcc__%u", i);
+        const char *sum = value_of(loop, i);
+        writer_line(out, "    %s = redcc__in_order ? %s", sum, part);
+        writer_line(out, "        : (__typeof__(%s))(%s);", sum,
+                    combination(loop->arena, &blocks->scalars[i], sum, part));
+    }
+    writer_line(out, "}");
+    writer_line(out, "REDCC_QUIET_END");
+    out->depth = 0;
+    writer_line(out, "}");
+    buffer_format(&out->out, "#undef redcc__in_blocks\n#endif\n%s\n%s",
+                  loop_line_directive(loop, end - 1), loop_column_blanks(loop, end));
+}
+
+bool write_blocks(loop_text loop, loop_piece *head, loop_piece *tail, reason *why) {
+    const ir_node *whole = loop.facts->loop;
+    writer out = {0};
+    head->replaced = (ir_range){loop_text_begin(loop.whole, whole), blocks_of(&loop)->header.end};
+    write_head(&loop, &out, head->replaced);
+    head->text = writer_text(loop.arena, &out);
+    const uint32_t end = syntax_statement_end(loop.unit->source, whole);
+    tail->replaced = (ir_range){end, end};
+    write_tail(&loop, &out, end);
+    check_macro_names(&loop, &out.out);
+    tail->text = writer_text(loop.arena, &out);
+    *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
+    return !loop.obstacle;
+}

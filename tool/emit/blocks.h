@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Loops whose OpenMP directive reduces scalars, in fixed blocks
+ * (analysis/reduction/fixed_blocks.h, redcc/blocks.h). */
+#ifndef EMIT_BLOCKS_H
+#define EMIT_BLOCKS_H
+
+#include "emit/write_loop.h"
+
+/** The text that replaces the loop's directive and header, and the text after its body, which stays
+ *  in place. False, with the obstacle in *why: it cannot be written. */
+bool write_blocks(loop_text loop, loop_piece *head, loop_piece *tail, reason *why);
+
+#endif
