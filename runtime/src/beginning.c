@@ -83,14 +83,16 @@ void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_me
     execute(site, attempt, member, context, from, attempt->trip);
 }
 
-/* Is this the first execution, and may `auto` decide about it? */
+/* Is this the first execution, and may `auto` decide about it? In a fixed order sums depend on
+ * which iterations are executed together. */
 static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
     if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))
         return false;
     const struct settings *settings = redcc_settings_for(loop);
-    return !settings->method && !settings->compensated && !settings->validate && !redcc_within &&
-           !redcc_region_is_nested() && !redcc_is_forked();
+    const redcc_order order = settings->order_given ? settings->order : loop->order;
+    return order == REDCC_ORDER_SERIAL && !settings->method && !settings->compensated &&
+           !settings->validate && !redcc_within && !redcc_region_is_nested() && !redcc_is_forked();
 }
 
 static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc_attempt *attempt) {
@@ -119,6 +121,6 @@ void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
         return;
     }
     redcc_end_in_order(site, attempt, member, context, beginning->done);
-    redcc_note_original(loop, attempt->trip, attempt->known, redcc_seconds() - began);
+    redcc_note_done(loop, attempt->trip, attempt->known, redcc_seconds() - began);
     beginning->done = attempt->trip;
 }

@@ -346,8 +346,9 @@ static bool is_kept_out(struct loop_state *state, bool always) {
     return true;
 }
 
-void redcc_note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
-                         double seconds) {
+/* A sequential execution has taken so long: for `auto`. known: NULL if it is not at hand. */
+static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
+                          double seconds) {
     const int error = errno;
     struct loop_state *state = NULL;
     redcc_is_forked(); /* the body may have forked, and memory is used */
@@ -376,8 +377,18 @@ void redcc_sequential_end(redcc_loop *loop) {
         return;
     const double seconds = redcc_seconds() - original.began;
     set_original(NULL);
-    redcc_note_original(loop, original.trip,
-                        loop->source_count <= MOST_SOURCES ? original.known : NULL, seconds);
+    note_original(loop, original.trip, loop->source_count <= MOST_SOURCES ? original.known : NULL,
+                  seconds);
+}
+
+void redcc_note_done(redcc_loop *loop, redcc_int trip, const redcc_extent *known, double seconds) {
+    struct loop_state *state = redcc_settings_for(loop)->report ? redcc_state_of(loop) : NULL;
+    if (state) {
+        atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+        note_left_alone(&state->reported.statistics, RULE_FIRST);
+        redcc_count_fallback(state, REASON_SAVING);
+    }
+    note_original(loop, trip, known, seconds);
 }
 
 void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double seconds) {

@@ -135,10 +135,9 @@ void redcc_count_lost(struct execution *execution);
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
-/** The original loop, or all of its iterations in order, has taken so long: for `auto`. known: as
- * of redcc_enter; NULL: not at hand. */
-void redcc_note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
-                         double seconds);
+/** The loop's first execution, of all iterations in order, has taken so long. known: as of
+ *  redcc_enter. */
+void redcc_note_done(redcc_loop *loop, redcc_int trip, const redcc_extent *known, double seconds);
 
 /** `done` iterations of the loop's first execution have taken so long in order; `rest` are left. */
 void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double seconds);
