@@ -231,9 +231,8 @@ static struct decision set_up(const struct choice *c, double current) {
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;
-    const bool is_lent =
-        (c->now->verified || at_once) && credit < cost + c->now->start && may_borrow(c) &&
-        cost + c->now->start <= (c->now->begun ? 2 * LEARN_SHARE : LEARN_RISK / 2) * usual_of(c);
+    const bool is_lent = (c->now->verified || at_once) && credit < cost + c->now->start &&
+                         may_borrow(c) && cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
     if ((credit < cost && !(is_lent && at_once)) || !(c->now->begun || has_waited_for(c, cost)))
         return sequentially(c, RULE_SAVING);
     if (is_lent)
