@@ -26,7 +26,7 @@ struct evidence {
     int threads;
     redcc_int trip;
     const struct levels *levels; /* if the method is in_levels */
-    bool every_iteration; /* iterations that touch nothing must be executed as well */
+    bool every_iteration;        /* iterations that touch nothing must be executed as well */
 };
 
 enum copy_kind {

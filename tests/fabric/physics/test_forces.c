@@ -479,8 +479,8 @@ static void test_drag_is_force_per_area(void **state) {
     bench b = bench_of(cloth_of(4, material, 2, triangle));
     double sum[3] = {0, 0, 0};
     system_reset(&b.system, b.no_mass, none, 0.5);
-    drag_forces(&b.triangles, DRAG_ACROSS, 0.3, wind, 0.5, constant(b.m.position),
-                constant(b.rest), &b.system);
+    drag_forces(&b.triangles, DRAG_ACROSS, 0.3, wind, 0.5, constant(b.m.position), constant(b.rest),
+                &b.system);
     for (int i = 0; i < 4; i++)
         for (int a = 0; a < 3; a++)
             sum[a] += b.system.b[i][a];
