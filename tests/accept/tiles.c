@@ -9,7 +9,7 @@
 #include "case.h"
 
 #define COLUMNS n
-enum { N = 210, ROOM = 8 * N };
+enum { N = 210, ROOM = 12 * N };
 typedef struct {
     double x, y, z;
 } vector;
