@@ -39,15 +39,18 @@ static void bound_once(int *b, const int *n) {
     }
 }
 
-/* Iteration i has its own element z[i]. */
-static void own(int *b, int *z, int n) {
+/* Iteration i has its own element z[i], which is stored when all are over. */
+static int own(int *b, int *z, int n) {
+    int changed = 0;
     for (int i = 0; i < n; i++) {
         double s = pow(x[i], 0.51) + pow(x[i] + 2, 0.52) + pow(x[i] + 3, 0.53);
         int k = (int)s;
         if (z[i] != k)
-            z[i] = k;
+            changed++;
+        z[i] = k;
         b[k] += 1;
     }
+    return changed;
 }
 
 static void print_all(void) {
@@ -70,7 +73,9 @@ static void all(int hit) {
     bound_once(memory, memory + 3);
     print_all();
     x[hit] = 90000; /* the element of an early iteration */
-    own(memory, memory + M, N);
+    for (int k = 0; k < M + N; k++)
+        memory[k] = 0;
+    printf("%d\n", own(memory, memory + M, N));
     print_all();
 }
 

@@ -38,7 +38,8 @@ static bool is_read_before(const loop_facts *facts, const ir_node *row) {
 bool has_values_from_before(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *read = &facts->sources[i];
-        if (read->needs_guard && (read->is_scalar || is_read_before(facts, read->row)))
+        if (read->needs_guard && (read->is_scalar || own_element_at(facts, read->row) >= 0 ||
+                                  is_read_before(facts, read->row)))
             return true;
     }
     return false;
