@@ -90,9 +90,9 @@ static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) 
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))
         return false;
     const struct settings *settings = redcc_settings_for(loop);
-    const redcc_order order = settings->order_given ? settings->order : loop->order;
-    return order == REDCC_ORDER_SERIAL && !settings->method && !settings->compensated &&
-           !settings->validate && !redcc_within && !redcc_region_is_nested() && !redcc_is_forked();
+    return redcc_order_of(loop, settings) == REDCC_ORDER_SERIAL && !settings->method &&
+           !settings->compensated && !settings->validate && !redcc_within &&
+           !redcc_region_is_nested() && !redcc_is_forked();
 }
 
 static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc_attempt *attempt) {
@@ -115,8 +115,8 @@ void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
     beginning->done = attempt->trip / PART;
     execute(site, attempt, member, context, 0, beginning->done);
     const double seconds = redcc_seconds() - began;
-    leave_rest(beginning, loop, attempt);
     if (seconds * (double)PART >= long_enough) {
+        leave_rest(beginning, loop, attempt);
         redcc_note_begun(loop, beginning->rest.trip, beginning->done, seconds);
         return;
     }

@@ -13,7 +13,7 @@ enum { BEGINNING_KEYS = 16 };
 
 struct beginning {
     redcc_int done;     /**< iterations; 0: none */
-    redcc_attempt rest; /**< the others */
+    redcc_attempt rest; /**< the others, if there are both */
     redcc_word key[BEGINNING_KEYS];
 };
 

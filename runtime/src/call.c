@@ -17,13 +17,9 @@
 #include <errno.h>
 #include <string.h>
 
-static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
-    return settings->order_given ? settings->order : loop->order;
-}
-
 /* Stops if an order named explicitly contradicts the named method. */
 static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
-    const redcc_order order = order_of(loop, settings);
+    const redcc_order order = redcc_order_of(loop, settings);
     if (!settings->method || settings->method->keeps <= order ||
         !(settings->order_given || loop->flags & REDCC_ORDER_EXPLICIT))
         return;
@@ -155,7 +151,7 @@ static struct settings settings_of_sections(const struct settings *settings, int
 /* The number of its shares; below 2: the order is that of the loop. */
 static int section_shares(const redcc_loop *loop, const struct settings *settings, redcc_int trip,
                           void *const *bases, const redcc_extent *sections) {
-    if (!sections || order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
+    if (!sections || redcc_order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
         settings->compensated || loop->flags & REDCC_ORDER_NEEDED)
         return 0;
     return redcc_sections_shares(loop, trip, bases, sections, settings->memory_limit);
@@ -166,7 +162,7 @@ static void take_settings(struct call *call, const struct settings *settings, in
     call->method = method_of(settings);
     call->parameter = settings->parameter;
     call->in_bins = call->method && call->method->in_bins;
-    call->order = order_of(loop, settings);
+    call->order = redcc_order_of(loop, settings);
     if (call->method && call->method->keeps > call->order)
         call->order = call->method->keeps;
     call->compensated = settings->compensated;

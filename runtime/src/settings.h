@@ -36,6 +36,11 @@ void redcc_complain(const char *format, ...) __attribute__((format(printf, 1, 2)
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count);
 
+/** The order that the loop's sums keep. */
+static inline redcc_order redcc_order_of(const redcc_loop *loop, const struct settings *settings) {
+    return settings->order_given ? settings->order : (redcc_order)loop->order;
+}
+
 /** Parses a size of REDCC_MEMORY_LIMIT: digits and K, M or G. False if invalid. */
 bool redcc_parse_bytes(const char *text, size_t *bytes);
 

@@ -432,7 +432,7 @@ static void longer_than_the_step(int n, const double *x, double *f) {
         }
 } // NOT-TILED: 428
 
-/* The header steps variables beside the column. */
+/* The inner loop's header steps other variables as well. */
 static void beside(int n, const double *x, double *f) {
     int i, j, p;
     for (i = 0; i < n; i++) { // EXPECT: transformed

@@ -38,7 +38,7 @@ KEEP void widened(int n, int from, const signed char *x, double *h) {
         h[k[t]] += 0.1 * x[(long)(t + from) + 1];
 }
 
-/* A counter that may pass INT_MAX, and go on below. */
+/* The counter may pass INT_MAX, and then continues at INT_MIN. */
 KEEP void counters(int n, int step, double *h) {
     for (int t = n - 3; t <= n; t++) // EXPECT: refuse counter-wraps
         h[k[t & 7]] += 1;

@@ -124,14 +124,14 @@ static bool is_over_blocks(const loop_plan *plan) {
 
 void plan_execution(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    const bool keeps_plan = is_verifiable(plan);
+    const bool keeps_plan = is_verifiable(plan), needs_whole = has_values_from_before(facts);
     plan->execution = (execution_plan){
         .keeps_plan = keeps_plan,
         .key_count = 1 + (keeps_plan ? facts->inspector.key_count + stepped_count(facts) : 0),
         .needs_order = needs_order(facts),
         .needs_every_iteration = needs_every_iteration(facts),
-        .needs_whole = has_values_from_before(facts),
-        .may_begin = may_begin_in_order(facts),
+        .needs_whole = needs_whole,
+        .may_begin = !needs_whole && may_begin_in_order(facts),
         .is_over_blocks = is_over_blocks(plan),
         .work = work_of_iteration(plan)};
 }

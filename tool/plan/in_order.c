@@ -56,7 +56,7 @@ static bool counts_iterations(const loop_facts *facts) {
 
 bool may_begin_in_order(const loop_facts *facts) {
     const counted_loop *counted = &facts->counted;
-    return !facts->has_short_iterations && !has_values_from_before(facts) &&
-           !counts_iterations(facts) && !facts->slice.exits && !facts->slice.may_abort &&
-           counted->counter->type->kind == IR_INTEGER && counted->step == 1 && !counted->stride;
+    return !facts->has_short_iterations && !counts_iterations(facts) && !facts->slice.exits &&
+           !facts->slice.may_abort && counted->counter->type->kind == IR_INTEGER &&
+           counted->step == 1 && !counted->stride;
 }

@@ -9,8 +9,8 @@
 /** May an update change a value that the executor reads before the loop, or keeps until its end? */
 bool has_values_from_before(const loop_facts *facts);
 
-/** Is the body in order the loop, from any iteration on, and are iterations heavy? Then the first
- *  ones may be timed (runtime/src/beginning.h). */
+/** Given that no update may do that: is the body in order the loop, from any iteration on, and are
+ *  iterations heavy? Then the first ones may be timed (runtime/src/beginning.h). */
 bool may_begin_in_order(const loop_facts *facts);
 
 #endif
