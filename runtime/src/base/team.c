@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* pthread_setattr_default_np */
 #include "base/team.h"
 
+#include "base/clock.h"
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/pool.h"
@@ -287,8 +288,16 @@ void redcc_team_came(int threads) {
 
 static atomic_int members; /* threads that are there, of regions, but for their first ones */
 
+/* The ids of members that have left, the last ones; 0: none. The system may not have removed them
+ * yet, because they have destructors to run or the machine is crowded. */
+enum { LEAVING = 256 };
+static atomic_int leaving[LEAVING];
+static atomic_uint left;
+
 static void leave_members(void *unused) {
     (void)unused;
+    const unsigned slot = atomic_fetch_add(&left, 1) % LEAVING;
+    atomic_store(&leaving[slot], (int)redcc_system(SYS_gettid));
     atomic_fetch_sub(&members, 1);
 }
 
@@ -303,6 +312,8 @@ void redcc_team_note_member(void) {
 
 void redcc_team_forked(void) {
     atomic_store(&members, 0);
+    for (unsigned i = 0; i < LEAVING; i++)
+        atomic_store(&leaving[i], 0);
 }
 
 static void be_noted(int number, int threads, void *unused) {
@@ -317,17 +328,45 @@ static int count_others(void) {
     return tasks == 0 ? -1 : tasks - known;
 }
 
-/* A region has OpenMP's threads noted, and those dismissed that are more than it needs; these take
- * a while to end. */
-static bool has_others_after_region(void) {
-    enum { MOST_WAITS = 100 };
-    redcc_region_run(redcc_region_threads(), be_noted, NULL);
-    int others = count_others();
-    for (int wait = 0; wait < MOST_WAITS && others > 0; wait++) {
-        redcc_system_yield();
-        others = count_others();
+/* Is any member still leaving? */
+static bool is_one_leaving(void) {
+    bool is_one = false;
+    const long process = redcc_system_process();
+    for (unsigned i = 0; i < LEAVING; i++) {
+        int id = atomic_load(&leaving[i]);
+        if (id == 0)
+            continue;
+        if (redcc_system(SYS_tgkill, process, id, 0) == 0)
+            is_one = true;
+        else
+            atomic_compare_exchange_strong(&leaving[i], &id, 0);
     }
-    return others != 0;
+    return is_one;
+}
+
+/* The same as count_others, when those that are leaving have left. */
+static int count_others_that_stay(void) {
+    enum { MOST_YIELDS = 100 };
+    const struct timespec pause = {0, 200000};
+    const double deadline = redcc_seconds() + 1;
+    for (int wait = 0;; wait++) {
+        const bool may_change = is_one_leaving();
+        const int others = count_others();
+        if (others <= 0 || !may_change || redcc_seconds() > deadline)
+            return others;
+        if (wait < MOST_YIELDS)
+            redcc_system_yield();
+        else
+            redcc_system(SYS_nanosleep, &pause, NULL);
+    }
+}
+
+/* A region with as many threads as the process has: if they all are OpenMP's, they are noted. */
+static void note_all(int others) {
+    enum { MOST = 256 };
+    const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
+    const bool may_be_more = all <= MOST && !redcc_region_is_own() && !is_limited();
+    redcc_region_run(may_be_more && all > usual ? all : usual, be_noted, NULL);
 }
 
 bool redcc_team_is_alone(void) {
@@ -335,12 +374,14 @@ bool redcc_team_is_alone(void) {
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
-    const int others = count_others();
+    int others = count_others();
+    if (others > 0 && others != seen)
+        others = count_others_that_stay();
     if (others <= 0 || others == seen)
         return others == 0;
-    const bool has_others = has_others_after_region();
-    seen = has_others ? count_others() : 0;
-    return !has_others;
+    note_all(others);
+    seen = count_others_that_stay();
+    return seen == 0;
 }
 
 #else
