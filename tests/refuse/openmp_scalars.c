@@ -45,6 +45,11 @@ double clauses(int n) {
         sum += w[i];
         h[0] += sum;
     }
+#pragma omp parallel for reduction(+ : sum, h[ : 10])
+    for (int i = 0; i < n; i++) { // EXPECT: refuse existing-openmp
+        sum += w[i];
+        h[i % 10] += w[i];
+    }
 #pragma omp parallel for SUM
     for (int i = 0; i < n; i++) // EXPECT: nothing
         sum += w[i];

@@ -344,15 +344,16 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* The same as count_others, when those that are leaving have left. */
-static int count_others_that_stay(void) {
+/* The same as count_others, after waiting for members that are leaving, and `seconds` for others:
+ * threads that OpenMP made for the program's regions alone may be leaving, too. */
+static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
-    const double deadline = redcc_seconds() + 1;
+    const double begin = redcc_seconds();
     for (int wait = 0;; wait++) {
         const bool may_change = is_one_leaving();
         const int others = count_others();
-        if (others <= 0 || !may_change || redcc_seconds() > deadline)
+        if (others <= 0 || redcc_seconds() - begin > (may_change ? 1 : seconds))
             return others;
         if (wait < MOST_YIELDS)
             redcc_system_yield();
@@ -371,16 +372,19 @@ static void note_all(int others) {
 
 bool redcc_team_is_alone(void) {
     static int seen; /* so many others there were after a region: it is of no use again */
+    static double patience = 0.25; /* halved after each time it was of no use */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
     int others = count_others();
     if (others > 0 && others != seen)
-        others = count_others_that_stay();
+        others = count_others_that_stay(0);
     if (others <= 0 || others == seen)
         return others == 0;
     note_all(others);
-    seen = count_others_that_stay();
+    seen = count_others_that_stay(patience);
+    if (seen > 0)
+        patience /= 2;
     return seen == 0;
 }
 
