@@ -372,7 +372,7 @@ static void note_all(int others) {
 
 bool redcc_team_is_alone(void) {
     static int seen; /* so many others there were after a region: it is of no use again */
-    static double patience = 0.25; /* halved after each time it was of no use */
+    static double longest_wait = 0.25; /* halved after each time it was of no use */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
@@ -382,9 +382,9 @@ bool redcc_team_is_alone(void) {
     if (others <= 0 || others == seen)
         return others == 0;
     note_all(others);
-    seen = count_others_that_stay(patience);
+    seen = count_others_that_stay(longest_wait);
     if (seen > 0)
-        patience /= 2;
+        longest_wait /= 2;
     return seen == 0;
 }
 
