@@ -40,7 +40,7 @@ int main(void) {
     case_values(w, N);
     for (int round = 0; round < 4; round++) {
         come(MORE);
-        if (round % 2) /* dismissed before any loop knows of them */
+        if (round % 2 == 0) /* dismissed before any loop knows of them */
             come(2);
         add(N - round);
         CASE_PRINT(h);
