@@ -9,7 +9,7 @@
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/** In `tree`, but not in `part` of it. */
+/** Is the variable mentioned in `tree`, outside of `part`? */
 static bool is_mentioned_besides(const ir_node *tree, const ir_node *part,
                                  const ir_variable *variable) {
     if (tree == part)
@@ -47,7 +47,8 @@ bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
 
 /* ---- loops ----------------------------------------------------------------------------------- */
 
-/** Of constants, and of variables, and members of them, that the outer loop only reads. */
+/** Does the expression consist of constants, and of variables and their members that the outer loop
+ *  only reads? */
 static bool is_steady(const loop_facts *facts, const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:

@@ -19,12 +19,12 @@ typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the loop */
     const ir_node *block; /* its body */
-    unsigned rest;        /* number of the statement that begins the rest of an iteration */
+    unsigned rest;        /* index of the first statement of the rest */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
-    bool adds_to_series; /* does the rest? */
+    bool adds_to_series; /* the rest adds to a series */
     unsigned sum_count;
-    const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
+    const ir_variable *sums[MOST_SUMS]; /* variables that inner iterations add to */
 } inner_rest;
 
 /* ---- effects of the rest of an iteration ----------------------------------------------------- */
@@ -123,7 +123,7 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     default:
         break;
     }
-    if (is_series_update(t, node)) { /* which the leading thread executes completely */
+    if (is_series_update(t, node)) { /* the leading thread executes the rest completely */
         t->adds_to_series = true;
         return false;
     }
@@ -331,7 +331,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** The subscripts of p[c][d]. */
+/** The same for the subscripts of p[c][d], where the element itself is the sum. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))

@@ -123,7 +123,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
 
 /** Work that is executed lane by lane, in statements with updates. */
 typedef struct scalar_work {
-    int64_t beside;     /* nodes that are not part of the updates themselves */
+    int64_t beside;     /* nodes outside of the updates themselves */
     int64_t operations; /* all operations of these statements, and calls made lane by lane */
 } scalar_work;
 

@@ -11,7 +11,7 @@ typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 /** Which loops execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
-    LANES_OF_HEAVY, /* of long iterations */
+    LANES_OF_HEAVY, /* loops with long iterations */
     LANES_OF_ALL
 } lanes_wish;
 

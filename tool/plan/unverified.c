@@ -438,7 +438,7 @@ static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     return false;
 }
 
-/** Where the program would not execute the loop. */
+/** May the loop run forever at a place where the program would not execute it? */
 static bool may_not_end(const unverified_reads *s, const ir_node *loop, control how) {
     return how.is_unverified && !s->in_callee && !ends_in_any_case(s->plan->facts, loop);
 }
@@ -456,7 +456,7 @@ void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     else if (node->kind == IR_CALL)
         check_call(s, node, how);
     else if (s->in_slice && how.is_unverified && is_next_iteration(s, node))
-        s->may_have_left = true; /* or not, if the loop continues */
+        s->may_have_left = true; /* if the loop does not continue */
     else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_unverified) ||
              (node->kind == IR_DECLARATOR && node->variable->type->size < 0))
         s->is_harmful = true;

@@ -22,11 +22,12 @@ typedef struct unverified_reads {
     const loop_plan *plan;
     const bool *is_suspect;          /* by source: its contents may be unverified */
     bool *is_unverified;             /* by variable: it may hold an unverified value */
-    bool changed;                    /* in this pass */
+    bool changed;                    /* this pass has marked a variable */
     bool is_harmful;                 /* the result */
-    bool in_callee;                  /* then all memory of the sources' types is unverified, */
-    bool is_typed;                   /* or, if false, any */
-    bool in_slice;                   /* all its reads are sources */
+    bool in_callee;                  /* a called function is checked, in which all memory of the
+                                      * sources' types */
+    bool is_typed;                   /* (if false: any memory) is unverified */
+    bool in_slice;                   /* the slice is checked: all its reads are sources */
     bool may_have_left;              /* before the following code: under an unverified condition */
     unsigned depth;                  /* of calls */
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
