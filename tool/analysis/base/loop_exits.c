@@ -25,7 +25,8 @@ static const ir_node *only_statement(const ir_node *block) {
     return block;
 }
 
-/* c ? (void)0 : fail(); ({ if (c) ; else fail(); }); sizeof(...), one of these. */
+/* The condition of c ? (void)0 : fail(), of ({ if (c) ; else fail(); }), or of one of these after
+ * sizeof(...) and a comma. */
 const ir_node *assertion_condition(const ir_node *node) {
     while (node &&
            (node->kind == IR_CAST || (node->kind == IR_BINARY && node->op == IR_OP_COMMA &&
@@ -98,7 +99,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 /* ---- branches with messages -------------------------------------------------------------------
  */
 
-enum { DEEPEST_MESSAGE = 4 }; /* calls of functions within functions */
+enum { DEEPEST_MESSAGE = 4 }; /* nested calls */
 
 /* Does it print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {
@@ -107,7 +108,8 @@ static bool is_stateful(const ir_function *function) {
     return deed && strncmp(deed, "writes memory", 13) != 0;
 }
 
-/* Not one behind another condition of the loop's text, which is looked at by itself. */
+/* Does the statement print or keep state? Without the branches of its inner conditions, which are
+ * checked separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;
@@ -133,7 +135,7 @@ static bool is_with_message(const ir_node *statement) {
 typedef struct search {
     arena *memory;
     loop_exits *found;
-    bool is_over; /* more than fit, or one that cannot be removed */
+    bool is_over; /* there are too many, or one cannot be removed */
 } search;
 
 static unsigned last_id(const ir_node *node) {

@@ -25,7 +25,7 @@ typedef struct fixed_blocks {
     unsigned scalar_count;
     const blocked_scalar *scalars;
     openmp_directive directive;
-    bool keeps_counter; /* a clause names the counter: it says what becomes of it */
+    bool keeps_counter; /* a clause names the counter, and determines its final value */
     bool is_balanced;   /* iterations take the same time, according to `schedule` */
 } fixed_blocks;
 

@@ -14,8 +14,9 @@
 
 /* ---- the source text ------------------------------------------------------------------------- */
 
-/* Past blanks, comments, empty statements, directives and text that is not compiled (with it, the
- * original loop is: as_compiled.h); the beginning of other text, or `to`. */
+/* Skips blanks, comments, empty statements, directives and text that is not compiled (another
+ * compilation uses the original loop: as_compiled.h). Returns the beginning of other text, or
+ * `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
     while ((from = source_skip_blanks(unit->source, from, to)) < to) {
@@ -74,8 +75,8 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
-/* Directives that are asleep, or that the loop may be executed without as far as the text tells,
- * are none that matters. */
+/* Ignores directives that this compilation does not use, and those that the loop may be executed
+ * without, judging by their text. */
 static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
@@ -233,7 +234,7 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* The first values are computed again by the original loop, if that runs. */
+/* If the original loop runs, it computes the first values again. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)
