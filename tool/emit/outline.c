@@ -104,7 +104,7 @@ static void add_extra(const extra_value *value, void *context) {
     buffer_format(&h->arguments, ", %s", value->name);
 }
 
-/** A text of the translator and of the user that is kept to find names in it. */
+/** Keeps a generated text, in which names are searched for when the context is written. */
 static void remember_text(loop_text *loop, const char *text) {
     loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
@@ -174,8 +174,8 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
     return false;
 }
 
-/** The slice of the reads that are recorded while iterations are pushed, without the computation of
- *  subscripts; NULL: that of the inspector serves. */
+/** The slice of the reads that are recorded while records are appended, without the computation of
+ *  subscripts; NULL: the inspector's slice is used. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;

@@ -48,7 +48,7 @@ typedef struct lane_words {
     const char *same;   /* makes a vector from a scalar */
     const char *select; /* selects between two by a mask */
     const char *mask;   /* makes a mask from a comparison */
-    const char *of;     /* converts a vector of the others */
+    const char *of;     /* converts a vector of the other type */
     const char *scalar; /* the type of one */
 } lane_words;
 

@@ -25,7 +25,7 @@ typedef struct inspector {
     bool *source_logged;   /* by the facts' source */
     bool *is_mentioned;    /* by variable: named in the printed text */
     bool is_unconditional; /* the current code may be evaluated when the program does not */
-    unsigned loop_count;   /* around the current code, of a called function */
+    unsigned loop_count;   /* loops of a called function around the current code */
     const source_loop *loops;
     const ir_node *span;  /* a loop, while the ends of its rows are spelled, */
     const ir_node *place; /* of the one accessed here; NULL: not now */
