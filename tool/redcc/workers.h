@@ -17,7 +17,7 @@ typedef struct workers {
      *  with the standard output of a piece, which is not shown. `output` is at its beginning, and
      *  closed afterwards. Not with at_once 0. */
     void (*take)(unsigned number, FILE *output, void *context);
-    /** Called in a separate process: does the piece and fills in *result, which is zeroed
+    /** Called in a separate process: does the piece of work and fills in *result, which is zeroed
      *  before. */
     void (*work)(unsigned number, void *result, void *context);
     /** Called in the caller's process, in order: `ended_by` is 0, or the signal that ended the
