@@ -42,7 +42,7 @@ static struct word unpack(const void *state) {
                                    ((1u << EARNED_BITS) - 1)};
 }
 
-/* If another thread was faster, its word remains, or the state that it created. */
+/* If another thread has changed the word meanwhile, its word or state remains. */
 static void replace(void **state, void *before, struct word word) {
     const uintptr_t it = (uintptr_t)word.size | (uintptr_t)word.left << SIZE_BITS |
                          (uintptr_t)word.length << (SIZE_BITS + NUMBER_BITS) |

@@ -50,7 +50,7 @@ enum {
 struct team {
     int threads;         /* of the thread's last region; 0: there was none */
     int pinned;          /* the code of its threads will not be unloaded */
-    int rest;            /* calls that were skipped after a handler was last seen, */
+    int rest;            /* calls to skip after a handler was last detected, */
     int rest_left;       /* and how many of them remain */
     size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
 };
@@ -167,7 +167,7 @@ static bool is_limited(void) {
            is_low("/sys/fs/cgroup/pids.max");
 }
 
-/* Threads that do nothing. */
+/* A thread that does nothing. */
 struct trial {
     atomic_uint over;
     atomic_int asleep;
@@ -370,18 +370,18 @@ static void note_all(int others) {
 }
 
 bool redcc_team_is_alone(void) {
-    static int seen; /* so many others there were after a region: it is of no use again */
+    static int known; /* the number of other threads that a region could not identify */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
     int others = count_others();
-    if (others > 0 && others != seen)
+    if (others > 0 && others != known)
         others = count_others_that_stay();
-    if (others <= 0 || others == seen)
+    if (others <= 0 || others == known)
         return others == 0;
     note_all(others);
-    seen = count_others_that_stay();
-    return seen == 0;
+    known = count_others_that_stay();
+    return known == 0;
 }
 
 #else

@@ -50,8 +50,8 @@ struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
-    bool begun;              /* its part of the phase */
-    struct bins_share share; /* of the round */
+    bool begun;              /* its part of the phase has begun */
+    struct bins_share share; /* its share of the round */
     int pieces;              /* number taken in this round */
     redcc_int next;          /* of its piece, [next, last) is not handed out yet */
     redcc_int last;

@@ -35,7 +35,7 @@ static redcc_int most_of_round(const struct binning *binning) {
         return INT64_MAX;
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
-            most = redcc_least(most, redcc_bins_tuning.round_of_spans);
+            most = redcc_min(most, redcc_bins_tuning.round_of_spans);
     return most;
 }
 
@@ -78,13 +78,13 @@ static bool next_stretch(struct binning *binning, struct binner *binner, redcc_w
     const redcc_int trip = binning->call->request.trip;
     const redcc_int begin = redcc_share(trip, binner->threads, binner->thread);
     const redcc_int end = redcc_share(trip, binner->threads, binner->thread + 1);
-    const redcc_int share = end - begin, all = redcc_least(redcc_most(share / MEASURED, 2), share);
-    const redcc_int stretches = redcc_least(all, STRETCHES);
-    const redcc_int length = redcc_least(redcc_most(all / STRETCHES, 1), STRETCH);
+    const redcc_int share = end - begin, all = redcc_min(redcc_max(share / MEASURED, 2), share);
+    const redcc_int stretches = redcc_min(all, STRETCHES);
+    const redcc_int length = redcc_min(redcc_max(all / STRETCHES, 1), STRETCH);
     if (binner->sample == stretches)
         return false;
     const redcc_int first =
-        begin + redcc_share(share - length, (int)redcc_most(stretches - 1, 1), binner->sample);
+        begin + redcc_share(share - length, (int)redcc_max(stretches - 1, 1), binner->sample);
     binner->sample++;
     binner->measured += length;
     hand_out(binning, binner, worker, bins, first, first + length);
