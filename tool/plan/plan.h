@@ -75,8 +75,8 @@ typedef struct loop_plan {
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;
-    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none, */
-    const char *no_bins;          /* for this reason */
+    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none */
+    const char *no_bins;          /* the reason why there is none */
     lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;
     const struct inner_skip *skips; /* for each inner loop (inner_iterations.h) */

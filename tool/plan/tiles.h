@@ -56,7 +56,7 @@ typedef struct tile_plan {
     const char *declined;         /* why there are no tiles; NULL: there are */
     const ir_node *inner;         /* the loop over columns, a statement of the body or all of it */
     const ir_variable *column;    /* its counter */
-    const ir_node *lower, *bound; /* expressions of its header, */
+    const ir_node *lower, *bound; /* first value and bound in its header */
     bool is_inclusive;            /* counter <= bound, not counter < bound */
     bool is_below;                /* columns are below their rows */
     unsigned kept_count;

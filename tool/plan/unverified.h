@@ -49,9 +49,9 @@ bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect);
  *  the slice alone. */
 unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice);
 
-/** The control flow into the first statement of an iteration, */
+/** The control flow into the first statement of an iteration. */
 control unverified_in_iteration(const loop_plan *plan);
-/** and into the parts of a node: `first` is evaluated with it. */
+/** The control flow into a part of a node; `first`: the part is evaluated whenever the node is. */
 control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first);
 
 /** Does the node's value depend on unverified ones? For a statement: does the decision which parts
