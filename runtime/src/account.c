@@ -6,7 +6,7 @@
 
 #include "base/clock.h"
 #include "base/trace.h"
-#include "plan/lost.h"
+#include "plan/rounding.h"
 
 /* Records the mode of the last call; thread-safe. */
 static void note_mode(struct statistics *statistics, enum mode mode) {
@@ -249,7 +249,7 @@ static void account_execution(struct execution *execution, double now) {
     statistics->last.stages = redcc_plan_stages(plan);
     statistics->last.trip = plan->trip;
     statistics->last.length = plan->length;
-    statistics->last.compensated = redcc_lost_bytes(plan) > 0;
+    statistics->last.compensated = redcc_rounding_bytes(plan) > 0;
     count_nodes(execution, statistics);
     note_variant(execution, statistics);
     trace_execution(execution, now);

@@ -50,8 +50,8 @@ enum {
 struct team {
     int threads;         /* of the thread's last region; 0: there was none */
     int pinned;          /* the code of its threads will not be unloaded */
-    int rest;            /* calls to skip after a handler was last detected, */
-    int rest_left;       /* and how many of them remain */
+    int rest;            /* calls to skip after a handler was last detected */
+    int rest_left;       /* how many of these remain */
     size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
 };
 

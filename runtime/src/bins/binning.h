@@ -101,8 +101,8 @@ struct bins_trial {
     double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
     double began;    /* its time */
     bool is_late;    /* the only round (REDCC_WHOLE) takes too long to push */
-    redcc_int stretch; /* iterations executed sequentially meanwhile, */
-    double sequential; /* and their seconds */
+    redcc_int stretch; /* iterations that the trial executes sequentially */
+    double sequential; /* their time, seconds */
 };
 
 struct binning {

@@ -12,9 +12,9 @@
 enum {
     CHUNK = 16384,  /* iterations after which a thread notices that the round has failed; a smaller
                      * number would show less of the missing rows and records */
-    STRETCHES = 64, /* of each thread's share are measured, */
-    STRETCH = 64,   /* with at most this many iterations each; */
-    MEASURED = 64,  /* one iteration in this many */
+    STRETCHES = 64, /* stretches of each thread's share that are measured */
+    STRETCH = 64,   /* maximum iterations of a stretch */
+    MEASURED = 64,  /* of a small share one iteration in this many is measured */
     LEAST_CHUNK = 512,
     TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
                 * stretch compared with it; the next is as long as all before */

@@ -21,8 +21,8 @@ struct selection {
     redcc_int executed;   /* iterations so far */
     bool asked;           /* classes for worker->first, ... were requested, and are not evaluated
                            * yet */
-    redcc_int taken;      /* the number of them already handed out, */
-    bool follows;         /* the last ones with this flag (redcc_variant) */
+    redcc_int taken;      /* number of classified iterations already handed out */
+    bool follows;         /* the last runs handed out had this flag (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
 };
 

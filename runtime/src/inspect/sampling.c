@@ -23,8 +23,8 @@ enum {
     LOOKED_AT_LEAST = 16,
     SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768,                    /* kept of them, with few owners; with many */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* this many each, */
-    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* with many owners: touches for each */
+    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* the maximum of these */
     ROWS_OF_A_TOUCH = 64
 };
 
