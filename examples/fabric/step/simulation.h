@@ -105,8 +105,8 @@ typedef struct run_faults {
     long not_solved, strain, penetration, passing;
     double greatest_strain, strain_limit; /* of a triangle in all of the run; the scene's limit */
     double deepest;                       /* m, of a vertex in a collider */
-    long start_inside;                    /* vertices in a collider where the cloth starts, */
-    double start_depth;                   /* m, the deepest of them */
+    long start_inside;                    /* vertices that start in a collider */
+    double start_depth;                   /* m, depth of the deepest of them */
     int watched;          /* the monitor is on: else strain and depth are not known */
     long solved_directly; /* systems, because the conjugate gradients did not converge */
 } run_faults;

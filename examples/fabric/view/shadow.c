@@ -87,7 +87,7 @@ int shadow_begin(shadow *s, OSMesaContext context, const float light[3], const d
     glEnable(GL_DEPTH_TEST);
     look_along(light, center, radius);
     note_way_to_texture(s);
-    /* A little behind where it is, or it would lie in its own shadow here and there. */
+    /* Stores slightly larger depths; otherwise surfaces would shadow themselves in places. */
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(3.0f, 6.0f);
     return 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the light sees, as a texture of depths: what lies behind it is in the shadow. With OpenGL's
- *  fixed functions, in the current OSMesa context. */
+/** A shadow map: a texture of depths as seen from the light. Points behind these depths are in the
+ *  shadow. With OpenGL's fixed functions, in the current OSMesa context. */
 #ifndef FABRIC_VIEW_SHADOW_H
 #define FABRIC_VIEW_SHADOW_H
 

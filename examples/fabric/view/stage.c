@@ -186,7 +186,7 @@ static void flatten(const double normal[3], double offset) {
     glMultMatrixd(matrix);
 }
 
-/** Darkens the plane where cloth or solids stand in its light; each pixel once (the stencil). */
+/** Darkens the plane in the shadows of cloth and solids; each pixel once (the stencil). */
 static void draw_shadows(const stage *st, const collider *plane, const patches *cloth,
                          double time) {
     double offset = 0.001; /* m above the plane, so as not to be hidden by it */
