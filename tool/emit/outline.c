@@ -73,9 +73,7 @@ static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_bod
             is_mentioned[i] ? handing_of(loop->plan, variable, of_body) : NOT_HANDED;
         if (how == CANNOT_BE_HANDED)
             loop_obstacle(loop, loop->facts->loop->range,
-                          "'%s' cannot be handed to a function in front of the one that it stands "
-                          "in",
-                          variable->name);
+                          "'%s' cannot be passed to a separate function", variable->name);
         if (how == NOT_HANDED || how == CANNOT_BE_HANDED)
             continue;
         loop->outline.is_handed[i] = true;
@@ -374,7 +372,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     const char *text = writer_text(loop->arena, &out);
     if (!loop->outline.possible)
         loop_obstacle(loop, facts->loop->range,
-                      "its slice or its body names something that cannot be handed to a function "
-                      "in front of the one that it stands in");
+                      "its slice or its body names something that cannot be passed to a separate "
+                      "function");
     return loop->obstacle ? NULL : text;
 }

@@ -36,13 +36,8 @@ static bool contains(const ir_node *node, const ir_node *target) {
     return false;
 }
 
-static bool writes(const ir_node *node) {
-    if (expression_written(node) || node->kind == IR_OPAQUE)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (writes(node->children[i]))
-            return true;
-    return false;
+static bool is_write(const ir_node *node) {
+    return expression_written(node) || node->kind == IR_OPAQUE;
 }
 
 value_kind value_kind_of(const ir_type *type) {
@@ -89,7 +84,7 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
         return true;
-    if (record->operand_count == MOST_RECORD_OPERANDS || writes(node) ||
+    if (record->operand_count == MOST_RECORD_OPERANDS || ir_any(node, is_write) ||
         record_kind(node) == VALUE_NONE || (!is_certain && !has_value_always(facts, node)))
         return false;
     record->operands[record->operand_count++] = node;

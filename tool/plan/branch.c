@@ -22,15 +22,10 @@ static bool is_mentioned_besides(const ir_node *tree, const ir_node *part,
     return false;
 }
 
-/** A jump might enter the branch. */
-static bool has_labels(const ir_node *node) {
-    if (node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_SWITCH ||
-        node->kind == IR_OPAQUE)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_labels(node->children[i]))
-            return true;
-    return false;
+/** Might a jump enter a branch that contains this node? */
+static bool may_be_entered(const ir_node *node) {
+    return node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_SWITCH ||
+           node->kind == IR_OPAQUE;
 }
 
 bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
@@ -40,8 +35,8 @@ bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
     const bool has_start = declarator && declarator->child_count > 0;
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable != facts->counted.counter && !variable->address_taken &&
-           !variable->has_other_name && ir_type_is_scalar(variable->type) && !has_labels(body) &&
-           !is_mentioned_besides(facts->loop, branch, variable) &&
+           !variable->has_other_name && ir_type_is_scalar(variable->type) &&
+           !ir_any(body, may_be_entered) && !is_mentioned_besides(facts->loop, branch, variable) &&
            (has_start || is_fresh_in(branch, variable));
 }
 

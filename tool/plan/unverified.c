@@ -464,16 +464,6 @@ void unverified_check(unverified_reads *s, const ir_node *node, control how) {
         unverified_check(s, node->children[i], unverified_below(s, node, how, i == 0));
 }
 
-/** A jump may skip the statements after it: none of them is certain then. */
-static bool holds_jump(const ir_node *node) {
-    if (is_jump(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (holds_jump(node->children[i]))
-            return true;
-    return false;
-}
-
 bool *guarded_sources(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     bool *is_guarded = ARENA_ARRAY(plan->arena, bool, facts->source_count + 1);
@@ -502,7 +492,8 @@ unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect,
 }
 
 control unverified_in_iteration(const loop_plan *plan) {
-    return (control){false, !holds_jump(plan->facts->counted.body)};
+    /* a jump may skip the statements after it: none of them is certain then */
+    return (control){false, !ir_any(plan->facts->counted.body, is_jump)};
 }
 
 bool is_harmless_when_unverified(const loop_plan *plan) {

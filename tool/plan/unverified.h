@@ -24,11 +24,12 @@ typedef struct unverified_reads {
     bool *is_unverified;             /* by variable: it may hold an unverified value */
     bool changed;                    /* this pass has marked a variable */
     bool is_harmful;                 /* the result */
-    bool in_callee;                  /* a called function is checked, in which all memory of the
-                                      * sources' types */
-    bool is_typed;                   /* (if false: any memory) is unverified */
+    bool in_callee;                  /* a called function is checked */
+    bool is_typed;                   /* in_callee: only memory of the sources' types is unverified,
+                                      * not all memory */
     bool in_slice;                   /* the slice is checked: all its reads are sources */
-    bool may_have_left;              /* before the following code: under an unverified condition */
+    bool may_have_left;              /* a preceding jump under an unverified condition may have left
+                                      * the iteration */
     unsigned depth;                  /* of calls */
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
 } unverified_reads;
@@ -36,7 +37,7 @@ typedef struct unverified_reads {
 /** The control flow into a node. */
 typedef struct control {
     bool is_unverified; /* it depends on unverified values */
-    bool is_certain;    /* in each iteration */
+    bool is_certain;    /* each iteration reaches the node */
 } control;
 
 /** By source: may it overlap the loop's writes, according to the analysis? */

@@ -9,7 +9,8 @@
 
 typedef struct workers {
     unsigned count;     /* pieces of work, numbered from 0 */
-    unsigned at_once;   /* processes; 0: the caller's own process, which ends as the work does */
+    unsigned at_once;   /* number of processes; 0: works in the caller's own process, and a crash
+                         * ends that */
     size_t result_size; /* bytes of a result, without pointers */
     bool keeps_output;  /* show the output of a piece only after that of the pieces before it, each
                          * at once */

@@ -62,8 +62,8 @@ struct runner {
     uint32_t stage;    /* of execution */
     struct hooks hooks;
     struct run_reader runs;             /* of the current chunk, still to be handed out */
-    redcc_iterations piece[REDCC_RUNS]; /* handed out, of packed runs, which are marked for owner
-                                         * checks or cut */
+    redcc_iterations piece[REDCC_RUNS]; /* the runs handed out, if they are unpacked, marked for
+                                         * owner checks, or cut */
     struct parts parts;                 /* timing slices of a trial */
     redcc_iterations whole;             /* iterations handed out in order, without a plan */
     redcc_int in_order_end;             /* where these end */

@@ -73,16 +73,10 @@ static bool always_leaves(const ir_node *node, bool break_leaves) {
     }
 }
 
-/* Does the branch contain a path on which the loop continues, or a label that other text jumps
- * to? */
-static bool goes_on(const ir_node *node) {
-    if (node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
-        node->kind == IR_DEFAULT || node->kind == IR_BREAK)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (goes_on(node->children[i]))
-            return true;
-    return false;
+/* May the loop continue after a branch that contains this node, or may other text jump to it? */
+static bool may_continue(const ir_node *node) {
+    return node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
+           node->kind == IR_DEFAULT || node->kind == IR_BREAK;
 }
 
 static bool branch_leaves(const ir_node *branch, bool break_leaves) {
@@ -91,7 +85,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
     if (branch->kind != IR_BLOCK)
         return true;
     for (unsigned i = 0; i + 1 < branch->child_count; i++)
-        if (goes_on(branch->children[i]))
+        if (ir_any(branch->children[i], may_continue))
             return false;
     return true;
 }

@@ -177,13 +177,8 @@ static ways ways_of(const search *s, const ir_node *node) {
 
 /* ---- after the loop -------------------------------------------------------------------------- */
 
-static bool has_label(const ir_node *node) {
-    if (node->kind == IR_LABEL || node->kind == IR_GOTO)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_label(node->children[i]))
-            return true;
-    return false;
+static bool is_label(const ir_node *node) {
+    return node->kind == IR_LABEL || node->kind == IR_GOTO;
 }
 
 static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
@@ -228,7 +223,7 @@ bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
     const ir_node *body = loop;
     while (body->parent)
         body = body->parent;
-    if (has_label(body))
+    if (ir_any(body, is_label))
         return true;
     ways all = WAY_PASSES;
     for (const ir_node *node = loop; node->parent && !(all & WAY_READS); node = node->parent)
