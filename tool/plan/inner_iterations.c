@@ -50,6 +50,7 @@ static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
            !variable->address_taken;
 }
 
+/** Is it a variable of the iteration whose value from an earlier inner iteration is never read? */
 static bool is_spent(const inner_rest *t, const ir_variable *variable) {
     return is_of_iteration(t, variable) &&
            inner_value_is_spent(t->facts->counted.body, t->inner, variable);
@@ -107,7 +108,7 @@ static bool is_series_update(const inner_rest *t, const ir_node *node) {
 
 /** Does it have an effect that later iterations or statements can see, other than updates and sums?
  *  `is_inside`: a loop or switch of the rest encloses it. */
-static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
+static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
     case IR_GOTO:
@@ -134,7 +135,7 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
         return true;
     is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (shows(t, node->children[i], is_inside))
+        if (has_visible_effect(t, node->children[i], is_inside))
             return true;
     return false;
 }
@@ -153,7 +154,7 @@ static unsigned work_in(const inner_rest *t, const ir_node *node) {
 static bool may_be_left_out(inner_rest *t) {
     unsigned work = 0;
     for (unsigned i = t->rest; i < t->block->child_count; i++) {
-        if (shows(t, t->block->children[i], false))
+        if (has_visible_effect(t, t->block->children[i], false))
             return false;
         work += work_in(t, t->block->children[i]);
     }

@@ -252,10 +252,10 @@ static void draw_lit(const stage *st, const patches *cloth, double time) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDepthFunc(GL_LEQUAL);
-    shadow_heed(&st->shadow);
+    shadow_apply(&st->shadow);
     draw_solids(st, time);
     draw_cloth(st, cloth);
-    shadow_ignore();
+    shadow_stop();
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
 }
