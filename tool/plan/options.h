@@ -19,7 +19,7 @@ typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* set explicitly, not by default */
     const char *obstacle;   /* the reason why nothing may be written; NULL: none */
-    const char *linked;     /* text after the file's own that defines redcc__linked, which checks
+    const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
                              * that functions of other files are those that were analysed; NULL: no
                              * loop depends on other files */
     lanes_wish lanes;

@@ -277,7 +277,8 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Sums of addresses are modulo 2^64; others may wrap around before. */
+/** Adds an operation in 64 bits, which wraps around as addresses do, or in a type that never wraps
+ *  around. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
     if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))

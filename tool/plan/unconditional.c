@@ -7,7 +7,8 @@ static bool is_jump(const ir_node *node) {
     return node->kind == IR_BREAK || node->kind == IR_CONTINUE;
 }
 
-/** Not a loop over constants, which executes each iteration. */
+/** May the node leave out its statements? A loop over constants without jumps executes all
+ *  iterations. */
 static bool has_condition(const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
