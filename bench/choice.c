@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Typical loops of programs, most of which gain little or nothing by running in parallel: measures
- * the cost of redcc in a program that calls such a loop once, some times, or with other subscripts
- * each time.
+ * Measures the cost of redcc in a program that calls a typical loop once, some times, or with other
+ * subscripts each time. Most of these loops gain little or nothing by running in parallel.
  *
  *   choice LOOP CALLS [CALLS...]     ascending
  *

@@ -9,7 +9,7 @@
  * vertices, numbered as they were made; bumps and noise are laid on it. Each step visits every
  * triangle, adds the cotangents of its angles times its edges to the curvature normals of its
  * vertices and a third of its area to theirs, and moves each vertex along its normal, as far as is
- * stable. What it loses in volume is given back by scaling. Every tenth step prints area and
+ * stable. Lost volume is restored by scaling. Every tenth step prints area and
  * volume; the end prints some of the vertices.
  *
  * M. Desbrun, M. Meyer, P. Schroeder, A. H. Barr: Implicit Fairing of Irregular Meshes using

@@ -6,7 +6,7 @@
 
 #include "base/clock.h"
 #include "base/trace.h"
-#include "plan/lost.h"
+#include "plan/rounding.h"
 
 /* Records the mode of the last call; thread-safe. */
 static void note_mode(struct statistics *statistics, enum mode mode) {
@@ -139,7 +139,7 @@ static void account_refused(struct execution *execution, double now) {
     redcc_tell_auto(state, execution->call.request.loop, &outcome, execution->reason);
 }
 
-static const char *came_by(const struct execution *execution) {
+static const char *origin_of_plan(const struct execution *execution) {
     if (execution->inspected)
         return "built";
     return redcc_reuse_skipped_sources(&execution->reuse) > 0 ? "used again, subscripts watched"
@@ -155,7 +155,7 @@ static void trace_execution(const struct execution *execution, double now) {
         redcc_trace(TRACE_PLAN, loop,
                     "%s: %s, %d threads, %u owners, %.4f iterations executed for one, %u stages, "
                     "%zu bytes; %.3g s",
-                    came_by(execution), plan->method->name, plan->threads, plan->owners,
+                    origin_of_plan(execution), plan->method->name, plan->threads, plan->owners,
                     (double)plan->executed / trip, redcc_plan_stages(plan), redcc_plan_bytes(plan),
                     run->ready - execution->call.entered);
     redcc_trace(TRACE_EXECUTION, loop, "%lld iterations by %d threads; %.3g s", plan->trip,
@@ -249,7 +249,7 @@ static void account_execution(struct execution *execution, double now) {
     statistics->last.stages = redcc_plan_stages(plan);
     statistics->last.trip = plan->trip;
     statistics->last.length = plan->length;
-    statistics->last.compensated = redcc_lost_bytes(plan) > 0;
+    statistics->last.compensated = redcc_rounding_bytes(plan) > 0;
     count_nodes(execution, statistics);
     note_variant(execution, statistics);
     trace_execution(execution, now);

@@ -46,7 +46,7 @@ static int hand_out_no_bins(redcc_worker *worker, redcc_bins *bins, const void *
 
 static int hand_out(redcc_worker *worker) {
     struct in_order *it = (struct in_order *)(void *)worker;
-    const redcc_int count = redcc_least(it->end - it->next, REDCC_RUN_MOST);
+    const redcc_int count = redcc_min(it->end - it->next, REDCC_RUN_MOST);
     it->run = (redcc_iterations){0, 2 * (redcc_u32)count};
     worker->origin = it->next;
     worker->run = &it->run;

@@ -342,7 +342,7 @@ static bool is_kept_out(struct loop_state *state, bool always) {
     return true;
 }
 
-/* A sequential execution has taken so long: for `auto`. known: NULL if it is not at hand. */
+/* Tells `auto` the time of a sequential execution. known: NULL if it is unavailable. */
 static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
                           double seconds) {
     const int error = errno;
@@ -488,7 +488,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     return hand_over(execution, call);
 }
 
-/* The loop sees the errno of before, whoever executes it. */
+/* The loop sees the errno from before, whichever thread executes it. */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     return redcc_enter_sectioned(call, loop, trip, bases, known, key, NULL, threads, nested);

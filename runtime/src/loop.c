@@ -72,9 +72,9 @@ struct loop_state *redcc_state_of(redcc_loop *loop) {
     void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
     if (!redcc_is_unmade(state))
         return state;
-    redcc_memory_owe(true);
+    redcc_memory_exempt(true);
     struct loop_state *mine = state_new(loop);
-    redcc_memory_owe(false);
+    redcc_memory_exempt(false);
     if (!mine)
         return NULL;
     while (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,

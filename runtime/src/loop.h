@@ -46,7 +46,7 @@ struct thread_state {
     int thread;
     int threads;
     enum stage stage;
-    bool telling;               /* the program was handed iterations to record, in this stage */
+    bool telling;               /* in this stage, the program was given iterations to record */
     int node;                   /* its last NUMA node (base/node.h); -1: not known */
     bool moved;                 /* its node differs from that in the previous execution */
     struct inspector inspector; /* sample, sweep, log, partition */
@@ -109,7 +109,7 @@ int redcc_enter_sectioned(redcc_call *call, redcc_loop *loop, redcc_int trip, vo
  *  done. */
 bool redcc_account(struct execution *execution);
 
-/** Counts updates of rows that a slice did not name: validation has failed. */
+/** Counts updates of rows that a slice did not name, which are validation failures. */
 void redcc_note_misnamed(redcc_loop *loop, long count);
 
 /** Informs auto of a call's result; reason: why there was no plan, or NONE. */
@@ -135,11 +135,12 @@ void redcc_count_lost(struct execution *execution);
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
-/** The loop's first execution, of all iterations in order, has taken so long. known: as of
+/** Records the time of the loop's first execution, of all iterations in order. known: as of
  *  redcc_enter. */
 void redcc_note_done(redcc_loop *loop, redcc_int trip, const redcc_extent *known, double seconds);
 
-/** `done` iterations of the loop's first execution have taken so long in order; `rest` are left. */
+/** Records the time of `done` iterations of the loop's first execution, in order; `rest` are
+ *  left. */
 void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double seconds);
 
 /** Records that the last call was sequential. */

@@ -72,9 +72,9 @@ static enum stage begin_inspection(struct execution *execution) {
     if (!named && !is_direct && !execution->call.in_bins &&
         execution->advice.action == ACTION_REUSE) /* the cost of another plan counts from 0 */
         return refuse(execution, REASON_CHANGED);
-    if (!redcc_known_are_apart_from_scalars(execution->call.request.loop,
-                                            execution->call.request.known,
-                                            &execution->inspection.overlap))
+    if (!redcc_known_are_disjoint_from_scalars(execution->call.request.loop,
+                                               execution->call.request.known,
+                                               &execution->inspection.overlap))
         return refuse(execution, REASON_OVERLAP); /* before the slice reads it */
     if (is_dry && redcc_may_have_aliases())
         return refuse(execution, REASON_TWO_ADDRESSES);

@@ -199,7 +199,7 @@ static long lost_before;
 
 void redcc_report_begin(void) {
     began_at = redcc_seconds();
-    lost_before = redcc_system_cores_lost();
+    lost_before = redcc_system_preemptions();
 }
 
 void redcc_report_head(char head[REDCC_REPORT_HEAD]) {
@@ -220,7 +220,7 @@ void redcc_report_body(FILE *out) {
     write_variable(out, "proc_bind", "OMP_PROC_BIND");
     write_variable(out, "places", "OMP_PLACES");
     write_variable(out, "wait_policy", "OMP_WAIT_POLICY");
-    fprintf(out, "\"cores_lost\": %ld", redcc_system_cores_lost() - lost_before);
+    fprintf(out, "\"cores_lost\": %ld", redcc_system_preemptions() - lost_before);
     write_decimal(out, "seconds", redcc_seconds() - began_at, 6);
     fputs(", \"loops\": [", out);
     redcc_report_list(out);
@@ -258,7 +258,7 @@ bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has
 }
 
 static void write_advice(FILE *out) {
-    const long lost = redcc_system_cores_lost() - lost_before;
+    const long lost = redcc_system_preemptions() - lost_before;
     const double seconds = redcc_seconds() - began_at;
     const bool has_spin_time = redcc_region_is_own() || redcc_environment("GOMP_SPINCOUNT") ||
                                redcc_environment("KMP_BLOCKTIME");

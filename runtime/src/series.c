@@ -102,7 +102,7 @@ static void begin_block(redcc_series_writer *writer, struct operand_block *block
     writer->block_end = block->operand + BLOCK_OPERANDS;
 }
 
-/* Turns to a block of a band before, or to a new one. False: no memory. */
+/* Switches to a block of an earlier band, or to a new one. False: no memory. */
 static bool turn_to_block(redcc_series_writer *writer) {
     struct operand_block *block = writer->block ? writer->block->more : NULL;
     if (!block) {

@@ -38,8 +38,8 @@ void redcc_series_await_band(redcc_worker *worker);
 /** The operands of iteration k, of the thread's band; NULL: it has none. */
 const redcc_series_part *redcc_series_part_of(const redcc_series *series, redcc_int k);
 
-/** All operands of the thread's band were added: their memory serves for its next band, and the
- *  next thread adds. */
+/** All operands of the thread's band were added: their memory is reused for its next band, and the
+ *  next thread adds its own. */
 void redcc_series_end_band(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 #endif

@@ -15,9 +15,9 @@ static const double least_seconds = LEARN_WAKES * LEARN_LOOK / 40;
 static const double enough = 12.5 * LEARN_LOOK;
 
 enum {
-    SIZE_BITS = 7,    /* of the word, above the lowest bit, which is 1: a loop's size, */
-    NUMBER_BITS = 12, /* calls until it is timed again, all of these, and */
-    EARNED_BITS = 13  /* microseconds of its executions so far, if they are long enough */
+    SIZE_BITS = 7,    /* fields of the word, above the lowest bit, which is 1. The loop's size */
+    NUMBER_BITS = 12, /* number of calls until it is timed again */
+    EARNED_BITS = 13  /* total microseconds of its executions that are long enough */
 };
 
 _Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");
@@ -42,7 +42,7 @@ static struct word unpack(const void *state) {
                                    ((1u << EARNED_BITS) - 1)};
 }
 
-/* If another thread was faster, its word remains, or the state that it created. */
+/* If another thread has changed the word meanwhile, its word or state remains. */
 static void replace(void **state, void *before, struct word word) {
     const uintptr_t it = (uintptr_t)word.size | (uintptr_t)word.left << SIZE_BITS |
                          (uintptr_t)word.length << (SIZE_BITS + NUMBER_BITS) |

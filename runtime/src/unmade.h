@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops without allocated memory. Creating a loop's state takes some 40 microseconds, five
- * executions of a loop of 20,000 additions. So it is created once an execution has taken long
- * enough for threads to be worth waking, and often enough. Until then one word, in place of the
- * pointer to the state, determines when the loop is timed next. Thread-safe.
+ * Loops that have no state yet. Creating a loop's state takes some 40 microseconds, five executions
+ * of a loop of 20,000 additions. So it is created once an execution has taken long enough for
+ * threads to be worth waking, and often enough. Until then one word, in place of the pointer to the
+ * state, determines when the loop is timed next. Thread-safe.
  */
 #ifndef REDCC_UNMADE_H
 #define REDCC_UNMADE_H

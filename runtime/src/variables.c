@@ -31,8 +31,10 @@ static const char *const names[] = {
 #define REDCC_VARIABLE(name) +1
 enum {
     NAMES = sizeof names / sizeof *names,
-    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* of them */
-    ALIKE = 3                                       /* letters that differ: a typing error */
+    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* those of a translated program, which come
+                                                     * first */
+    ALIKE = 3                                       /* at most this many different letters count as
+                                                     * a typing error */
 };
 #undef REDCC_VARIABLE
 

@@ -50,7 +50,7 @@ expect 0 "patch: 'pins.1' holds no vertex of the cloth" "$program" plan patch \
 expect 0 "patch: 'self_collision.gap' is 0.5 m, as wide as the cloth's edges (0.0" "$program" plan patch --set self_collision.gap=0.5
 expect 0 "patch: 'colliders.0.gap' is 2 m, as wide as the cloth (0.5 m)" "$program" plan patch \
   --set 'colliders=[{kind: sphere, radius: 1, gap: 2, position: [0, 0, -9]}]'
-expect 0 "patch: the cloth is 500 m long; coordinates are metres, 'mesh.scale: 0.001' makes metres of millimetres" \
+expect 0 "patch: the cloth is 500 m long; coordinates are metres, 'mesh.scale: 0.001' converts millimetres" \
   "$program" plan patch --set mesh.side=500
 expect 0 "the cloth is 500 m long" "$program" run patch --set mesh.side=500 --steps 0 --progress none
 expect 0 "patch: the cloth is 0.001 m long; coordinates are metres" "$program" plan patch --set mesh.side=0.001

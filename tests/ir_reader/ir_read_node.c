@@ -205,17 +205,18 @@ static ir_node *as_statement(ir_reader *r, ir_node *expression) {
 }
 
 static bool expected_children(ir_reader *r, const sexp *list, const ir_kind_word *words) {
-    const char *what = arena_format(r->arena, "%u to %u children", words->least, words->most);
-    if (words->most == IR_ANY_NUMBER)
-        what = arena_format(r->arena, "at least %u children", words->least);
-    else if (words->most == words->least)
-        what = arena_format(r->arena, "%u children", words->least);
+    const char *what =
+        arena_format(r->arena, "%u to %u children", words->min_children, words->max_children);
+    if (words->max_children == IR_ANY_NUMBER)
+        what = arena_format(r->arena, "at least %u children", words->min_children);
+    else if (words->max_children == words->min_children)
+        what = arena_format(r->arena, "%u children", words->min_children);
     return ir_reader_expected(r, list, what);
 }
 
 static bool read_children(ir_reader *r, const operands *o, ir_node *node) {
     const ir_kind_word *words = ir_kind_words(node->kind);
-    if (node->child_count < words->least || node->child_count > words->most)
+    if (node->child_count < words->min_children || node->child_count > words->max_children)
         return expected_children(r, o->list, words);
     for (unsigned i = 0; i < node->child_count; i++) {
         ir_node *child = ir_read_node(r, o->list->items[o->next + i]);

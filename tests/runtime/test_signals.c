@@ -96,9 +96,9 @@ static void rights_of_threads(void **unused) {
     redcc_rights_assumed = true;
     rights = 0x5c;
     assert_int_equal(redcc_rights(), 0x5c);
-    redcc_rights_take(0x5c);
+    redcc_rights_set(0x5c);
     assert_int_equal(atomic_load(&writes), 0);
-    redcc_rights_take(0x30);
+    redcc_rights_set(0x30);
     assert_int_equal(rights, 0x30);
     for (int threads = 1; threads <= 7; threads += 2) { /* each other thread takes and gives back */
         struct problem problem = problem_new(0, true);

@@ -235,7 +235,8 @@ static bool holds_written(const loop_search *s, unsigned from, const ir_node *lo
     return false;
 }
 
-/* The loop's own verdict gives way to the one about its scalars. */
+/* Adds a verdict about the loop's scalars. It replaces the loop's own verdict if it is
+ * VERDICT_BLOCKS, or if that is VERDICT_NOT_A_REDUCTION. */
 static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].loop == verdict.loop) {
@@ -247,7 +248,7 @@ static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
     VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
-/* Loops below `node` that an OpenMP directive reduces scalars of. */
+/* Searches for loops whose OpenMP directive reduces scalars. */
 static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
     loop_verdict verdict;
     if (ir_is_loop(node) && !is_in_written(s, from, node) && !holds_written(s, from, node) &&

@@ -57,7 +57,7 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
 
 /* ---- the conditions -------------------------------------------------------------------------- */
 
-/** Except for one, which the preceding text has. */
+/** Copies the line ends except for the first, which the preceding text has already. */
 static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32_t end) {
     const char *at = memchr(text + begin, '\n', end - begin);
     for (at = at ? at + 1 : text + end; at < text + end; at++)
@@ -79,14 +79,14 @@ static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
 }
 
 /** From the function's beginning: the text before it is compiled in the same way as the loop. */
-static ir_range looked_at(const loop_text *loop) {
+static ir_range compiled_range(const loop_text *loop) {
     return (ir_range){loop->facts->function->range.begin, loop->facts->loop->range.end};
 }
 
 bool has_branches(const loop_text *loop) {
     if (loop_text_depends_on_openmp(loop->whole, loop->facts->function, loop->facts->loop))
         return true;
-    const ir_range text = looked_at(loop);
+    const ir_range text = compiled_range(loop);
     for (unsigned i = loop_text_first_directive(loop->whole, text.begin);
          i < loop->whole->directive_count && loop->whole->directives[i].range.begin < text.end; i++)
         if (directive_is_conditional(&loop->whole->directives[i]))
@@ -94,16 +94,17 @@ bool has_branches(const loop_text *loop) {
     return false;
 }
 
-/** For each group of directives, copies those up to the compiled branch, nested; the definition is
- *  in the innermost. */
+/** For each group of directives, copies the directives up to the compiled branch, so that the
+ *  groups are nested; the definition is in the innermost. */
 void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;
     const ir_unit *whole = loop->whole;
-    const ir_range text = looked_at(loop);
+    const ir_range text = compiled_range(loop);
     assert(text.begin <= text.end && text.end <= whole->source->length);
-    unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
-    bool is_decided = true;           /* in the current group, a branch is compiled */
+    unsigned depth = 0, left_out = 0; /* open groups; of these, those in branches that are not
+                                       * compiled */
+    bool is_decided = true;           /* the current group's compiled branch has begun */
     const ir_directive *before = NULL;
     const bool depends =
         loop_text_depends_on_openmp(whole, loop->facts->function, loop->facts->loop);

@@ -12,15 +12,16 @@
 #include "ir/ir_syntax.h"
 
 enum {
-    MOST_BLOCKS = 256,            /* at which 7 or 12 threads differ by some percent of the work, */
-    MOST_BLOCKS_UNBALANCED = 1024 /* and if iterations take different times */
+    MOST_BLOCKS = 256,            /* 7 or 12 threads then differ by some percent of the work */
+    MOST_BLOCKS_UNBALANCED = 1024 /* for iterations that take different times */
 };
 
 static const fixed_blocks *blocks_of(const loop_text *loop) {
     return loop->facts->variables.blocks;
 }
 
-/** In a directive or behind `typeof`, where the parser of the output sees no names. */
+/** The name without a mark: in directives and after `typeof` the parser of the output reports no
+ *  names. */
 static const char *name_of(const loop_text *loop, unsigned scalar) {
     return blocks_of(loop)->scalars[scalar].variable->name;
 }
@@ -58,7 +59,7 @@ static const char *neutral_value(arena *a, const blocked_scalar *scalar) {
     return is_operator(scalar, "*") || is_operator(scalar, "&&") ? "1" : "0";
 }
 
-/** `sum` with the block's part of it. */
+/** `sum` combined with a block's partial result. */
 static const char *combination(arena *a, const blocked_scalar *scalar, const char *sum,
                                const char *part) {
     if (is_operator(scalar, "min") || is_operator(scalar, "max"))

@@ -30,7 +30,7 @@ static const char *load_name(const bounds_text *self, unsigned number) {
     return arena_format(self->loop->arena, "redcc__bound_%u_%u", self->source, number);
 }
 
-/** A type for the variable that it is read into, and never written but so. */
+/** The type of the variable that the value is read into. It is used for nothing else. */
 static const char *loaded_type(const ir_type *type) {
     if (type->kind == IR_POINTER)
         return "const void *";

@@ -74,7 +74,8 @@ static const char *unit_text(loop_text *loop, unsigned number) {
     return arena_format(loop->arena, "%lld", (long long)array->unit);
 }
 
-/** The last member, of counters with a limit. */
+/** The last initialiser of a redcc_array: the limit of a saturating counter; "" for other
+ *  arrays. */
 static const char *limit_text(loop_text *loop, const reduction_array *array) {
     return array->op == REDUCTION_SATURATING && !array->order_is_kept
                ? arena_format(loop->arena, ", %lluu", (unsigned long long)array->limit)

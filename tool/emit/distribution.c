@@ -16,7 +16,7 @@ void write_distributed_stores(loop_text *loop, writer *out) {
     const distribution *stores = loop->facts->distribution;
     if (!stores)
         return;
-    writer_line(out, "/* what the body leaves out */");
+    writer_line(out, "/* stores that the body leaves out */");
     writer_line(out, "for (redcc_int redcc__k = 0; redcc__done && redcc__k < redcc__trip; "
                      "redcc__k++) {");
     writer_line(out, "    const %s %s = %s;", loop->counter_type,

@@ -137,7 +137,7 @@ static bool is_declared_by(const origin_list *origins, const ir_declared *meant)
     return false;
 }
 
-/** Is it declared in the piece itself, or before it? */
+/** Is it declared in the piece itself, or above it? */
 static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
                             const ir_declared *declared) {
     const ir_range *body = &piece->copied;
@@ -159,7 +159,7 @@ static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const 
     return true;
 }
 
-/** The text before a function uses only names declared there, or in itself. */
+/** Does the text before a function use only names declared above it, or in the text itself? */
 static bool all_is_known(const ir_unit *unit, const written_loop *piece) {
     for (unsigned i = 0; i < piece->origins.items.count; i++) {
         const origin *o = &piece->origins.items.items[i];
@@ -186,7 +186,7 @@ static written_loop unmark(arena *a, const ir_unit *unit, const loop_piece *piec
     return result;
 }
 
-/** Before those that begin after it. */
+/** Inserts the loop so that the list stays in the order of positions. */
 static void insert(arena *a, loop_list *loops, written_loop loop) {
     VECTOR_PUSH(a, loops, loop);
     unsigned at = loops->count - 1;

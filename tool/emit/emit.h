@@ -31,8 +31,8 @@ typedef struct written_loop {
 typedef struct emit_result {
     const char *text; /* `length` bytes and a 0; the input's own bytes if loop_count is 0 */
     size_t length;
-    unsigned loop_count;       /* pieces of loops written in parallel form, */
-    const written_loop *loops; /* in the order of their positions */
+    unsigned loop_count;       /* number of pieces of text of loops in parallel form */
+    const written_loop *loops; /* the pieces, in the order of their positions */
     /* For each verdict: the reason why the loop cannot be written (a reason without an id, message
      * and range filled in), message NULL if it can. Such a loop is left unchanged. */
     const reason *obstacles;

@@ -65,8 +65,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
-            /* It has no base whose move would move the extent: the site's address, which never
-             * changes, is given in its place. */
+            /* An extent without a base: the runtime recognises a moved extent by its base, so it
+             * gets the site's address, which never changes. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }

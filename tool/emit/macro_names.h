@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Records an obstacle if a macro would change the written text, except for the user's own
- *  bytes. */
+/** Records an obstacle if a macro would change the written text. In the user's own bytes macros
+ *  keep their meaning. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
 #endif

@@ -73,9 +73,7 @@ static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_bod
             is_mentioned[i] ? handing_of(loop->plan, variable, of_body) : NOT_HANDED;
         if (how == CANNOT_BE_HANDED)
             loop_obstacle(loop, loop->facts->loop->range,
-                          "'%s' cannot be handed to a function in front of the one that it stands "
-                          "in",
-                          variable->name);
+                          "'%s' cannot be passed to a separate function", variable->name);
         if (how == NOT_HANDED || how == CANNOT_BE_HANDED)
             continue;
         loop->outline.is_handed[i] = true;
@@ -104,7 +102,7 @@ static void add_extra(const extra_value *value, void *context) {
     buffer_format(&h->arguments, ", %s", value->name);
 }
 
-/** A text of the translator and of the user that is kept to find names in it. */
+/** Keeps a generated text, in which names are searched for when the context is written. */
 static void remember_text(loop_text *loop, const char *text) {
     loop->outline.text = arena_format(loop->arena, "%s%s", loop->outline.text, text);
 }
@@ -174,8 +172,8 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
     return false;
 }
 
-/** The slice of the reads that are recorded while iterations are pushed, without the computation of
- *  subscripts; NULL: that of the inspector serves. */
+/** The slice of the reads that are recorded while records are appended, without the computation of
+ *  subscripts; NULL: the inspector's slice is used. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;
@@ -374,7 +372,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     const char *text = writer_text(loop->arena, &out);
     if (!loop->outline.possible)
         loop_obstacle(loop, facts->loop->range,
-                      "its slice or its body names something that cannot be handed to a function "
-                      "in front of the one that it stands in");
+                      "its slice or its body names something that cannot be passed to a separate "
+                      "function");
     return loop->obstacle ? NULL : text;
 }

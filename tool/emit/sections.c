@@ -23,8 +23,8 @@ static const openmp_item *clause_of(const loop_text *loop, const ir_variable *va
     return NULL;
 }
 
-/* The constant that a name stands for in the functions of the file; NULL: none does, or a
- * function's own. */
+/* The constant that a name denotes in all functions of the file; NULL: it denotes none, or one of a
+ * single function. */
 static const ir_node *enumerator_in(const ir_node *node, const char *name) {
     const ir_node *found = node->kind == IR_NUMBER && node->flags & IR_HAS_VALUE && node->text &&
                                    strcmp(node->text, name) == 0
@@ -79,7 +79,7 @@ static const char *simple_expression(const loop_text *loop, const char *text) {
     return is_simple && is_some ? result : NULL;
 }
 
-/* Of "]["-separated brackets behind the first one: are they whole rows of this type? */
+/* Do the "]["-separated brackets after the first one select whole rows of this type? */
 static bool are_whole(const char *rest, const ir_type *row) {
     for (; rest; row = row->target) {
         rest += strlen("][");
@@ -97,7 +97,7 @@ static bool are_whole(const char *rest, const ir_type *row) {
     return !row || row->kind != IR_ARRAY; /* a part of the rows */
 }
 
-/* False: it cannot be told from the text. */
+/* Returns false if the text does not show the section. */
 static bool find_section(const loop_text *loop, const reduction_array *array, section *it) {
     const ir_node *base = array->base;
     const openmp_item *item =

@@ -5,11 +5,11 @@
 
 #include "emit/base/loop.h"
 
-/** Declares redcc__replaces: may the loop be executed without its directives here and now? Nothing,
- *  of a loop without directives. */
+/** Declares redcc__replaces: may the loop be executed without its directives here and now? Writes
+ *  nothing for a loop without directives. */
 void declare_replaces(loop_text *loop, writer *out);
 
-/** "... && ", what must hold besides for it to run in parallel; "" of other loops. */
+/** "... && ": a further condition for running in parallel; "" for a loop without directives. */
 const char *replaced_condition(loop_text *loop);
 
 /** Sets how many threads a clause asks for. */

@@ -143,7 +143,7 @@ static void require_of_ends(conditions *list, const header *h) {
 /** Conditions on the counter's value after the loop. */
 static void require_of_final(conditions *list, const header *h, const char *counter_type) {
     if (h->counted->ends_below && !h->counter->is_signed)
-        return; /* the step below 0 by which it ends is the loop's own */
+        return; /* the loop itself ends by a step below 0 */
     if (h->compares_unsigned && !h->ascends && !h->ends_at_bound)
         require(list, "redcc__final >= 0");
     const bool bound_fits =
@@ -211,7 +211,7 @@ static const char *bound_text(loop_text *loop, const header *h) {
                                                  text, (long long)h->counted->ahead);
 }
 
-/** An expression of the user's is evaluated only if the loop would evaluate it. */
+/** Evaluates the stride only if the loop would evaluate it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
     if (!h->counted->stride) {

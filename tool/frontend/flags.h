@@ -13,8 +13,7 @@ typedef struct parse_flags {
     VECTOR(const char *) items;
     bool strict_aliasing; /* no -fno-strict-aliasing */
     bool has_headers;     /* no -nostdinc */
-    map *predefined;      /* names of a compiler's own macros that the parser uses; NULL: it has its
-                           * own */
+    map *predefined; /* the compiler's predefined macros, if they replace the parser's; else NULL */
     const char *unseen;   /* a list of macros that cannot be read; NULL: none */
     const char *refusing; /* an option that makes the program differ from the parsed one; NULL:
                            * none */
@@ -42,9 +41,9 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);
  *  the user's compiler, and then parses nothing. */
 void remove_machine_flags(parse_flags *flags);
 
-/** gcc's own headers, for those that clang lacks (omp.h). They come last, and only if a header was
- *  missing: clang's stdatomic.h, for instance, includes a second one if it exists, and clang cannot
- *  read gcc's. Returns false if there are none to add. */
+/** gcc's own headers, for those that clang lacks (omp.h). They are added last, and only after
+ *  a header was not found: clang's own headers may include gcc's of the same name, such as
+ *  stdatomic.h, which clang cannot read. Returns false if there are none to add. */
 bool add_gcc_headers(arena *a, parse_flags *flags);
 
 #endif

@@ -8,8 +8,8 @@
 typedef struct frontend_diagnostic {
     const char *text; /* "file:line:column: error: ..." */
     bool is_error;
-    bool is_placed;  /* it lies in the main file, */
-    uint32_t offset; /* here: for text from a macro, the place of its expansion */
+    bool is_placed;  /* it is in the main file, at offset */
+    uint32_t offset; /* for text from a macro: of its expansion */
 } frontend_diagnostic;
 
 typedef struct frontend_result {

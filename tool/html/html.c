@@ -81,7 +81,7 @@ static bool write_pages(const reports *r, const char *folder) {
     return good;
 }
 
-/* The pages are written to a folder of their own, which then takes the place of the old one. */
+/* The pages are written to a new folder, which then replaces the old one. */
 static int write_folder(const reports *r, const char *folder) {
     arena *a = r->memory;
     struct stat about;

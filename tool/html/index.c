@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The first page: what the build comes to, and its loops by the time that is lost in them. */
+/* The first page: a summary of the build, and its loops sorted by the time lost in them. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -6,10 +6,11 @@
 #include "html/reports.h"
 #include "support/buffer.h"
 
-/** The name of a source's page, in the arena; NULL where it has none: it holds no loops. */
+/** The name of a source's page, in the arena; NULL if it has none, because the source has no
+ *  loops. */
 const char *page_name(const reports *r, const report_file *file);
 
-/** Appends what all pages begin and end with. */
+/** Append the common head and foot of all pages. */
 void page_begin(buffer *out, const char *title);
 void page_end(buffer *out);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What several pages have. */
+/* Elements that several pages share. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>

@@ -53,7 +53,7 @@ static void add_loop(reports *r, report_file *file, const json_t *object) {
     VECTOR_PUSH(r->memory, &r->loops, loop);
 }
 
-/* False: it is no object of a build's report. */
+/* Returns false if it is not an object of a build's report. */
 static bool add_build(reports *r, const json_t *object) {
     const json_t *loops = json_object_get(object, "loops"), *loop;
     const char *name = json_word(object, "file"), *folder = json_word(object, "directory");
@@ -85,9 +85,9 @@ static bool had_one_thread(const json_t *loop) {
     return false;
 }
 
-/* How many threads the run had. A loop that ran sequentially in the end names one; what its
- * schedules promised is less than the threads. Where no loop ever had a schedule there were two at
- * least. */
+/* The number of threads of the run. The last execution of a loop may have been sequential and then
+ * reports one thread, but its expected speed-up, rounded up, is a lower bound. If no loop ever had
+ * a schedule, at least two are assumed. */
 static json_int_t most_threads(const json_t *loops) {
     json_int_t most = 1;
     bool one = false;
@@ -104,8 +104,8 @@ static json_int_t most_threads(const json_t *loops) {
     return most == 1 && !one ? 2 : most;
 }
 
-/* What a loop took beyond what its sequential time, divided by the threads, would be. Where the
- * sequential time was not measured, what its inspections took. */
+/* The time of a loop beyond its sequential time divided by the threads; or, if the sequential time
+ * was not measured, the time of its inspections. */
 static double seconds_lost(const json_t *run, json_int_t threads) {
     const double sequential = number_of(run, "sequential_seconds");
     const double inspecting = number_of(run, "inspect_seconds");
@@ -145,8 +145,8 @@ static report_loop *stranger(reports *r, const json_t *run) {
     return loop;
 }
 
-/* A run names no folder: loops of one place in files of one name cannot be told apart, and each
- * gets the times. */
+/* A run's report names no folder: loops at one position in files of one name cannot be
+ * distinguished, and each gets the times. */
 static bool add_run(reports *r, const json_t *object) {
     const json_t *loops = json_object_get(object, "loops"), *run;
     const double process = number_of(object, "seconds");

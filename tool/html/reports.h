@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The reports of a build and of runs, read and joined: what became of each loop, and what it took.
- */
+/** The reports of a build and of runs, read and joined: each loop's verdict and its times. */
 #ifndef HTML_REPORTS_H
 #define HTML_REPORTS_H
 
@@ -10,11 +9,11 @@
 #include "support/arena.h"
 #include "support/vector.h"
 
-/** What a loop took in all runs. */
+/** The times of a loop in all runs. */
 typedef struct loop_time {
-    unsigned runs;      /**< that have it */
+    unsigned runs;      /**< runs that have the loop */
     const json_t *last; /**< the loop's object in the last of them */
-    double seconds;     /**< inspecting, executing, and in the original loop where that was timed */
+    double seconds;     /**< inspections, executions, and the original loop if it was timed */
     double process;     /**< seconds of the processes */
     double lost;        /**< beyond the sequential loop's time, divided by the threads */
     json_int_t built, reused, plans_lost, calls;
@@ -22,14 +21,14 @@ typedef struct loop_time {
 
 typedef struct report_file report_file;
 
-/** One loop with one answer. */
+/** One loop with one verdict. A source that is compiled twice may have several. */
 typedef struct report_loop {
     const report_file *file; /**< NULL: only a run knows it */
     const char *name;        /**< of the file, as reported */
     const json_t *verdict;   /**< the loop's object in the build's report; NULL as above */
     const char *function;
     json_int_t line;
-    unsigned compilations; /**< in which it got this answer */
+    unsigned compilations; /**< with this verdict */
     loop_time time;
 } report_loop;
 
@@ -51,11 +50,11 @@ typedef struct reports {
 } reports;
 
 /** Reads the files; each is a build's or a run's report, as its first object says. Returns NULL, or
- *  in the arena what is wrong, with file and line. */
+ *  a message in the arena, with file and line. */
 const char *reports_read(reports *r, unsigned count, char *const *paths);
 void reports_free(reports *r);
 
-/** A member that is a text, "" where it is none. */
+/** The text of a member; "" if the object lacks it, or it is no text. */
 const char *json_word(const json_t *object, const char *name);
 bool loop_is_parallel(const report_loop *loop);
 

@@ -202,7 +202,7 @@ static long long count_lines(const char *text) {
     return count;
 }
 
-/* The whole text in a form that is UTF-8 or is not: a line by itself might look like the other. */
+/* The encoding is decided for the whole text, because a single line may be valid in both. */
 static void add_lines(const reports *r, const report_file *file, buffer *out, const buffer *text) {
     buffer escaped = {0};
     html_bytes(&escaped, text->data ? text->data : "", text->length);

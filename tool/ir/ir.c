@@ -19,6 +19,15 @@ const ir_node *ir_loop_body(const ir_node *loop) {
     return loop->children[loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0];
 }
 
+bool ir_any(const ir_node *node, ir_question question) {
+    if (question(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (ir_any(node->children[i], question))
+            return true;
+    return false;
+}
+
 bool ir_has_kind(const ir_node *node, ir_kind kind) {
     if (node->kind == kind)
         return true;
@@ -47,18 +56,31 @@ bool ir_continues(const ir_node *node) {
     return false;
 }
 
+static bool leaves_loop(const ir_node *node, bool by_break) {
+    if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
+        return true;
+    const bool breaks_inside = by_break && !ir_is_loop(node) && node->kind != IR_SWITCH;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (leaves_loop(node->children[i], breaks_inside))
+            return true;
+    return false;
+}
+
+bool ir_leaves_loop(const ir_node *body) {
+    return leaves_loop(body, true);
+}
+
 bool ir_is_statement_expression(const ir_node *node) {
     return node->kind == IR_OPAQUE && node->child_count == 1 && node->children[0]->kind == IR_BLOCK;
 }
 
+static bool is_effect(const ir_node *node) {
+    return node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
+           ir_is_increment(node);
+}
+
 bool ir_has_effect(const ir_node *node) {
-    if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
-        ir_is_increment(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (ir_has_effect(node->children[i]))
-            return true;
-    return false;
+    return ir_any(node, is_effect);
 }
 
 /* Is the value that `child` gives to its parent used there? */

@@ -406,6 +406,9 @@ bool ir_is_expression(const ir_node *node);
 bool ir_is_loop(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
+/** Is the answer yes for `node` or for a node below it? */
+typedef bool (*ir_question)(const ir_node *node);
+bool ir_any(const ir_node *node, ir_question question);
 /** Does the tree below `node`, including itself, contain that kind? */
 bool ir_has_kind(const ir_node *node, ir_kind kind);
 /** Does it contain a label, `case` or `default`, by which a jump may enter it? */
@@ -414,6 +417,8 @@ bool ir_may_be_entered(const ir_node *node);
 bool ir_is_increment(const ir_node *node);
 /** Does the body contain a `continue` of its own loop? */
 bool ir_continues(const ir_node *node);
+/** Does the body contain a return, a goto, or a break of its own loop? */
+bool ir_leaves_loop(const ir_node *body);
 /** ({ ... }): opaque, but the block below it is complete. */
 bool ir_is_statement_expression(const ir_node *node);
 /** May evaluating the expression have a side effect: an assignment, a call, or an opaque part? */

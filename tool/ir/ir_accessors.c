@@ -85,13 +85,8 @@ static const ir_node *returned_place(accessors *a, ir_function *function) {
     return value;
 }
 
-static bool reads_volatile(const ir_node *node) {
-    if (node->type && (node->type->is_volatile || node->type->is_atomic))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (reads_volatile(node->children[i]))
-            return true;
-    return false;
+static bool has_volatile_type(const ir_node *node) {
+    return node->type && (node->type->is_volatile || node->type->is_atomic);
 }
 
 /* An argument may be evaluated once, several times or not at all. */
@@ -99,7 +94,7 @@ static bool can_be_put_in(const ir_node *call, const ir_function *function) {
     if (call->child_count != function->parameter_count + 1)
         return false;
     for (unsigned i = 1; i < call->child_count; i++)
-        if (ir_has_effect(call->children[i]) || reads_volatile(call->children[i]) ||
+        if (ir_has_effect(call->children[i]) || ir_any(call->children[i], has_volatile_type) ||
             !ir_type_is_scalar(function->parameters[i - 1]->type))
             return false;
     return true;
@@ -112,13 +107,8 @@ static void stand_for(ir_node *node, ir_range range, unsigned flags) {
         stand_for(node->children[i], range, flags);
 }
 
-static bool names_the_file(const ir_node *node) {
-    if (node->kind == IR_VARIABLE && is_of_file(node->variable))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (names_the_file(node->children[i]))
-            return true;
-    return false;
+static bool is_name_of_file(const ir_node *node) {
+    return node->kind == IR_VARIABLE && is_of_file(node->variable);
 }
 
 static unsigned count_nodes(const ir_node *node) {
@@ -163,7 +153,8 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     ir_node *copy = ir_substitute(a->memory, place, function, &call->children[1]);
     if (count_nodes(copy) > MOST_NODES)
         return call;
-    stand_for(copy, call->range, IR_FROM_MACRO | (names_the_file(place) ? IR_FROM_CALL : 0));
+    stand_for(copy, call->range,
+              IR_FROM_MACRO | (ir_any(place, is_name_of_file) ? IR_FROM_CALL : 0));
     return copy;
 }
 

@@ -120,7 +120,7 @@ static bool check_node(checker *c, const ir_node *node) {
     const ir_kind_word *words = ir_kind_words(node->kind);
     if (node->id != c->next_id++)
         return complain(c, node, "its id is not its place in preorder");
-    if (node->child_count < words->least || node->child_count > words->most)
+    if (node->child_count < words->min_children || node->child_count > words->max_children)
         return complain(c, node, "has too few or too many children");
     if (!operator_fits(node))
         return complain(c, node, "its operator does not fit its kind");

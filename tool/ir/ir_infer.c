@@ -37,7 +37,8 @@ static bool is_floating_literal(const char *text) {
     return strpbrk(text, is_hexadecimal(text) ? ".pP" : ".eE") != NULL;
 }
 
-/* C writes binary as 0b (GNU, C23), which strtoull need not know. Sets *end behind the digits. */
+/* C writes binary as 0b (GNU, C23), which strtoull need not know. Sets *end to the position after
+ * the digits. */
 static unsigned long long digits(const char *text, char **end) {
     if (text[0] == '0' && (text[1] == 'b' || text[1] == 'B'))
         return strtoull(text + 2, end, 2);
@@ -232,7 +233,7 @@ static bool children_have_types(const ir_node *node) {
 
 const ir_type *ir_infer_type(arena *a, const ir_node *node) {
     const ir_kind_word *words = ir_kind_words(node->kind);
-    if (node->child_count < words->least || !children_have_types(node))
+    if (node->child_count < words->min_children || !children_have_types(node))
         return NULL;
     switch (node->kind) {
     case IR_NUMBER:

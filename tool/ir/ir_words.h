@@ -19,8 +19,8 @@ extern const ir_scalar ir_scalars[];
 extern const unsigned ir_scalar_count;
 
 const ir_scalar *ir_scalar_named(const char *word, size_t length);
-/** The one with this spelling if it fits, else the first of the same structure; size may differ.
- *  NULL if none matches. */
+/** The scalar with the type's spelling if its structure agrees, else the first with the same
+ *  structure; the size may differ. NULL if none matches. */
 const ir_scalar *ir_scalar_of(const ir_type *type);
 /** "unsigned long"; NULL if the type is no scalar known by name. */
 const char *ir_scalar_spelling(const ir_type *type);
@@ -43,7 +43,7 @@ enum { IR_ANY_NUMBER = 1000000 };
 /** The text form's word for a kind, and its number of children by ir.h. */
 typedef struct ir_kind_word {
     const char *word; /* NULL: named by its operator */
-    unsigned least, most;
+    unsigned min_children, max_children;
 } ir_kind_word;
 
 const ir_kind_word *ir_kind_words(ir_kind kind);

@@ -36,13 +36,8 @@ static bool contains(const ir_node *node, const ir_node *target) {
     return false;
 }
 
-static bool writes(const ir_node *node) {
-    if (expression_written(node) || node->kind == IR_OPAQUE)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (writes(node->children[i]))
-            return true;
-    return false;
+static bool is_write(const ir_node *node) {
+    return expression_written(node) || node->kind == IR_OPAQUE;
 }
 
 value_kind value_kind_of(const ir_type *type) {
@@ -73,7 +68,8 @@ int operand_number(const bins_record *record, const ir_node *node) {
     return -1;
 }
 
-/** A variable that has a value in any case. */
+/** Does the variable have a value whenever the loop's body is entered, or from its declaration
+ *  on? */
 static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     if (node->kind != IR_VARIABLE)
         return false;
@@ -88,14 +84,14 @@ static bool add_operand(const loop_facts *facts, bins_record *record, const ir_n
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
         return true;
-    if (record->operand_count == MOST_RECORD_OPERANDS || writes(node) ||
+    if (record->operand_count == MOST_RECORD_OPERANDS || ir_any(node, is_write) ||
         record_kind(node) == VALUE_NONE || (!is_certain && !has_value_always(facts, node)))
         return false;
     record->operands[record->operand_count++] = node;
     return true;
 }
 
-/** The functions that both copies of the text must name alike: of two numbers, from the system. */
+/** The system's fmin and fmax: in R = fmin(R, v) the call's argument is the target. */
 static bool is_extremum(const ir_node *callee) {
     return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
            (strncmp(callee->function->name, "fmin", 4) == 0 ||
@@ -207,7 +203,7 @@ static bool is_spelled_from_base(const loop_facts *facts, const reduction_update
 }
 
 static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
-    if (record->span) /* its text is applied as it is */
+    if (record->span) /* the loop's own text applies the record */
         return record->update_count == 1 && is_in_step(facts, bins, record->updates[0]);
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
@@ -265,8 +261,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
-/** Is something read, at a place that is not known before, that may be an own element? If a later
- *  batch shows it, the iterations before have left out these stores. */
+/** May a read, whose place is only known during execution, be of an own element? If a later batch
+ *  shows that it is, the preceding iterations have already left out these stores. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -274,9 +270,8 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? What it keeps in an aborted execution, the next one
- *  replaces: the operands of scalars, or that it kept none, and the values of own elements. Series
- *  of an aborted execution remain. */
+/** Must the body see only verified values? The next execution replaces the operands of scalars and
+ *  the values of own elements that an aborted one left behind. It does not replace series. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||

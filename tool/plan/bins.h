@@ -32,7 +32,7 @@ enum {
     MOST_NEST_DEPTH = 3
 };
 
-/** The type in which a record stores a value: the one C promotes it to. */
+/** The type in which a record stores a value: that of the value after C's promotions. */
 typedef enum value_kind {
     VALUE_NONE,
     VALUE_INT,
@@ -48,7 +48,7 @@ typedef struct bins_nest {
     const ir_node *outermost; /* NULL: there are none */
     unsigned depth;
     struct nest_level {
-        const ir_variable *counter; /* which is incremented by 1 */
+        const ir_variable *counter; /* incremented by 1 */
         int64_t first, trip;
     } levels[MOST_NEST_DEPTH];
 } bins_nest;
@@ -59,7 +59,7 @@ typedef struct bins_span {
     const ir_node *loop;      /* NULL: none */
     const loop_span *counted; /* its header */
     int64_t first;            /* the counter's first value */
-    unsigned variable_count;  /* of the iteration, whose values the record keeps: */
+    unsigned variable_count;  /* the iteration's variables whose values the record keeps: */
     const ir_variable *variables[MOST_RECORD_OPERANDS];
 } bins_span;
 
@@ -81,7 +81,8 @@ typedef struct bins_record {
 typedef struct bins_stream {
     unsigned array_count;
     unsigned arrays[MOST_STREAM_ARRAYS];
-    value_kind kinds[MOST_RECORD_VALUES]; /* of a record's values; VALUE_NONE: no more */
+    value_kind kinds[MOST_RECORD_VALUES]; /* the types of a record's values; after the last one
+                                           * VALUE_NONE */
     unsigned tag_count;
 } bins_stream;
 
@@ -92,10 +93,11 @@ typedef struct bins_plan {
     bins_stream *streams;
     int64_t *row_bytes; /* of each array, by number: of an element, or of several adjacent ones */
     bool has_nests;
-    bins_nest *nests;         /* of each update, by number, if it has any */
+    bins_nest *nests;         /* by update number: its nest, if it has one */
     bins_span *spans;         /* likewise */
-    uint32_t guarded_sources; /* bits, by number: their reads are logged as iterations execute, */
-    uint32_t varied_sources;  /* and of these, those that later iterations of a chunk may add to */
+    uint32_t guarded_sources; /* bit N: the reads of source N are logged as iterations execute; */
+    uint32_t varied_sources;  /* of these, the sources to which later iterations of a chunk may add
+                               * reads */
     bool is_checked; /* the ranges of all reads and writes are found and compared before any
                       * iteration executes: the body must not see unverified values */
 } bins_plan;

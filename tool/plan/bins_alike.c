@@ -5,11 +5,12 @@
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 
-/** An update in the form of its record: the element and the record's values replace names. */
-typedef struct said {
+/** An update as its record applies it: equal updates may name the element and the values
+ *  differently. */
+typedef struct record_update {
     const bins_record *record;
     const reduction_update *update;
-} said;
+} record_update;
 
 static bool texts_are_equal(const char *a, const char *b) {
     return a == b || (a && b && strcmp(a, b) == 0);
@@ -26,7 +27,8 @@ static bool leaves_are_equal(const ir_node *a, const ir_node *b) {
            (!ir_is_expression(a) || texts_are_equal(a->text, b->text));
 }
 
-static bool say_the_same(said left, const ir_node *a, said right, const ir_node *b) {
+static bool are_equal_in_records(record_update left, const ir_node *a, record_update right,
+                                 const ir_node *b) {
     if (ir_is_expression(a) && ir_is_expression(b)) {
         const bool is_element = is_updated_element(a, left.update->target);
         if (is_element || is_updated_element(b, right.update->target))
@@ -39,7 +41,7 @@ static bool say_the_same(said left, const ir_node *a, said right, const ir_node 
         !leaves_are_equal(a, b))
         return false;
     for (unsigned i = 0; i < a->child_count; i++)
-        if (!say_the_same(left, a->children[i], right, b->children[i]))
+        if (!are_equal_in_records(left, a->children[i], right, b->children[i]))
             return false;
     return true;
 }
@@ -50,9 +52,9 @@ bool records_are_alike(const loop_facts *facts, const bins_plan *bins, const bin
     if (a->update_count != b->update_count || parts != nest_part_count(b->nest))
         return false;
     for (unsigned i = 0; i < a->update_count; i++) {
-        const said left = {a, a->updates[i]}, right = {b, b->updates[i]};
+        const record_update left = {a, a->updates[i]}, right = {b, b->updates[i]};
         if (left.update->array != right.update->array ||
-            !say_the_same(left, left.update->statement, right, right.update->statement))
+            !are_equal_in_records(left, left.update->statement, right, right.update->statement))
             return false;
         for (unsigned part = 0; part < parts && is_wide_row(facts, bins, left.update->array);
              part++)

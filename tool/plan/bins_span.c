@@ -4,11 +4,11 @@
  * names the first element and their number, and holds the variables of the iteration; the operands
  * are read when it is applied.
  *
- * Why they may be read later: the guard finds all reads of the round apart from its updates before
- * anything is applied; other stores of the loop are to own elements, which are compared with all
- * reads, are made after the loop, and may not be read here; everything else that the text names is
- * invariant in the loop, or in the record. Its elements differ, and a bin applies those within its
- * rows: each element has its updates in the order of the loop, whatever rows overlap.
+ * Why they may be read later: before anything is applied, the guard shows that the round's reads
+ * are disjoint from its updates; other stores of the loop are to own elements, which are compared
+ * with all reads, are made after the loop, and may not be read here; everything else that the text
+ * names is invariant in the loop, or in the record. Its elements differ, and a bin applies those
+ * within its rows: each element has its updates in the order of the loop, even if rows overlap.
  */
 #include "analysis/base/expression.h"
 

@@ -9,7 +9,7 @@
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/** In `tree`, but not in `part` of it. */
+/** Is the variable mentioned in `tree`, outside of `part`? */
 static bool is_mentioned_besides(const ir_node *tree, const ir_node *part,
                                  const ir_variable *variable) {
     if (tree == part)
@@ -22,15 +22,10 @@ static bool is_mentioned_besides(const ir_node *tree, const ir_node *part,
     return false;
 }
 
-/** A jump might enter the branch. */
-static bool has_labels(const ir_node *node) {
-    if (node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_SWITCH ||
-        node->kind == IR_OPAQUE)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_labels(node->children[i]))
-            return true;
-    return false;
+/** Might a jump enter a branch that contains this node? */
+static bool may_be_entered(const ir_node *node) {
+    return node->kind == IR_LABEL || node->kind == IR_GOTO || node->kind == IR_SWITCH ||
+           node->kind == IR_OPAQUE;
 }
 
 bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
@@ -40,14 +35,15 @@ bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
     const bool has_start = declarator && declarator->child_count > 0;
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable != facts->counted.counter && !variable->address_taken &&
-           !variable->has_other_name && ir_type_is_scalar(variable->type) && !has_labels(body) &&
-           !is_mentioned_besides(facts->loop, branch, variable) &&
+           !variable->has_other_name && ir_type_is_scalar(variable->type) &&
+           !ir_any(body, may_be_entered) && !is_mentioned_besides(facts->loop, branch, variable) &&
            (has_start || is_fresh_in(branch, variable));
 }
 
 /* ---- loops ----------------------------------------------------------------------------------- */
 
-/** Of constants, and of variables, and members of them, that the outer loop only reads. */
+/** Does the expression consist of constants, and of variables and their members that the outer loop
+ *  only reads? */
 static bool is_steady(const loop_facts *facts, const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:

@@ -9,9 +9,9 @@
  * Then it has the same values there whatever decides whether the branch is executed. */
 bool is_only_of_branch(const loop_facts *facts, const ir_node *branch, const ir_variable *variable);
 
-/** Does the inner loop end, even if the program would not execute it here? As far as the text shows
- *  it: its counter approaches a bound of constants and of variables that the outer loop only reads.
- */
+/** Does the inner loop end, even if the program would not execute it here? True only if the text
+ *  shows it: the counter approaches a bound that consists of constants and of variables that the
+ *  outer loop only reads. */
 bool ends_in_any_case(const loop_facts *facts, const ir_node *loop);
 
 #endif

@@ -41,20 +41,21 @@ static void note_operation(reach *r, const ir_node *node) {
                node->op >= IR_OP_PRE_INCREMENT;
 }
 
-static void look_at(reach *r, const ir_node *node);
+static void collect_operations(reach *r, const ir_node *node);
 
 static void follow_call(reach *r, const ir_node *call) {
     const ir_node *callee = call->children[0];
-    if (callee->kind != IR_FUNCTION) { /* perhaps one of the file's */
+    if (callee->kind != IR_FUNCTION) { /* it may be a function of this file */
         r->multiplies = r->adds = true;
     } else if (callee->function->body && !callee->function->linkage.import &&
-               !r->is_seen[callee->function->id]) { /* other files are compiled separately */
+               !r->is_seen[callee->function->id]) { /* functions of other files are compiled
+                                                     * separately */
         r->is_seen[callee->function->id] = true;
-        look_at(r, callee->function->body);
+        collect_operations(r, callee->function->body);
     }
 }
 
-static void look_at(reach *r, const ir_node *node) {
+static void collect_operations(reach *r, const ir_node *node) {
     if (node->kind == IR_OPAQUE)
         r->multiplies = r->adds = true;
     if (node->kind == IR_BINARY || node->kind == IR_ASSIGN || node->kind == IR_UNARY)
@@ -62,7 +63,7 @@ static void look_at(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);
     for (unsigned i = 0; i < node->child_count; i++)
-        look_at(r, node->children[i]);
+        collect_operations(r, node->children[i]);
 }
 
 /** In the loop itself only calls matter. */
@@ -81,8 +82,8 @@ static bool calls_what_contracts(arena *a, const ir_unit *unit, const loop_facts
 
 static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *facts) {
     reach r = {.is_seen = ARENA_ARRAY(a, bool, unit->function_count + 1)};
-    look_at(&r, facts->loop);
-    return r.multiplies || r.adds; /* the other operation may be outside */
+    collect_operations(&r, facts->loop);
+    return r.multiplies || r.adds; /* the other half of a contraction may be outside of the loop */
 }
 
 /* ---- places -------------------------------------------------------------------------------- */

@@ -29,7 +29,7 @@ key_form form_of_key(const ir_type *type) {
     }
 }
 
-/** May a plan be kept? Only if it is known where its rows have moved. */
+/** May a plan be kept? Only if the bases of its rows can be read again: they may have moved. */
 static bool is_verifiable(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (!facts->slice.is_verifiable)

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A place is the variable, a member of it, or an element of a short array. Loops over constants are
- * executed: their counters have values in subscripts. Statements are classified in the order of
- * their execution: what follows an assignment that is always executed is not looked at. Control
- * leaves a statement early only by `continue`, `break` or `return`, and then does not reach what
- * follows it.
+ * executed: so their counters are known numbers in subscripts. Statements are classified in the
+ * order of their execution, up to the first assignment that is always executed. Control leaves a
+ * statement early only by `continue`, `break` or `return`, and then does not reach what follows it.
  */
 #include "plan/fresh.h"
 
@@ -29,9 +28,9 @@ typedef struct place {
 } place;
 
 typedef enum finding {
-    READS,   /* perhaps before it is assigned */
-    FRESH,   /* not so */
-    ASSIGNS, /* moreover, it is assigned whenever the next statement is reached */
+    READS,   /* may read the place before it is assigned */
+    FRESH,   /* does not */
+    ASSIGNS, /* does not, and has assigned it whenever the next statement is reached */
 } finding;
 
 static bool is_array(const place *p) {
@@ -63,7 +62,7 @@ static bool is_place(const place *p, const ir_node *node) {
            expression_is_variable(node->children[0], p->variable);
 }
 
-/** Perhaps: a subscript may have any value. */
+/** May the node name the place? A subscript may have any value. */
 static bool mentions(const place *p, const ir_node *node) {
     int64_t element;
     if (is_place(p, node) || (is_array(p) && expression_is_variable(node, p->variable)))
@@ -78,7 +77,7 @@ static bool mentions(const place *p, const ir_node *node) {
 
 static finding find_in(const place *p, const ir_node *node);
 
-/** Parts that are executed one after the other. */
+/** Classifies parts that are executed one after the other. */
 static finding in_turn(const place *p, ir_node *const *parts, unsigned count) {
     for (unsigned i = 0; i < count; i++) {
         const finding found = find_in(p, parts[i]);
@@ -109,7 +108,7 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
-/** Each of a few iterations is executed to its end. */
+/** Executes each of a few iterations to its end. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
     finding found = FRESH;
@@ -122,7 +121,7 @@ static finding in_iterations(const place *p, const ir_node *node, int64_t first,
     return found;
 }
 
-/** Its body may be executed not at all, and `continue` may leave it anywhere. */
+/** The body may not be executed at all, and `continue` may leave it anywhere. */
 static finding in_for(const place *p, const ir_node *node) {
     const finding first = find_in(p, node->children[0]);
     if (first != FRESH)
@@ -160,7 +159,7 @@ static finding find_in(const place *p, const ir_node *node) {
     }
 }
 
-/** Its members, if the statement names nothing else of it; the number of fields, or 0. */
+/** If the statement names only members of the variable, the number of its fields; otherwise 0. */
 static bool names_only_members(const ir_node *node, const ir_variable *variable) {
     if (expression_is_variable(node, variable))
         return false;

@@ -6,8 +6,8 @@
 #include "ir/ir.h"
 
 /** On each path through the statement, each read of the variable, or of a part of it, comes after
- *  an assignment of that variable, or part, in the same execution. As far as the text
- *  shows it: else false. The statement has no labels. */
+ *  an assignment of that variable, or part, in the same execution. False if the text does not show
+ *  it. The statement has no labels. */
 bool is_fresh_in(const ir_node *statement, const ir_variable *variable);
 
 #endif

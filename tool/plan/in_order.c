@@ -15,7 +15,7 @@ static bool mentions(const ir_node *node, const ir_node *row) {
     return false;
 }
 
-/** The variable that the row is, or is a part of; NULL: it lies behind a pointer. */
+/** The variable that contains the row; NULL: a pointer leads to the row. */
 static const ir_variable *variable_with(const ir_node *row) {
     while ((row->kind == IR_MEMBER && !(row->flags & IR_ARROW)) ||
            (row->kind == IR_INDEX && row->children[0]->type->kind == IR_ARRAY))
@@ -45,8 +45,8 @@ bool has_values_from_before(const loop_facts *facts) {
     return false;
 }
 
-/** What an iteration leaves outside of the arrays depends on its number, counted from the loop's
- *  first one. */
+/** Does the result of an iteration, other than its updates, depend on its number, counted from the
+ *  loop's first iteration? */
 static bool counts_iterations(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped || facts->variables.privates[i].is_last_sought)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Is the loop's body, executed in order, the sequential loop? The executor reads bounds, and
- * copies of variables, once; and it stores elements of the iterations' own when all are over. */
+/** Is the loop's body, executed in order, the sequential loop? The executor reads bounds and copies
+ *  of variables once, and stores an iteration's own elements when all iterations have ended. */
 #ifndef PLAN_IN_ORDER_H
 #define PLAN_IN_ORDER_H
 

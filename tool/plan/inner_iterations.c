@@ -19,12 +19,12 @@ typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the loop */
     const ir_node *block; /* its body */
-    unsigned rest;        /* number of the statement that begins the rest of an iteration */
+    unsigned rest;        /* index of the first statement of the rest */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
-    bool adds_to_series; /* does the rest? */
+    bool adds_to_series; /* the rest adds to a series */
     unsigned sum_count;
-    const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
+    const ir_variable *sums[MOST_SUMS]; /* variables that inner iterations add to */
 } inner_rest;
 
 /* ---- effects of the rest of an iteration ----------------------------------------------------- */
@@ -50,6 +50,7 @@ static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
            !variable->address_taken;
 }
 
+/** Is it a variable of the iteration whose value from an earlier inner iteration is never read? */
 static bool is_spent(const inner_rest *t, const ir_variable *variable) {
     return is_of_iteration(t, variable) &&
            inner_value_is_spent(t->facts->counted.body, t->inner, variable);
@@ -107,7 +108,7 @@ static bool is_series_update(const inner_rest *t, const ir_node *node) {
 
 /** Does it have an effect that later iterations or statements can see, other than updates and sums?
  *  `is_inside`: a loop or switch of the rest encloses it. */
-static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
+static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
     case IR_GOTO:
@@ -123,7 +124,7 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     default:
         break;
     }
-    if (is_series_update(t, node)) { /* which the leading thread executes completely */
+    if (is_series_update(t, node)) { /* the leading thread executes the rest completely */
         t->adds_to_series = true;
         return false;
     }
@@ -134,7 +135,7 @@ static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
         return true;
     is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (shows(t, node->children[i], is_inside))
+        if (has_visible_effect(t, node->children[i], is_inside))
             return true;
     return false;
 }
@@ -153,7 +154,7 @@ static unsigned work_in(const inner_rest *t, const ir_node *node) {
 static bool may_be_left_out(inner_rest *t) {
     unsigned work = 0;
     for (unsigned i = t->rest; i < t->block->child_count; i++) {
-        if (shows(t, t->block->children[i], false))
+        if (has_visible_effect(t, t->block->children[i], false))
             return false;
         work += work_in(t, t->block->children[i]);
     }
@@ -331,7 +332,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** The subscripts of p[c][d]. */
+/** The same for the subscripts of p[c][d], where the element itself is the sum. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))

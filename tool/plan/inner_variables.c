@@ -15,7 +15,7 @@ bool inner_statement_sets(const ir_node *statement, const ir_variable *variable)
            expression_is_variable(statement->children[0], variable);
 }
 
-/** Also one of several assignments with commas in between, in the header of a `for`. */
+/** Also for one of several assignments with commas in between, in the header of a `for`. */
 static bool header_sets(const ir_node *start, const ir_variable *variable) {
     if (start->kind == IR_EXPRESSION)
         start = start->children[0];
@@ -27,7 +27,7 @@ static bool header_sets(const ir_node *start, const ir_variable *variable) {
 
 typedef enum answer { ANSWER_NONE, ANSWER_SET, ANSWER_STALE } answer;
 
-/** Of the statements before `node` in its block, the nearest first. */
+/** Searches the statements before `node` in its block, the nearest first. */
 static answer look_before(const ir_node *block, const ir_node *node, const ir_node *inner,
                           const ir_variable *variable) {
     unsigned i = 0;
@@ -49,7 +49,7 @@ static answer look_around(const ir_node *node, const ir_node *inner, const ir_va
         return look_before(parent, node, inner, variable);
     if (!ir_is_loop(parent))
         return ANSWER_NONE;
-    if (ir_contains(parent, inner)) /* from the iteration before */
+    if (ir_contains(parent, inner)) /* it may still have the value of the preceding iteration */
         return ANSWER_STALE;
     return parent->kind == IR_FOR && node != parent->children[0] &&
                    header_sets(parent->children[0], variable)

@@ -20,7 +20,7 @@ static bool is_among(const char *const *names, size_t count, const char *name) {
     return false;
 }
 
-/** C17 7.12: of functions that fail in one way only. */
+/** C17 7.12: the functions that can fail in one way only. */
 static unsigned errors_of(const ir_unit *unit, const ir_function *callee) {
     static const char *const domain[] = {"sqrt", "sqrtf", "cos", "cosf", "sin", "sinf"};
     static const char *const range[] = {"exp",  "expf",  "exp2",  "exp2f",
@@ -56,7 +56,7 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
 typedef struct calls {
     int64_t failing, by_lane;
     unsigned errors;
-    const ir_node *last; /* of the body, that may fail */
+    const ir_node *last; /* the body's last call that may fail */
 } calls;
 
 static void add_calls(const lane_scope *l, const ir_node *node, int64_t times, int depth,

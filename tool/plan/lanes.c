@@ -123,7 +123,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
 
 /** Work that is executed lane by lane, in statements with updates. */
 typedef struct scalar_work {
-    int64_t beside;     /* nodes that are not part of the updates themselves */
+    int64_t beside;     /* nodes outside of the updates themselves */
     int64_t operations; /* all operations of these statements, and calls made lane by lane */
 } scalar_work;
 
@@ -150,15 +150,10 @@ void lane_check_worth(lane_scope *l) {
         lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
 }
 
-/** Does an expression have an effect other than a call? */
-static bool has_effect(const ir_node *node) {
-    if (node->kind == IR_ASSIGN || node->kind == IR_OPAQUE || node->kind == IR_STRING ||
-        node->kind == IR_INITIALIZERS || ir_is_increment(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_effect(node->children[i]))
-            return true;
-    return false;
+/** Has the node, in an expression, an effect other than a call? */
+static bool is_effect(const ir_node *node) {
+    return node->kind == IR_ASSIGN || node->kind == IR_OPAQUE || node->kind == IR_STRING ||
+           node->kind == IR_INITIALIZERS || ir_is_increment(node);
 }
 
 /** It is executed once for each lane, and may change only the element. */
@@ -166,7 +161,8 @@ static void check_update(lane_scope *l, const ir_node *statement) {
     const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
     bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
     for (unsigned i = 0; is_plain && i < value->child_count; i++)
-        is_plain = !has_effect(value->children[i]) && !lane_has_whole_vector(l, value->children[i]);
+        is_plain =
+            !ir_any(value->children[i], is_effect) && !lane_has_whole_vector(l, value->children[i]);
     if (!is_plain)
         lane_problem(l, NO_LANES_UPDATE, statement);
 }
@@ -179,8 +175,8 @@ static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     return true;
 }
 
-/** May each lane's updates assign it? Private data of the lane: an integer or pointer per lane, an
- *  element of a vector, or a loop counter. */
+/** May an update statement assign the variable? Only if it is private to the lane: an integer or
+ *  pointer per lane, an element of a vector, or a loop counter. */
 static bool is_assigned_beside(lane_scope *l, const ir_variable *variable, bool is_element) {
     if (!variable || !lane_is_own(l, variable))
         return false;

@@ -37,10 +37,10 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
  *  unless lanes are requested for all loops. */
 void lane_check_worth(lane_scope *l);
 
-/** Records a problem if an update statement changes anything but elements and counters, or jumps:
- *  it is executed once for each lane; */
+/** Records a problem if an update statement, which is executed once for each lane, jumps or changes
+ *  anything but elements and counters. */
 void lane_check_updates(lane_scope *l, const ir_node *statement);
-/** or if a later statement of the block changes an update's operands. */
+/** Records a problem if a later statement of the block changes an update's operands. */
 void lane_check_order(lane_scope *l, const ir_node *block);
 /** Records a problem if the value cannot become an integer or a pointer per lane. */
 void lane_check_operand(lane_scope *l, const ir_node *value);

@@ -7,7 +7,7 @@
 
 enum { MOST_DEEP = 8, MOST_ALIKE = 8 };
 
-/* Variables of one function that may lead to what is asked for. */
+/* Variables of one function through which the parameter's target may be reached. */
 typedef struct leading {
     unsigned count;
     const ir_variable *variables[MOST_ALIKE];
@@ -47,7 +47,7 @@ static bool is_handed_on(leading *l, const ir_node *call, const ir_node *argumen
     return false;
 }
 
-/* Is nothing done with the path's value that may write what it leads to? */
+/* Is the path's value used only in ways that cannot write the target? */
 static bool is_harmless(leading *l, const ir_node *path) {
     const ir_node *user = path->parent;
     if (expression_written(user) == path)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What a function does with what it is handed by address, as its text shows. */
+/** Whether a function only reads what its argument points to, according to its text. */
 #ifndef PLAN_ONLY_READ_H
 #define PLAN_ONLY_READ_H
 

@@ -11,7 +11,7 @@ typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 /** Which loops execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
-    LANES_OF_HEAVY, /* of long iterations */
+    LANES_OF_HEAVY, /* loops with long iterations */
     LANES_OF_ALL
 } lanes_wish;
 
@@ -19,7 +19,7 @@ typedef struct plan_options {
     result_order order;
     bool order_is_explicit; /* set explicitly, not by default */
     const char *obstacle;   /* the reason why nothing may be written; NULL: none */
-    const char *linked;     /* text after the file's own that defines redcc__linked, which checks
+    const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
                              * that functions of other files are those that were analysed; NULL: no
                              * loop depends on other files */
     lanes_wish lanes;

@@ -158,8 +158,7 @@ const char *plan_outline(const loop_plan *plan) {
                             macro);
     if (!has_place(plan))
         return "there is a directive between the function's beginning and the loop's end, or "
-               "something "
-               "in front of the function would be part of something else";
+               "text inserted before the function would be part of another construct";
     if (may_name_function(plan))
         return "its body may use the name of its function";
     return NULL;

@@ -12,7 +12,7 @@
 
 #include "plan/plan.h"
 
-/** How a function that is moved gets a variable. */
+/** How a moved function gets a variable. */
 typedef enum handing {
     NOT_HANDED,        /* not needed: it is declared inside, replaced by a parameter, or visible
                         * there */

@@ -40,9 +40,9 @@ typedef struct token_ends {
     uint32_t declaration; /* the same for the last ; or } outside of parentheses */
 } token_ends;
 
-/** Behind the last function's body that ends before `end`; or where the file's text begins. What is
- * in front of it no answer depends on, and to read it for each function would take long in a long
- * file. */
+/** The position after the last function body that ends before `end`, or the beginning of the file's
+ *  text. No answer depends on the text before it, and reading that for each function would be slow
+ *  in a long file. */
 static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     uint32_t last = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
@@ -55,7 +55,7 @@ static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     return last;
 }
 
-/** Those before `end`, without directives and comments. */
+/** The tokens before `end`, without directives and comments. */
 static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     unsigned next = 0, depth = 0;

@@ -42,7 +42,7 @@ static void plan_stand_ins(loop_plan *plan) {
     plan->is_shadowed = is_shadowed;
 }
 
-/** The forms of a loop that can be written. */
+/** Decides which forms of the loop can be written. */
 static void plan_form(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     plan_stand_ins(plan);

@@ -17,7 +17,7 @@
 /** A read that the runtime must know: one or more of the facts' sources that move together. */
 typedef struct logged_source {
     const loop_source *fact;                                   /* the first of them */
-    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* any of them */
+    bool is_subscript, is_scalar, meets_scalars, meets_arrays; /* true of at least one of them */
 } logged_source;
 
 enum { SOURCE_NOT_LOGGED = -1 };
@@ -25,7 +25,7 @@ enum { SOURCE_NOT_LOGGED = -1 };
 /** Whether one thread logs all iterations in order before they are inspected (precheck.h). */
 typedef enum dependence_precheck {
     PRECHECK_NONE,
-    PRECHECK_OF_UPDATES, /* the ranges that must not be updated meanwhile are known before */
+    PRECHECK_OF_UPDATES, /* the ranges that must not be updated are known before */
     PRECHECK_OF_ALL      /* or they are logged as the iterations read them */
 } dependence_precheck;
 
@@ -38,12 +38,12 @@ typedef struct execution_plan {
     bool needs_whole; /* an update may change a value that the executor reads before the loop, or
                        * keeps until its end: the first update needs the guard of all */
     bool may_begin;   /* the first iterations may be executed in order before anything is known, and
-                       * the others as a loop of its own */
+                       * the remaining ones as a separate loop */
     bool is_over_blocks; /* its inspection is short, however heavy iterations are */
     int64_t work;        /* operations of an iteration (work.h) */
 } execution_plan;
 
-/** base[subscript], two variables of the loop's function. */
+/** base[subscript]: both are variables of the loop's function. */
 typedef struct gather {
     const ir_variable *base, *subscript;
 } gather;
@@ -75,8 +75,8 @@ typedef struct loop_plan {
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;
-    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none, */
-    const char *no_bins;          /* for this reason */
+    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: none */
+    const char *no_bins;          /* the reason why there is none */
     lane_reason no_lanes;         /* as far as known before the body is written (lanes.h) */
     unsigned skip_count;
     const struct inner_skip *skips; /* for each inner loop (inner_iterations.h) */

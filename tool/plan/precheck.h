@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The dependence pre-check. The inspector reads before the loop what the loop reads in its course:
+ * The dependence pre-check. The inspector reads before the loop what the loop reads while it runs:
  * in
  *
  *     h[s[t]] += f(t);

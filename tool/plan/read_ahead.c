@@ -27,17 +27,9 @@ typedef struct search {
 
 static void pass(search *s, const ir_node *node);
 
-static bool is_jump(ir_kind kind) {
-    return kind == IR_CONTINUE || kind == IR_BREAK || kind == IR_GOTO || kind == IR_RETURN;
-}
-
-static bool holds_jump(const ir_node *node) {
-    if (is_jump(node->kind))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (holds_jump(node->children[i]))
-            return true;
-    return false;
+static bool is_jump(const ir_node *node) {
+    return node->kind == IR_CONTINUE || node->kind == IR_BREAK || node->kind == IR_GOTO ||
+           node->kind == IR_RETURN;
 }
 
 /** The constant initial value of the loop variable; false if it is not constant. */
@@ -183,7 +175,7 @@ static void pass(search *s, const ir_node *node) {
     case IR_IF:
     case IR_SWITCH:
         pass(s, ir_child(node, 0));
-        s->may_have_left |= holds_jump(node);
+        s->may_have_left |= ir_any(node, is_jump);
         return;
     case IR_FOR:
     case IR_WHILE:
@@ -214,7 +206,7 @@ static void pass(search *s, const ir_node *node) {
     default:
         for (unsigned i = 0; i < node->child_count; i++)
             pass(s, node->children[i]);
-        s->may_have_left |= is_jump(node->kind);
+        s->may_have_left |= is_jump(node);
         return;
     }
 }

@@ -76,9 +76,9 @@ static void check_loop(loop_plan *plan) {
                       facts->function->name);
     const uint32_t end = syntax_statement_end(plan->unit->source, facts->loop);
     if (facts->loop->kind == IR_DO && end == facts->loop->range.end)
-        plan_obstacle(plan, facts->loop->range, "its semicolon stands in a macro");
+        plan_obstacle(plan, facts->loop->range, "its semicolon comes from a macro");
     if (syntax_editable_statement(facts->loop, facts->function->body) != facts->loop)
-        plan_obstacle(plan, facts->loop->range, "one macro call stands for it and more");
+        plan_obstacle(plan, facts->loop->range, "one macro call expands to it and more");
     for (unsigned i = 0; i < facts->array_count; i++) {
         const ir_variable *root = ir_root_variable(facts->arrays[i].base);
         if (root && root->storage == IR_THREAD_LOCAL)

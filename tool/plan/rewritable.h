@@ -11,9 +11,10 @@
 
 #include "plan/plan.h"
 
-/** Records an obstacle if the loop's place or text forbids duplicating it; */
+/** Records an obstacle if the loop's place or text forbids duplicating it. */
 void check_place(loop_plan *plan);
-/** or if its iterations cannot be counted in 64 bits, or an update cannot be redirected. */
+/** Records an obstacle if its iterations cannot be counted in 64 bits, or if an update cannot be
+ *  redirected. */
 void check_iterations(loop_plan *plan);
 
 #endif

@@ -3,13 +3,8 @@
 
 #include "plan/macros.h"
 
-static bool has_sizeof(const ir_node *node) {
-    if (node->kind == IR_SIZEOF || node->kind == IR_OPAQUE)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_sizeof(node->children[i]))
-            return true;
-    return false;
+static bool is_sizeof(const ir_node *node) {
+    return node->kind == IR_SIZEOF || node->kind == IR_OPAQUE;
 }
 
 /** Does the tree name the variable at offset `at` of the file? Nodes from macros have no
@@ -66,7 +61,7 @@ bool has_macro(const loop_plan *plan) {
 }
 
 bool can_be_pointer(const loop_plan *plan, const ir_variable *variable) {
-    return !has_sizeof(plan->facts->counted.body) && !has_macro(plan) &&
+    return !ir_any(plan->facts->counted.body, is_sizeof) && !has_macro(plan) &&
            is_named_by_nodes(plan, variable);
 }
 

@@ -63,7 +63,7 @@ static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     return false;
 }
 
-/** A bound that is a macro's name, all between < and ; of the condition. */
+/** Is the bound the name of a macro that is the whole text between < and ; of the condition? */
 static bool is_named_bound(const pairs *p, const ir_node *node, const ir_node *loop) {
     const ir_node *condition = loop->children[1];
     const source *text = p->plan->unit->source;
@@ -90,7 +90,8 @@ static bool is_editable(const pairs *p, const ir_node *node, const ir_node *loop
            (!(node->flags & IR_FROM_MACRO) || is_named_bound(p, node, loop));
 }
 
-/** Is the first column's number a row's? With steps of more than one, others may lie in between. */
+/** Is the first column one of the rows' numbers? With a step of more than one it may lie between
+ *  them. */
 static bool begin_together(const counted_loop *outer, const counted_loop *inner) {
     int64_t row, column;
     return outer->step == 1 || (outer->lower && expression_constant(outer->lower, &row) &&
@@ -98,8 +99,9 @@ static bool begin_together(const counted_loop *outer, const counted_loop *inner)
                                 column >= 0 && row % outer->step == column % outer->step);
 }
 
-/** Are the columns all above their rows, or all below? */
-static const char *look_at_header(const pairs *p, tile_plan *tiles) {
+/** The reason why the header does not make a triangle, in which all columns are above their rows or
+ *  all are below; NULL: it does. */
+static const char *check_header(const pairs *p, tile_plan *tiles) {
     const counted_loop *outer = &p->facts->counted, *inner = &p->span.counted;
     int64_t offset;
     if (p->facts->loop->kind != IR_FOR || outer->step < 1 || outer->stride ||
@@ -134,7 +136,8 @@ static bool may_leave(const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Only variables of the iteration, but for updates and sums of the row, each in one statement. */
+/** Does the statement write only variables of the iteration, apart from updates and sums of the
+ *  row, each of which is one statement? */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
     const reduction_update *update = loop_update_at(p->facts, node);
@@ -151,7 +154,7 @@ static bool only_computes(const pairs *p, const ir_node *node) {
     return true;
 }
 
-/** Everything before and behind the inner loop, in the blocks around it. */
+/** The same for all statements before and after the inner loop, in the blocks around it. */
 static bool row_only_computes(const pairs *p) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; i < node->parent->child_count; i++)
@@ -160,8 +163,8 @@ static bool row_only_computes(const pairs *p) {
     return true;
 }
 
-/** Does what stands behind the inner loop read the value that the variable has there? */
-static bool is_read_behind(const pairs *p, const ir_variable *variable) {
+/** Do the statements after the inner loop read the value that the variable then has? */
+static bool is_read_after(const pairs *p, const ir_variable *variable) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = node->parent->child_count; node->parent->children[--i] != node;)
             if (expression_mentions(node->parent->children[i], variable) &&
@@ -180,7 +183,7 @@ static bool is_written_in(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** Does what stands before the inner loop assign it, perhaps? */
+/** May the statements before the inner loop assign it? */
 static bool is_set_before(const pairs *p, const ir_variable *variable) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; node->parent->children[i] != node; i++) {
@@ -208,17 +211,18 @@ static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item)
     return true;
 }
 
-/** May a turn, or the header, leave a value in it for a later turn or for what stands behind? */
+/** May a turn, or the header, leave a value in it that a later turn or the statements after the
+ *  loop read? */
 static bool may_be_left(const pairs *p, const ir_variable *variable) {
-    const ir_node *const step = p->span.loop->children[2]; /* executed behind each turn */
+    const ir_node *const step = p->span.loop->children[2]; /* executed after each turn */
     return variable->address_taken ||
            (is_written_in(p->span.loop, variable) &&
-            (is_read_behind(p, variable) || expression_mentions(step, variable) ||
+            (is_read_after(p, variable) || expression_mentions(step, variable) ||
              !is_fresh_in(ir_loop_body(p->span.loop), variable)));
 }
 
-/** Finds what turns leave in the iteration's variables. Those that are declared in the inner loop
- *  are new in each turn. */
+/** Lists the iteration's variables in which turns leave values. Variables declared in the inner
+ *  loop are new in each turn. */
 static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
     for (unsigned i = 0; i < variables->private_count; i++) {
@@ -226,7 +230,7 @@ static bool keep_values(const pairs *p, tile_plan *tiles) {
         const bool is_named = expression_mentions(p->span.loop, variable);
         if (ir_declarator_in(p->span.loop, variable) || (!is_named && !variable->address_taken))
             continue;
-        if (variable == p->column ? is_read_behind(p, variable)
+        if (variable == p->column ? is_read_after(p, variable)
                                   : may_be_left(p, variable) &&
                                         !(is_named && keep(p, tiles, &variables->privates[i])))
             return false;
@@ -265,7 +269,7 @@ static bool add(int64_t *sum, int64_t value, int64_t times) {
            !__builtin_add_overflow(*sum, product, sum);
 }
 
-/** A value between two others, times `bytes`. */
+/** Adds a value in [low, high], times `bytes`. */
 static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
     return add(&e->low, bytes < 0 ? high : low, bytes) &&
            add(&e->high, bytes < 0 ? low : high, bytes);
@@ -273,7 +277,8 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Sums of addresses are modulo 2^64; others may wrap around before. */
+/** Adds an operation in 64 bits, which wraps around as addresses do, or in a type that never wraps
+ *  around. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
     if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))
@@ -363,7 +368,7 @@ static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
     if (!tiles->inner || !span_recognise((ir_node *)tiles->inner, &p.span) || p.span.other_count)
         return "it is no loop over pairs";
     tiles->column = p.column = p.span.counted.counter;
-    const char *why = look_at_header(&p, tiles);
+    const char *why = check_header(&p, tiles);
     if (why)
         return why;
     if (!facts->inspector.exists)

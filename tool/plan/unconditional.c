@@ -3,21 +3,17 @@
 
 #include "analysis/base/counted.h"
 
-static bool holds_jump(const ir_node *node) {
-    if (node->kind == IR_BREAK || node->kind == IR_CONTINUE)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (holds_jump(node->children[i]))
-            return true;
-    return false;
+static bool is_jump(const ir_node *node) {
+    return node->kind == IR_BREAK || node->kind == IR_CONTINUE;
 }
 
-/** Not a loop over constants, which executes each iteration. */
+/** May the node leave out its statements? A loop over constants without jumps executes all
+ *  iterations. */
 static bool has_condition(const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
     if (ir_is_loop(node))
-        return !counted_constant(node, &counter, &first, &last) || holds_jump(node);
+        return !counted_constant(node, &counter, &first, &last) || ir_any(node, is_jump);
     return node->kind == IR_IF || node->kind == IR_SWITCH;
 }
 

@@ -438,7 +438,7 @@ static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     return false;
 }
 
-/** Where the program would not execute the loop. */
+/** May the loop run forever at a place where the program would not execute it? */
 static bool may_not_end(const unverified_reads *s, const ir_node *loop, control how) {
     return how.is_unverified && !s->in_callee && !ends_in_any_case(s->plan->facts, loop);
 }
@@ -456,22 +456,12 @@ void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     else if (node->kind == IR_CALL)
         check_call(s, node, how);
     else if (s->in_slice && how.is_unverified && is_next_iteration(s, node))
-        s->may_have_left = true; /* or not, if the loop continues */
+        s->may_have_left = true; /* if the loop does not continue */
     else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_unverified) ||
              (node->kind == IR_DECLARATOR && node->variable->type->size < 0))
         s->is_harmful = true;
     for (unsigned i = 0; i < node->child_count && !s->is_harmful; i++)
         unverified_check(s, node->children[i], unverified_below(s, node, how, i == 0));
-}
-
-/** A jump may skip the statements after it: none of them is certain then. */
-static bool holds_jump(const ir_node *node) {
-    if (is_jump(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (holds_jump(node->children[i]))
-            return true;
-    return false;
 }
 
 bool *guarded_sources(const loop_plan *plan) {
@@ -502,7 +492,8 @@ unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect,
 }
 
 control unverified_in_iteration(const loop_plan *plan) {
-    return (control){false, !holds_jump(plan->facts->counted.body)};
+    /* a jump may skip the statements after it: none of them is certain then */
+    return (control){false, !ir_any(plan->facts->counted.body, is_jump)};
 }
 
 bool is_harmless_when_unverified(const loop_plan *plan) {

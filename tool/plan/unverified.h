@@ -22,12 +22,14 @@ typedef struct unverified_reads {
     const loop_plan *plan;
     const bool *is_suspect;          /* by source: its contents may be unverified */
     bool *is_unverified;             /* by variable: it may hold an unverified value */
-    bool changed;                    /* in this pass */
+    bool changed;                    /* this pass has marked a variable */
     bool is_harmful;                 /* the result */
-    bool in_callee;                  /* then all memory of the sources' types is unverified, */
-    bool is_typed;                   /* or, if false, any */
-    bool in_slice;                   /* all its reads are sources */
-    bool may_have_left;              /* before the following code: under an unverified condition */
+    bool in_callee;                  /* a called function is checked */
+    bool is_typed;                   /* in_callee: only memory of the sources' types is unverified,
+                                      * not all memory */
+    bool in_slice;                   /* the slice is checked: all its reads are sources */
+    bool may_have_left;              /* a preceding jump under an unverified condition may have left
+                                      * the iteration */
     unsigned depth;                  /* of calls */
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
 } unverified_reads;
@@ -35,7 +37,7 @@ typedef struct unverified_reads {
 /** The control flow into a node. */
 typedef struct control {
     bool is_unverified; /* it depends on unverified values */
-    bool is_certain;    /* in each iteration */
+    bool is_certain;    /* each iteration reaches the node */
 } control;
 
 /** By source: may it overlap the loop's writes, according to the analysis? */
@@ -48,9 +50,9 @@ bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect);
  *  the slice alone. */
 unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice);
 
-/** The control flow into the first statement of an iteration, */
+/** The control flow into the first statement of an iteration. */
 control unverified_in_iteration(const loop_plan *plan);
-/** and into the parts of a node: `first` is evaluated with it. */
+/** The control flow into a part of a node; `first`: the part is evaluated whenever the node is. */
 control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first);
 
 /** Does the node's value depend on unverified ones? For a statement: does the decision which parts

@@ -7,8 +7,8 @@
 #include "plan/lookup.h"
 
 enum {
-    EXPENSIVE = 8,    /* a division, a square root, a call of mathematics */
-    SOME = 4,         /* iterations of an inner loop with an unknown trip count */
+    EXPENSIVE = 8,    /* a division, a square root, a call of a mathematical function */
+    UNKNOWN_TRIP = 4, /* iterations of an inner loop with an unknown trip count */
     MOST_DEPTH = 8,   /* of calls */
     MOST_WORK = 10000 /* more need not be distinguished */
 };
@@ -63,7 +63,7 @@ static int64_t work_of(const known_work *known, const ir_node *node, int depth) 
         work += work_of(known, node->children[i], depth);
     if (ir_is_loop(node)) {
         const int64_t trip = work_constant_trip(node);
-        work *= trip ? trip : SOME;
+        work *= trip ? trip : UNKNOWN_TRIP;
     }
     return work < MOST_WORK ? work : MOST_WORK;
 }
@@ -94,7 +94,7 @@ static int64_t size_of(const ir_node *node, int depth) {
         size += size_of(node->children[i], depth);
     if (ir_is_loop(node)) {
         const int64_t trip = work_constant_trip(node);
-        size *= trip ? trip : SOME;
+        size *= trip ? trip : UNKNOWN_TRIP;
     }
     return size < MOST_WORK ? size : MOST_WORK;
 }
@@ -110,5 +110,5 @@ int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement) {
     /* the header of a loop over constants is unrolled */
     for (unsigned i = ir_is_loop(statement) && trip ? 3 : 0; i < statement->child_count; i++)
         beside += work_beside_updates(plan, statement->children[i]);
-    return beside * (trip ? trip : SOME);
+    return beside * (trip ? trip : UNKNOWN_TRIP);
 }

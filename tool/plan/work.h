@@ -6,9 +6,9 @@
 
 #include "plan/plan.h"
 
-/** From this number of operations on an iteration takes longer than its rows take to come from the
- *  caches, and gains by lanes: cloth, membrane, triangle, hinge and drag did, springs, contacts and
- *  Lennard-Jones, all below, did not (script/bench lanes). */
+/** With this many operations, an iteration takes longer than loading its rows from the caches, and
+ *  lanes pay. Measured by script/bench lanes: cloth, membrane, triangle, hinge and drag gained;
+ *  springs, contacts and Lennard-Jones, which are all below this number, did not. */
 enum { WORK_HEAVY = 150 };
 
 /** Operations of an iteration, or a large number that need not be distinguished. */
@@ -21,7 +21,8 @@ int64_t work_of_statement(const loop_plan *plan, const ir_node *statement);
  *  including called functions. */
 int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement);
 
-/** For `for (c = 0; c < 3; c++)` 3; 0: unknown, or above 10000. */
+/** The trip count of a loop over constants: 3 for `for (c = 0; c < 3; c++)`. 0: unknown, or above
+ *  10000. */
 int64_t work_constant_trip(const ir_node *loop);
 
 #endif

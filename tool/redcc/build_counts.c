@@ -14,7 +14,7 @@
 #include "redcc/compile_commands.h"
 #include "redcc/workers.h"
 
-/* The result of one command; if it leaves several files alone, the last one's reason. */
+/* The result of one command; if several files were left alone, the reason for the last one. */
 typedef struct command_outcome {
     unsigned files, left, transformed, refused[REASON_COUNT];
     char why[256];

@@ -20,9 +20,9 @@ typedef struct build_counts {
 } build_counts;
 
 /** Runs the redcc-cc of this installation with --redcc-report on each command of
- *  FOLDER/compile_commands.json that compiles a C file. It uses the options of `o` on loops and the
- *  compiler's flags; without any, those of $REDCC_OPTS. Returns false if there is no redcc-cc, or
- *  processes cannot be started: *counts is then empty. */
+ *  FOLDER/compile_commands.json that compiles a C file. It passes on the options for loops and the
+ *  compiler's flags of `o` or, if there are none, $REDCC_OPTS. Returns false if there is no
+ * redcc-cc, or processes cannot be started: *counts is then empty. */
 bool build_counts_take(arena *a, const options *o, build_counts *counts);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "support/arena.h"
 
-/** The section on the reason of that id ("R204") or slug ("private-not-proved"), in the arena, from
- *  its heading on; NULL: there is no such reason. */
+/** The section, with its heading, on the reason with this id ("R204") or slug
+ *  ("private-not-proved"), in the arena. NULL: there is no such reason. */
 const char *explain_section(arena *a, const char *reason);
 
 /** The URI of that section, in the arena, below the one that redcc was built with

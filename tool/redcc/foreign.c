@@ -51,7 +51,7 @@ typedef struct call_search {
     const foreign_functions *all;
     const analysis_options *options;
     bool *is_visited; /* [function_count] */
-    ir_range place;   /* of the call in the loop from which those in callees are reached */
+    ir_range place;   /* range of the call in the loop, also for calls that its callee makes */
     VECTOR(foreign_call) found;
 } call_search;
 

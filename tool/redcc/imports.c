@@ -125,8 +125,8 @@ static bool note_call(ir_node *node, void *context) {
     return true;
 }
 
-/* What is known of a loop's variables comes from all of the loop's function and of those that it
- * calls, and of no others. */
+/* Facts about a loop's variables come from the whole loop's function and the functions that it
+ * calls, and from no others. */
 static void note_calls_of_loops(calls *c, const analysis_result *analysed) {
     for (unsigned i = 0; i < analysed->verdict_count; i++)
         if (analysed->verdicts[i].kind == VERDICT_TRANSFORM)

@@ -225,8 +225,8 @@ static void dump(const ir_unit *unit) {
     buffer_free(&text);
 }
 
-/** Refuses the loops whose text is wrong. Those with text in front of their function are first
- *  written in a simpler form. */
+/** Refuses the loops whose text is wrong. Loops with text before their function are first written
+ *  again in a simpler form. */
 static analysis_result without_wrong(arena *a, const analysis_result *analysed,
                                      const emit_result *written, const reason *found,
                                      unsigned char *no_lanes) {

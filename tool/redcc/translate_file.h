@@ -19,8 +19,9 @@ typedef struct file_outcome {
                                       * definitions */
 } file_outcome;
 
-/** Does everything; messages and reports go to the files that the options name. "-" is standard
- *  input. `foreign`: facts about other files' functions, only for a report; NULL: none. */
+/** Parses, analyses, writes and reports; messages and reports go to the files that the options
+ * name. "-" is standard input. `foreign`: facts about other files' functions, only for a report;
+ * NULL: none. */
 file_outcome translate_file(arena *a, const options *o, const char *path,
                             const foreign_functions *foreign);
 

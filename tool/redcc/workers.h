@@ -9,7 +9,8 @@
 
 typedef struct workers {
     unsigned count;     /* pieces of work, numbered from 0 */
-    unsigned at_once;   /* processes; 0: the caller's own process, which ends as the work does */
+    unsigned at_once;   /* number of processes; 0: works in the caller's own process, and a crash
+                         * ends that */
     size_t result_size; /* bytes of a result, without pointers */
     bool keeps_output;  /* show the output of a piece only after that of the pieces before it, each
                          * at once */
@@ -17,7 +18,7 @@ typedef struct workers {
      *  with the standard output of a piece, which is not shown. `output` is at its beginning, and
      *  closed afterwards. Not with at_once 0. */
     void (*take)(unsigned number, FILE *output, void *context);
-    /** Called in a separate process: does the piece and fills in *result, which is zeroed
+    /** Called in a separate process: does the piece of work and fills in *result, which is zeroed
      *  before. */
     void (*work)(unsigned number, void *result, void *context);
     /** Called in the caller's process, in order: `ended_by` is 0, or the signal that ended the

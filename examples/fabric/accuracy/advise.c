@@ -12,8 +12,9 @@
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* Fractions of the requested error: for an advised run before algebra and solver are chosen;
- * for algebra; for the difference of the two most exact runs; for the displacement of starts. */
+/* Fractions of the requested error that are allowed: for the advised run before tolerances and
+ * solver are chosen; for the tolerances; for the difference of the two most exact runs; for the
+ * displacement of starts. */
 static const double aim = 0.85, of_algebra = 0.1, agreed = 0.3, moved = 1e-3;
 
 enum { MOST_RUNS = 24, METHODS = 3 };
@@ -29,9 +30,9 @@ typedef struct series {
     int integrator;
     trial run[MOST_RUNS];
     int count;
-    double difference; /* m, of the last two runs, */
-    double usable;     /* the same where an error follows from it; else not a number */
-    double error;      /* m, of the last run, as the last differences let expect */
+    double difference; /* m, distance between the last two runs */
+    double usable;     /* difference if an error can be derived from it; otherwise NaN */
+    double error;      /* m, estimated error of the last run */
 } series;
 
 typedef struct adviser {
@@ -41,7 +42,7 @@ typedef struct adviser {
     int most_steps;
     series of[METHODS]; /* the second-order methods first */
     const measured *reference;
-    double doubt; /* m, by which a second method ends elsewhere */
+    double doubt; /* m, the distance to the final state by a second method */
 } adviser;
 
 static const trial *last_of(const series *r) {
@@ -52,9 +53,8 @@ static int run_trial(const adviser *a, trial *t) {
     return measure(&t->settings, a->cloth, 1, ANY_REJECTIONS, &t->got);
 }
 
-/* Did the second run halve all steps? Where the monitor cut those of both to one length, at an
- * impact, they are as far off there as each other, and the error does not follow from their
- * difference. */
+/* Did the second run halve all steps? If the monitor cut the steps of both runs to one length, at
+ * an impact, both have the same error there, and it cannot be derived from their difference. */
 static bool are_all_halved(const measured *one, const measured *other) {
     return other->shortest < 0.75 * one->shortest;
 }
@@ -90,7 +90,7 @@ static int extend(const adviser *a, series *r) {
     return 0;
 }
 
-/* Extends until the error is expected to be so small. As `extend`. */
+/* Extends until the expected error is small enough. Returns as `extend`. */
 static int reach(const adviser *a, series *r, double error) {
     while (r->count == 0 || !(r->error <= error)) {
         const int status = extend(a, r);
@@ -108,8 +108,8 @@ static void say_unreached(const series *r, double error, char *reason) {
              last_of(r)->settings.time.steps, r->difference, error);
 }
 
-/* Refines the other one until it ends where this one does. 0; 1: it does not; -1 after a message.
- */
+/* Refines the second method until both final states agree. 0; 1: they do not agree; -1 after a
+ * message. */
 static int check_by(adviser *a, const series *one, series *other, char *reason) {
     const double most = agreed * a->error;
     for (;;) {
@@ -134,8 +134,8 @@ static int check_by(adviser *a, const series *one, series *other, char *reason) 
     }
 }
 
-/* The end of the scene, by an integrator whose error falls as it should, and where a second one
- * ends as well. 0; 1 with a reason; -1 after a message. */
+/* The final state, by an integrator whose error decreases with its order, confirmed by a second
+ * integrator. 0; 1 with a reason; -1 after a message. */
 static int find_reference(adviser *a, char *reason) {
     for (int k = 0; k < METHODS; k++) {
         int status = reach(a, &a->of[k], agreed * a->error);
@@ -155,7 +155,7 @@ static int find_reference(adviser *a, char *reason) {
     return 1;
 }
 
-/* How far the run may be from the truth. */
+/* An upper bound on the run's error. */
 static double error_of(const adviser *a, const measured *got) {
     return measured_distance(got, a->reference, NULL) + a->doubt;
 }
@@ -191,8 +191,8 @@ static int choose_run(adviser *a, trial *best) {
     return run_trial(a, best);
 }
 
-/* The run with other settings takes the place of *best where it is exact enough and, unless
- * `always`, quicker. 1: it is not; -1 after a message. */
+/* Replaces *best by the run with other settings if that is exact enough and, unless `always`,
+ * faster. 0; 1: it is not; -1 after a message. */
 static int try_settings(const adviser *a, const scene *settings, bool always, trial *best) {
     trial other = {.settings = *settings};
     if (run_trial(a, &other) != 0)
@@ -207,8 +207,8 @@ static int try_settings(const adviser *a, const scene *settings, bool always, tr
     return 0;
 }
 
-/* The way to solve by which the first steps take least time, if that is clearly less than by the
- * default. */
+/* The method of solution that takes the least time in the first steps, if that is clearly less than
+ * by the default. */
 static int choose_solver(const adviser *a, trial *best) {
     static const int ways[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
                                   {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},
@@ -261,7 +261,8 @@ static int choose_tolerance(const adviser *a, trial *best) {
     return status;
 }
 
-/* How far a run ends from *best whose start is moved a little, each coordinate at random. */
+/* The distance from *best of the final state of a run whose start is perturbed, each coordinate at
+ * random. */
 static int spread_of(const adviser *a, const trial *best, double *spread) {
     mesh other;
     measured got = {0};

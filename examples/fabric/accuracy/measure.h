@@ -9,15 +9,15 @@
 #include "step/simulation.h"
 
 typedef struct measured {
-    int finished; /* else the simulator gave up, or was stopped for its rejections */
+    int finished; /* 0: the simulator failed, or was stopped because of rejected steps */
     int vertices;
     double (*x)[3];     /* [vertices] m, at the end; measured_free's */
     double cpu_seconds; /* of the process, all threads, in the steps; least of the repetitions */
     long steps, rejected;
-    double shortest; /* s, of the steps; of those that the log of rejections has */
+    double shortest; /* s, shortest step; only logged rejections are known */
     long cg_iterations, newton_iterations;
-    double strain, energy; /* at the end: of the triangle with most; J. Both, and depth, are not
-                              numbers where the scene has no monitor */
+    double strain, energy; /* at the end: of the most stretched triangle; J. Both, and depth, are
+                            * NaN without a monitor */
     double depth;          /* m, of the deepest vertex in a collider, in all of the run */
 } measured;
 
@@ -43,17 +43,17 @@ double distance_of(int count, const double (*x)[3], const double (*y)[3], double
  *  its positions to be freed. 0, or -1 after a message. */
 int move_start(const mesh *from, double most, random_source *source, mesh *to);
 
-/** Kinetic, elastic and of position in gravity's field, J; as the monitor knows it. */
+/** Kinetic, elastic and potential energy, J, as the monitor computes it. */
 double total_energy(const simulation *sim);
 
 /** The scene with its duration divided into this number of steps. */
 scene divided(const scene *s, int steps);
 
-/** The scene with this multiple of its vertices, for a generated mesh. */
+/** The scene with `factor` times as many vertices, for a generated mesh. */
 scene refined(const scene *s, double factor);
 
 /** `divided`, by this integrator, to this tolerance: of the linear system, or of Newton's method,
- * which asks little of its linear systems. */
+ *  whose linear systems are solved less accurately. */
 scene divided_by(const scene *s, int integrator, int steps, double tolerance);
 
 /** CPU seconds of this process, all threads. */

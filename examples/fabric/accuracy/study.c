@@ -78,11 +78,12 @@ int study_reference(study *of) {
 }
 
 double scene_stiffness(const scene *s) {
-    static const double gravity = 9.81; /* m/s^2: also where there is none */
+    static const double gravity = 9.81; /* m/s^2, also for scenes without gravity */
     return s->material.stretch / (s->material.density * gravity * s->mesh.side);
 }
 
-/* Does one run, or what lies between two as a power of time, have less error in the same time? */
+/* Does one run, or the interpolation of two by a power of time, have less error in the same
+ * time? */
 static int is_on_front(const study *of, const study_row *r) {
     for (int k = 0; k < of->row_count; k++)
         for (int m = 0; m < of->row_count; m++) {

@@ -41,9 +41,9 @@ typedef struct study {
     const char *folder;
     int repeat;
     int quick;                          /* fewer and coarser runs: to see that it works */
-    int steps[MOST_COUNTS], step_count; /* numbers of steps the scene is divided into, ascending */
+    int steps[MOST_COUNTS], step_count; /* numbers of steps, ascending */
     measured reference;
-    double reference_gap; /* m rms, between the two methods that the reference rests on */
+    double reference_gap; /* m rms, between the two methods that give the reference */
     study_row rows[MOST_ROWS];
     int row_count;
 } study;
@@ -63,9 +63,9 @@ int study_reference(study *of);
 /** Fills errors of all rows against the reference, and the front. */
 void study_compare(study *of);
 /**
- * 0 where the reference's own doubt is at most a tenth of the smallest error of the rows; else -1,
- * after a message and after errors that are not above ten times the doubt were taken out of the
- * rows. Always 0 in a quick study.
+ * Returns 0 if reference_gap is at most a tenth of the smallest error of the rows. Otherwise
+ * removes from the rows all errors below ten times the gap, and returns -1 after a message. Always
+ * 0 in a quick study.
  */
 int study_trusts_reference(study *of);
 /** A table of another form: folder/NAME, begun with its line of columns. NULL after a message. */
@@ -82,13 +82,13 @@ void study_free(study *of);
 int study_dt(study *of);         /* error against step and CPU time, every integrator */
 int study_cg(study *of);         /* error against the linear systems' tolerance */
 int study_newton(study *of);     /* error against Newton's tolerance */
-int study_integrator(study *of); /* energy in time; what step and stiffness each survives */
+int study_integrator(study *of); /* energy in time; the step and stiffness that each survives */
 int study_preconditioner(
     study *of);                 /* iterations and time to a tolerance, and the direct solution */
 int study_precision(study *of); /* float, mixed, double */
 int study_solver(study *of);    /* direct against iterative, over step and mesh */
 int study_sum(study *of);       /* the orders of reduction of the parallel program */
 int study_mesh(study *of);      /* finer meshes */
-int study_horizon(study *of);   /* how runs from nearly the same start part */
+int study_horizon(study *of);   /* how runs from nearly equal starts diverge */
 
 #endif

@@ -18,7 +18,7 @@
 #include "step/integrator.h"
 #include "step/simulation_state.h"
 
-/* The scene without what takes energy, in the middle number of steps. */
+/* The scene without dissipation, in the middle number of steps. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
@@ -119,9 +119,9 @@ int study_mesh(study *of) {
     return file && study_close(file) != 0 ? -1 : status;
 }
 
-/* An order, and a method that makes use of it: left to itself the runtime takes whatever is
- * fastest, the sequential loop too, and all orders would time the same. Compensated sums are added
- * up in the serial order. */
+/* An order of reduction, with a method that uses it. Without a named method the runtime would
+ * choose the fastest one, perhaps the sequential loop, for every order, and all times would be
+ * equal. Compensated sums are added up in the serial order. */
 static const struct {
     const char *order, *method, *sum;
 } ways[] = {{"serial", "serial", "plain"},           {"serial", "localwrite", "plain"},

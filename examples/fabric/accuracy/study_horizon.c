@@ -10,9 +10,9 @@
 enum { MOVED_RUNS = 16 };
 static const double moved = 1e-9;
 
-/* All runs of a scene, in step with one another; [0] is the one that is not moved. */
+/* All runs of a scene, advanced together; [0] starts unperturbed. */
 typedef struct flock {
-    mesh cloth[1 + MOVED_RUNS]; /* of the moved ones only `position` is their own */
+    mesh cloth[1 + MOVED_RUNS]; /* the perturbed ones own only `position` */
     simulation *run[1 + MOVED_RUNS];
     int count;
 } flock;

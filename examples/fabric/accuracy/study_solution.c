@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Accuracy of solutions: step, tolerances, preconditioners, precisions. */
+/* Experiments on solving: steps, tolerances, preconditioners, precisions. */
 #include <math.h>
 #include <stdio.h>
 
@@ -8,11 +8,11 @@
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* The row of the scene as it is, by its own integrator, step and tolerances. */
+/* Runs the scene unchanged, with its own integrator, step and tolerances. */
 static const char *const scene_default = "default";
 
-/* A contestant at its best: with the loosest tolerance whose own error is a tenth of the error of
- * time stepping, or the tightest there is. 0, or -1 after a message. */
+/* The best settings of a method: the loosest tolerance whose own error is a tenth of the error of
+ * time stepping, or the tightest tolerance. 0, or -1 after a message. */
 static int run_fairly(study *of, int kind, int steps) {
     static const double tolerances[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6};
     enum { COUNT = sizeof tolerances / sizeof *tolerances };
@@ -52,7 +52,7 @@ int study_dt(study *of) {
     return study_write(of, "dt") == 0 ? trusted : -1;
 }
 
-/* error_own of the rows from `first` on: against row `exact`. */
+/* Computes error_own of the rows from `first` on, relative to row `exact`. */
 static void compare_own(study *of, int first, int exact) {
     for (int k = first; k < of->row_count; k++)
         of->rows[k].error_own = measured_distance(&of->rows[k].got, &of->rows[exact].got, NULL);
@@ -97,8 +97,9 @@ int study_newton(study *of) {
     return study_write(of, "newton");
 }
 
-/* A choice of the scene's, at every tolerance: `chosen` in `s`, with the words of `kinds`. The
- * first row, by which their own errors are found, is to 1e-12 by the first kind. */
+/* Runs the scene with each value of a setting and at each tolerance. `chosen` is the setting in
+ * `s`, and `kinds` are the names of its values. The first row, with the first value and tolerance
+ * 1e-12, is the reference for the others' own errors. */
 static int compare_kinds(study *of, const char *experiment, scene *s, int *chosen,
                          const char *const *kinds) {
     static const double tolerances[] = {1e-12, 1e-2, 1e-4, 1e-6, 1e-8};
@@ -112,7 +113,7 @@ static int compare_kinds(study *of, const char *experiment, scene *s, int *chose
     return 0;
 }
 
-/* Gauss-Seidel by conjugate gradients, in the middle number of steps. */
+/* The scene in the middle number of steps, solved by conjugate gradients with Gauss-Seidel. */
 static scene middle_scene(const study *of) {
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
     s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
@@ -141,7 +142,7 @@ int study_precision(study *of) {
     return study_write(of, "precision");
 }
 
-/* What one mesh costs a step by each way, at steps of several lengths. */
+/* The cost of a step on one mesh by each method of solution, for several step lengths. */
 static int compare_ways(study *of, const mesh *cloth) {
     static const double steps[] = {0.001, 0.0033, 0.01, 0.033}, shortest = 0.02; /* s */
     static const struct {

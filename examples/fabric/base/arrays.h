@@ -8,17 +8,17 @@
 
 typedef struct arrays {
     struct array_link *last;
-    bool failed; /* memory was out for one of them */
+    bool failed; /* an allocation has failed */
 } arrays;
 
-/** `count` items of `size` bytes, all 0. NULL where memory is out: then `failed` is set. */
+/** `count` items of `size` bytes, all 0. NULL without memory: then `failed` is set. */
 void *arrays_add(arrays *of, size_t count, size_t size);
 
 /** Frees all. */
 void arrays_free(arrays *of);
 
-/** Grows a lone array, given by the address of its pointer, where it has no room for `count` items
- * of `size` bytes: *room is how many it has room for. 0, or -1: out of memory, it is as it was. */
+/** Grows a single array, given by the address of its pointer, to at least `count` items of `size`
+ *  bytes; *room is its capacity. 0, or -1: out of memory, and the array is unchanged. */
 int array_grow(void *address, int *room, long count, size_t size);
 
 #endif

@@ -49,7 +49,7 @@ static int compare_names(const void *a, const void *b) {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/** Says which scenes the folder has, and which of them is nearest to `name`. */
+/** Prints the scenes of the folder, and the one whose name is nearest to `name`. */
 static void complain_no_scene(const char *folder, const char *name) {
     char *names[MOST_SCENES];
     int count = 0;

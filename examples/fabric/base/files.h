@@ -10,7 +10,7 @@ enum { FILE_PATH_SIZE = 4096 };
 /**
  * The file of a scene: a path (with '/' or ending in .yaml), or a bare name in the scenes folder,
  * which is $FABRIC_SCENES or ../share/fabric/scenes as seen from the program's own folder.
- * 0, or -1 after a message that lists the scenes there are.
+ * 0, or -1 after a message that lists the available scenes.
  */
 int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The command line: options in a table that reading and --help go by. */
+/** The command line: a table of options, used for reading and for --help. */
 #ifndef FABRIC_OPTIONS_H
 #define FABRIC_OPTIONS_H
 
@@ -44,7 +44,9 @@ typedef struct command {
     const char *synopsis;  /* after the name: "SCENE [options]" */
     const char *summary;   /* one line */
     const option *options; /* no name after the last; --help is understood everywhere */
-    int (*run)(const struct command *self, int argc, char **argv); /* its words; the exit status */
+    int (*run)(const struct command *self, int argc, char **argv); /* argv holds the command's
+                                                                    * words; returns the exit
+                                                                    * status */
 } command;
 
 enum { EXIT_USAGE = 2, OPTIONS_READ = -1 };

@@ -6,7 +6,7 @@
 
 void waiting_is_short(char **argv) {
 #ifdef _OPENMP
-    /* What the library itself takes where it knows that there are more threads than cores. */
+    /* The library's own value for more threads than cores. */
     static const char spins[] = "1000";
     if (!getenv("OMP_WAIT_POLICY") && !getenv("GOMP_SPINCOUNT") &&
         setenv("GOMP_SPINCOUNT", spins, 1) == 0)

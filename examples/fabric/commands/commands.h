@@ -14,7 +14,7 @@ extern const command export_command;
 extern const command mesh_command;
 extern const command accuracy_command;
 
-/** What `--set` may be given how often, together. */
+/** Maximum number of `--set` options. */
 enum { MOST_SETTINGS = 256 };
 
 /** The values of `--set`, by reference. */

@@ -24,13 +24,13 @@ static const option compare_options[] = {
 
 /** The largest difference of two arrays of numbers. */
 typedef struct difference {
-    long numbers;   /* that differ by a bit or more */
+    long numbers;   /* numbers that differ */
     double largest; /* infinite where one of the two is not a number */
     int vertex;     /* original number of the vertex where `largest` is */
     uint64_t ulps;  /* the most numbers representable between the two, plus one */
 } difference;
 
-/** Numbers the doubles in their order, both zeros alike. */
+/** The rank of a double among all doubles; both zeros have the same. */
 static int64_t place_of(double value) {
     int64_t bits;
     memcpy(&bits, &value, sizeof bits);

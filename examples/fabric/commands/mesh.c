@@ -100,7 +100,7 @@ static void edge_spans(const mesh *m, int *longest, double *mean) {
     *mean = m->edge_count > 0 ? sum / m->edge_count : 0.0;
 }
 
-/** Where it is, which shows its unit and which way is up. */
+/** Prints the bounding box, which shows the unit and the vertical axis. */
 static void print_extent(const mesh *m) {
     for (int a = 0; a < 3; a++) {
         double low = INFINITY, high = -INFINITY;

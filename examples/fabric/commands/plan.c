@@ -47,7 +47,7 @@ static void print_memory(const memory_account *before, const scene *s, const sim
     const double allocated = memory_allocated();
     if (allocated < 0)
         return;
-    const double cloth = allocated - before->allocated_at_start, most = memory_most();
+    const double cloth = allocated - before->allocated_at_start, most = memory_peak();
     const double held = before->at_start + text_of_steps + cloth;
     int only;
     const double bytes = simulation_direct_bytes(sim, &only);
@@ -83,7 +83,7 @@ static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
 static int plan(const scene *s) {
     char error[ERROR_SIZE] = "";
     mesh m = {0};
-    const memory_account before = {memory_most(), memory_allocated()};
+    const memory_account before = {memory_peak(), memory_allocated()};
     if (scene_mesh(s, &m, NULL) != 0)
         return EXIT_FAILURE;
     scene_doubts(s, &m, stderr);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric run: simulates a scene and writes what came of it. */
+/* fabric run: simulates a scene and writes the results. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static void note_interrupt(int signal_number) {
     (void)signal_number;
     interrupted = 1;
     if (write(STDERR_FILENO, said, sizeof said - 1) < 0)
-        return; /* nobody listens */
+        return; /* standard error is closed */
 }
 
 static int threads_in_use(void) {
@@ -60,7 +60,7 @@ static void set_threads(long threads) {
     if (threads > 0)
         omp_set_num_threads((int)threads);
 #else
-    (void)threads; /* this program has one */
+    (void)threads; /* this program has one thread */
 #endif
 }
 
@@ -142,7 +142,7 @@ static int make_mesh(cloth_run *run) {
     return 0;
 }
 
-/** 0; 1: it was interrupted, and the step is not taken; or -1 after a message. */
+/** 0; 1: interrupted, and the step is undone; or -1 after a message. */
 static int take_step(cloth_run *run) {
     char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
@@ -238,7 +238,7 @@ static int make_simulation(cloth_run *run, const run_request *r) {
     return -1;
 }
 
-/** Nothing is removed or written before it is sure that there is a run to be had. */
+/** Removes and writes nothing before the simulation has been made without errors. */
 static int simulate(cloth_run *run, const run_request *r) {
     return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run, r) == 0 &&
                    run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0

@@ -25,14 +25,14 @@ typedef struct run_request {
     setting_list settings;
 } run_request;
 
-/** All that a run has in hand. */
+/** The state of a run of this command. */
 typedef struct cloth_run {
     scene of;
     mesh cloth;
     int *original; /* [vertices] number of each vertex in the mesh as generated */
     simulation *sim;
     run_record record;
-    checkpoint from; /* where it goes on from; empty: it begins */
+    checkpoint from; /* where the run continues; empty: a new run */
     char from_path[FILE_PATH_SIZE];
     char folder[FILE_PATH_SIZE];
     char frames_folder[FILE_PATH_SIZE];
@@ -53,7 +53,7 @@ int run_write_results(const cloth_run *run);
  *  0, or -1 after a message. */
 int run_resume(cloth_run *run, const run_request *r);
 
-/** With the simulation made: brings it to where it was. 0, or -1 after a message. */
+/** Restores the state of the simulation, which has been made. 0, or -1 after a message. */
 int run_restore(cloth_run *run);
 
 /** Writes the checkpoint of record.step. 0, or -1 after a message: an older one is as it was. */

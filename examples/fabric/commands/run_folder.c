@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The folder of a run: what older ones left there, states for pictures, results. */
+/* The folder of a run: removal of older files, states for pictures, results. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,7 +78,7 @@ static int frame_path(const cloth_run *run, long step, char path[FILE_PATH_SIZE]
     return files_join(path, run->frames_folder, name);
 }
 
-/** What should be there of the steps before: said only, since it cannot be made again. */
+/** Prints which files of earlier steps are missing. They cannot be made again. */
 static void look_for_frames(const cloth_run *run) {
     char path[FILE_PATH_SIZE];
     long missing = 0;

@@ -57,7 +57,7 @@ typedef struct barrier_element {
 } barrier_element;
 
 typedef struct barrier_list {
-    int pairs, contacts, grips, elements; /* how many there are, */
+    int pairs, contacts, grips, elements; /* lengths of the lists below */
     int pair_room, contact_room, grip_room, element_room;
     barrier_pair *pair;
     barrier_contact *contact;
@@ -80,10 +80,10 @@ typedef struct barrier {
     double (*searched)[3]; /* [surface's vertices] m, positions of the search; */
     int has_candidates;    /* they may be reused */
     barrier_list list;
-    double (*begin)[3]; /* [surface's vertices] m, positions at the step's beginning, */
-    double (*x)[3];     /* current ones, */
-    double (*way)[3];   /* and their planned displacement */
-    double (*goal)[3];  /* m, final positions of driven vertices */
+    double (*begin)[3]; /* [surface's vertices] m, positions at the step's beginning */
+    double (*x)[3];     /* [surface's vertices] m, current positions */
+    double (*way)[3];   /* [surface's vertices] m, planned displacements */
+    double (*goal)[3];  /* [surface's vertices] m, final positions of driven vertices */
     arrays own;         /* of those above, all but the surface, its owners and the lists */
 } barrier;
 

@@ -12,7 +12,7 @@
  * shake cloth at rest). */
 enum { most_pulls = 2 };
 
-/* Is what lasts from `from` until `until` (0: for good) there? */
+/* Does something that exists from `from` to `until` (0: forever) exist at `time`? */
 static int lasts(double from, double until, double time) {
     return time >= from && (until <= 0 || time < until);
 }
@@ -109,7 +109,7 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
         return -1;
     }
     collisions_follow(c, 0);
-    if (c->pinned.list) { /* pins only release: never are more held than at first */
+    if (c->pinned.list) { /* pins only release: the number of held vertices never grows */
         int *held = realloc(c->pinned.list, ((size_t)c->pinned.count + 1) * sizeof *held);
         c->pinned.list = held ? held : c->pinned.list;
     }

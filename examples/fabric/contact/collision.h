@@ -25,7 +25,7 @@ enum { CONTACTS_PER_VERTEX = 3 };
 
 typedef struct contact {
     int collider;
-    int sticks;        /* else slides */
+    int sticks;        /* 0: it slides */
     int pulls;         /* steps in a row in which the constraint pulled */
     double normal[3];  /* unit */
     double speed;      /* m/s, given along the normal */
@@ -52,8 +52,8 @@ typedef struct met_triangles {
     unsigned char *is_near; /* [triangles] may it meet that? */
 } met_triangles;
 
-/** Colliders that the cloth cannot reach for some time, so that nothing is done for each of them:
- *  all that are not watched. */
+/** Colliders that the cloth cannot reach for some time, so that they cost nothing: all colliders
+ *  that are not watched. */
 typedef struct out_of_reach {
     int *watched;     /* [count] numbers of the colliders to be tested, ascending */
     int count;        /* -1: all are to be tested */
@@ -89,9 +89,10 @@ typedef struct collisions {
     long friction_visits;        /* contacts with friction, in all */
     double stick_speed;          /* m/s, slower than this a sliding vertex sticks */
     vertex_contacts *before;     /* [vertices] of the last accepted step; NULL without colliders */
-    vertex_contacts *now;        /* [vertices] of the step being taken, */
-    double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, and of the colliders' matter
-                                                  there; NULL: none has keyframes */
+    vertex_contacts *now;        /* [vertices] contacts of the step being taken */
+    double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, velocity of the colliders'
+                                                * material at contacts in `now`; NULL: no collider
+                                                * has keyframes */
     met_triangles met;
     arrays own; /* of those above, but for met's and the list of those pinned */
 } collisions;
@@ -101,8 +102,8 @@ static inline int collisions_pin_of(const collisions *c, int vertex) {
     return c->pinned.pin_of ? c->pinned.pin_of[vertex] : -1;
 }
 
-/** The velocity of the collider's matter at contact n of those that the vertex has in the step
- * being taken, [3] m/s. */
+/** The velocity of the collider's material at contact n of those that the vertex has in the step
+ *  being taken, [3] m/s. */
 static inline const double *collisions_carried(const collisions *c, int vertex, int n) {
     return c->carried ? c->carried[vertex][n]
                       : c->scene->colliders[c->now[vertex].list[n].collider].velocity;
@@ -113,7 +114,7 @@ static inline const double *collisions_carried(const collisions *c, int vertex, 
 int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass);
 void collisions_free(collisions *c);
 
-/** Takes up the pins and colliders that there are at `time`. */
+/** Updates pins and colliders to those that exist at `time`. */
 void collisions_follow(collisions *c, double time);
 
 /** A step of h s begins at `time` (s), positions x and velocities v; dv is the change expected.

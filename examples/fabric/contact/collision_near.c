@@ -7,7 +7,8 @@
 #include "collision.h"
 #include "shape.h"
 
-/* A ball around the cloth and the longest way a vertex goes in the step: v or dv NULL is 0. */
+/* The bounding ball of the cloth, and the largest displacement of a vertex in the step. v or dv
+ * NULL: 0. */
 typedef struct cloth_ball {
     double center[3], radius, way;
 } cloth_ball;
@@ -45,7 +46,8 @@ static double distance_to(const collider *k, const double center[3], double time
     return shape_distance(k, p, normal);
 }
 
-/* How far from the cloth's centre a collider may be to touch it, but for its own motion and gap. */
+/* The distance from the cloth's centre at which a collider may touch it, without its own motion and
+ * gap. */
 static double reach_of(const cloth_ball *ball) {
     return 1.01 * (ball->radius + ball->way);
 }
@@ -74,9 +76,9 @@ static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, do
     return !(others->clearance - vector_length(moved) - passed * others->speed > reach_of(ball));
 }
 
-/* Looks at all, and watches those that the cloth might reach by moving as far as it is large. The
- * distance to a mesh that is not closed may jump, and keyframes begin at any time: such are watched
- * always. */
+/* Tests all colliders, and watches those that the cloth might reach by moving a distance equal to
+ * its size. The distance to a mesh that is not closed may jump, and keyframes begin at any time:
+ * such are watched always. */
 static void look_at_all(collisions *c, const cloth_ball *ball, double time, double h) {
     out_of_reach *others = &c->others;
     const double margin = ball->radius + 4 * ball->way;

@@ -77,9 +77,8 @@ static int find_clearances(collisions *c, int number, double time, double h, con
     return 0;
 }
 
-/* Never so where may_meet says yes: the longer edge counts twice; its two thirds at most lie
- * between the first corner and the middle, and no corner is further from the middle than it is
- * long. */
+/* Never true if may_meet is true: the longer edge counts twice; its two thirds at most lie between
+ * the first corner and the middle, and no corner is further from the middle than it is long. */
 static int is_far(const clearances *known, const collider *k, const int corner[3],
                   const double (*x)[3]) {
     if (!known->distance)

@@ -16,7 +16,7 @@
 
 #include "scene/scene.h"
 
-/** A place and three axes: a point of the body at p is at origin + turn p in space. */
+/** A position and a rotation: the point p of the body is at origin + turn p in space. */
 typedef struct body_pose {
     double origin[3]; /* m */
     double turn[3][3];
@@ -25,7 +25,7 @@ typedef struct body_pose {
 /** A step of a collider with keyframes. */
 typedef struct body_motion {
     double h;  /* s */
-    int turns; /* its axes are others in the end */
+    int turns; /* its axes change during the step */
     body_pose begin, end;
 } body_motion;
 
@@ -48,7 +48,8 @@ double motion_angle(const collider *k, double time);
 /** The step of h s that begins at `time`, of one with keyframes. */
 void motion_in_step(const collider *k, double time, double h, body_motion *m);
 
-/** How far a point of the body within `reach` m of its origin may move in the step, m. */
+/** An upper bound on the displacement in the step of points within `reach` m of the body's origin,
+ *  m. */
 double motion_way(const body_motion *m, double reach);
 
 /** p: the point x of space in the body's axes at `time`. */

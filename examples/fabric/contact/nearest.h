@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where two features are nearest to each other, whatever their position, degenerate ones too. */
+/** The nearest points of two features, in any position, including degenerate ones. */
 #ifndef FABRIC_NEAREST_H
 #define FABRIC_NEAREST_H
 

@@ -52,8 +52,8 @@ typedef struct self_grid {
     double cloth[2][3];       /* m, box of the cloth's triangles, if there are bodies */
     int *owned;               /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
     int *first;               /* [triangles + 1] a triangle's first entry in */
-    struct self_entry *loose; /* the entries by triangle, */
-    struct self_entry *entry; /* and by bucket: */
+    struct self_entry *loose; /* entries sorted by triangle */
+    struct self_entry *entry; /* entries sorted by bucket */
     int *start;               /* [buckets + 2] a bucket's first entry */
     int bucket_room, entry_room, loose_room;
     self_pairs part[SELF_PARTS]; /* results of the last search */
@@ -67,7 +67,7 @@ typedef struct self_contact {
     double distance; /* m, along the normal at the start */
 } self_contact;
 
-/** What a pair asks for. */
+/** The impulse that a pair needs. */
 typedef struct self_demand {
     double change; /* m/s, of the normal velocity; 0: nothing */
     self_contact contact;
@@ -76,7 +76,7 @@ typedef struct self_demand {
 /** Pairs that can be skipped: a pair that needed no impulse needs none while its vertices keep
  *  their velocities. Times count the impulses since the search. */
 typedef struct self_turns {
-    int now, looked;     /* at present; when the round under way began */
+    int now, looked;     /* the current time; the time when the current round began */
     int *vertex;         /* [vertices] when its velocity changed last */
     double (*v)[3];      /* [vertices] m/s, at the end of the last round */
     int *pair;           /* [pairs] when it needed no impulse; -1: never */
@@ -87,7 +87,7 @@ typedef struct self_turns {
 typedef struct self_collision {
     const mesh *mesh;
     double gap, friction; /* m */
-    double step;     /* s, the scene's: pairs that are too near separate within some of these */
+    double step;     /* s, the scene's step: pairs that are too near separate within a few steps */
     int bodies_from; /* first triangle of bodies; two of these are never a pair */
     self_grid grid;
     self_pair *pair; /* [pair_count] */
@@ -106,9 +106,8 @@ void self_collision_free(self_collision *s);
  * (m/s). 0, or -1: out of memory, or not all is finite. */
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** One round of impulses over the pairs found last, for this h and x, in order:
- *  changes v, adds the energy that gives to
- *  *work (J); returns the largest change of a normal velocity, m/s. */
+/** One round of impulses over the pairs found last, for this h and x, in order: changes v, adds the
+ *  energy of the impulses to *work (J); returns the largest change of a normal velocity, m/s. */
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 

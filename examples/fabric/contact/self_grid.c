@@ -287,7 +287,7 @@ static int find_in(const self_collision *s, const self_search *by, int bucket, i
     return 0;
 }
 
-/* All parts, one behind the other. 0, or -1: out of memory. */
+/* Joins the parts' pairs, in order. 0, or -1: out of memory. */
 static int join(self_collision *s) {
     long count = 0;
     for (int part = 0; part < SELF_PARTS; part++)

@@ -9,18 +9,18 @@
 static double sphere_distance(double radius, const double p[3], double normal[3]) {
     const double length = vector_unit(p, normal);
     if (!(length > 0))
-        normal[2] = 1; /* its centre, at which all directions are equal */
+        normal[2] = 1; /* at the centre any direction is correct */
     return length - radius;
 }
 
-/* On a cylinder's axis: some direction square to it. */
+/* On a cylinder's axis: any direction at right angles to it. */
 static void set_across(const double axis[3], double normal[3]) {
     const double other[3] = {fabs(axis[0]) < 0.5 ? 1 : 0, fabs(axis[0]) < 0.5 ? 0 : 1, 0};
     vector_cross(axis, other, normal);
     vector_unit(normal, normal);
 }
 
-/* From the nearest point of the box, or inside it, from the nearest face. */
+/* The distance from the nearest point of a box or, for a point inside, from the nearest face. */
 static double box_distance(const double half[3], const double p[3], double normal[3]) {
     double outside[3], depth = -INFINITY;
     int nearest = 0;
@@ -40,8 +40,8 @@ static double box_distance(const double half[3], const double p[3], double norma
     return depth > 0 ? length : depth;
 }
 
-/* A cylinder with flat ends is a box in the plane of its axis and the point, which has no third
- * side. */
+/* In the plane through the axis and the point, a cylinder with flat ends is a rectangle: a box
+ * without a third side. */
 static double cylinder_distance(const collider *k, const double p[3], double normal[3]) {
     const double along = vector_dot(p, k->axis);
     double radial[3];

@@ -15,8 +15,9 @@ typedef struct search {
     const double (*p)[3]; /* [3] the triangle */
     int is_convex;
     int looked;   /* parts looked at */
-    double slack; /* m: a point nearer by less than this need not be found, */
-    double part;  /* nor by this fraction of the remainder above `kept`, m */
+    double slack; /* m: a point that is nearer by less than this need not be found */
+    double part;  /* nor one that is nearer by less than this fraction of the distance above
+                   * `kept` */
     double kept;
     double distance;  /* m, the least so far, or a sufficient distance */
     double weight[3]; /* of the nearest point */

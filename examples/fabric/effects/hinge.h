@@ -24,8 +24,8 @@ typedef struct hinge_elements {
     double *weight;   /* [count] */
     double *at_rest;  /* [count] rad, what angles are counted from; NULL: from 0 */
     double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
-    /* What hinge_energy_at found last: where a step ends and the next begins angles are the same.
-       NULL until hinge_elements_look_ahead. */
+    /* Angles that hinge_energy_at found last: the angles at a step's end are those at the next
+     * one's beginning. NULL until hinge_elements_look_ahead. */
     double *ahead;        /* [count] rad */
     double (*ahead_x)[3]; /* [vertices] m, at these positions */
     int vertices;         /* one above the hinges' greatest number */

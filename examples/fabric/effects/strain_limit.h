@@ -30,8 +30,8 @@ void strain_limit_free(strain_limit *l);
 /** Lists the triangles beyond the limit at positions x. */
 void strain_limit_find(strain_limit *l, const triangle_elements *e, const double (*x)[3]);
 
-/** Lists those that are not listed yet and would be beyond the limit after h s with velocities
- *  v + dv, instead of the others; returns how many. */
+/** Lists those that are not listed yet and would be beyond the limit after h s with velocities v +
+ *  dv, which replace the earlier list; returns how many. */
 int strain_limit_find_missed(strain_limit *l, const triangle_elements *e, double h,
                              const double (*x)[3], const double (*v)[3], const double (*dv)[3]);
 

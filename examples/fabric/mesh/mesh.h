@@ -10,8 +10,8 @@ typedef struct mesh {
     int hinge_count;
     double (*position)[3]; /* [vertex_count] m, initial positions */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
-    int rest_in_space;     /* the rest shape of each triangle is that of its positions instead */
-    int bent_at_rest;      /* and the angles at its hinges are at rest as well; else 0 is */
+    int rest_in_space;     /* the rest shape of each triangle follows from `position` instead */
+    int bent_at_rest;      /* the hinges' angles in `position` are at rest; else the angle 0 is */
     int *number;           /* [vertex_count] of each vertex before mesh_reorder; NULL: not kept */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */
@@ -50,7 +50,7 @@ int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char
  * where it is no permutation of the vertices or memory is out. */
 int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
-/** The mean length of the triangles' sides as they lie, m; infinite where there are none. */
+/** The mean length of the triangles' sides in `position`, m; infinite if there are none. */
 double mesh_mean_edge(const mesh *m);
 
 void mesh_free(mesh *m);

@@ -276,7 +276,7 @@ int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char
         return 0;
     }
     int *permutation = new_of_old;
-    snprintf(error, ERROR_SIZE, "out of memory"); /* unless something else is said */
+    snprintf(error, ERROR_SIZE, "out of memory"); /* unless another message follows */
     if (!permutation)
         permutation = malloc((size_t)m->vertex_count * sizeof *permutation);
     const int status = permutation ? reorder(m, order, seed, permutation, error) : -1;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
- * in a tree of boxes; whether the point is inside tells the pseudonormal of the nearest face, edge
- * or vertex (Baerentzen and Aanaes 2005: a vertex' normals weighted by their angles). The triangles
+ * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
+ * is inside (Baerentzen and Aanaes 2005: a vertex' normals weighted by their angles). The triangles
  * must be counter-clockwise seen from outside; without a closed surface the sign is that of the
  * side on which the point is.
  */
@@ -24,7 +24,7 @@ double surface_distance(const surface *s, const double p[3], double normal[3]);
 /** The largest coordinate in magnitude, m. */
 double surface_reach(const surface *s);
 
-/** The vertex' normal, of any length. */
+/** The vertex' pseudonormal, of any length. */
 const double *surface_normal(const surface *s, int vertex);
 
 /** The mesh it was made of. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A run between two steps in a file, from which it goes on with the same bits.
+ * A run between two steps in a file, from which it continues with the same bits.
  *
  * The file is a sealed one (sealed_file.h) of kind "FABRICCP", version 1, without parts. Payload:
  *

@@ -20,8 +20,8 @@ int fresh_file_open(fresh_file *f, const char *path);
  *  case. */
 int fresh_file_sync(fresh_file *f);
 
-/** Gives the file its name where `status`, what became of it so far, is 0; else removes it. Returns
- *  the status, or -1 after a message. */
+/** Renames the file if `status`, the result of writing so far, is 0; else removes it. Returns the
+ *  status, or -1 after a message. */
 int fresh_file_close(fresh_file *f, int status);
 
 #endif

@@ -7,7 +7,7 @@
 #include <malloc.h>
 #endif
 
-double memory_most(void) {
+double memory_peak(void) {
     struct rusage used;
     getrusage(RUSAGE_SELF, &used); /* cannot fail with these arguments */
     return (double)used.ru_maxrss * 1024;

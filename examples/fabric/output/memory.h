@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What memory the process holds. */
+/** The process's memory use. */
 #ifndef FABRIC_MEMORY_H
 #define FABRIC_MEMORY_H
 
-/** The most that was resident at any time, bytes. */
-double memory_most(void);
+/** The maximum resident size so far, bytes. */
+double memory_peak(void);
 
-/** Allocated and not freed, bytes, touched or not; -1 where the C library does not tell. */
+/** Allocated and not freed, bytes, touched or not; -1 if the C library does not report it. */
 double memory_allocated(void);
 
 #endif

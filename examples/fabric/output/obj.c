@@ -36,8 +36,8 @@ typedef struct obj_reader {
     int vertices, materials, triangles;
     double (*material)[2]; /* [materials] of the vt lines */
     mesh *into;            /* NULL: only count */
-    int wanted;            /* a triangle, */
-    long wanted_line;      /* and the line on which it was; 0: not met */
+    int wanted;            /* the triangle whose line is wanted */
+    long wanted_line;      /* that line; 0: not read yet */
 } obj_reader;
 
 static int complain(const obj_reader *r, const char *format, ...)

@@ -47,7 +47,7 @@ static void beat(int signal_number) {
     for (const char *from = beat_seconds == BAR_BEAT ? " s)" : " s\n"; *from; from++)
         text[length++] = *from;
     if (write(STDERR_FILENO, text, length) < 0)
-        beat_ready = 0; /* nobody listens */
+        beat_ready = 0; /* standard error is closed */
 }
 
 static void set_alarm(int seconds) {

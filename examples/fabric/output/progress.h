@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How far a run is, how long the rest will take, and that it is alive. */
+/** Progress of a run: the steps done, the remaining time, and signs of life. */
 #ifndef FABRIC_OUTPUT_PROGRESS_H
 #define FABRIC_OUTPUT_PROGRESS_H
 
@@ -25,11 +25,11 @@ typedef struct progress {
     double last;       /* s, when the last step ended */
 } progress;
 
-/** Begins to tell. With a bar or lines, a step that takes long shows signs of life (SIGALRM): a bar
- *  counts its seconds, lines say every minute which step is under way. */
+/** Begins to report. With a bar or lines, a step that takes long shows signs of life (SIGALRM): a
+ *  bar counts its seconds, lines say every minute which step is under way. */
 void progress_begin(progress *p, progress_style style, long first, long steps);
 
-/** Tells that a step is done. time: simulated, seconds: wall, since progress_begin, both s. */
+/** Reports that a step is done. time: simulated, seconds: wall, since progress_begin, both s. */
 void progress_tell(progress *p, long step, double time, long iterations, double seconds);
 
 /** No more signs of life; a bar's line is ended. */

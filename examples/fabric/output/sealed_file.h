@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Files of a header, a payload and a checksum over both, all numbers as the writing machine has
- * them: what is torn, damaged, of another kind, version or byte order is refused.
+ * them: files that are incomplete, damaged, of another kind, version or byte order are refused.
  *
  *   0  char[8]  which kind of file it is
  *   8  uint32   0x01020304, to tell the byte order

@@ -84,8 +84,8 @@ static int check_numbers(const int *numbers, size_t count, int below) {
     return 0;
 }
 
-/** Points the state's arrays into the payload, in s->memory; single positions become double ones
- *  behind it. */
+/** Points the state's arrays into the payload, in s->memory; single-precision positions are
+ *  converted to doubles, which follow the payload. */
 static int unpack(state *s, layout l, const char *path) {
     const size_t count = 3 * (size_t)s->vertex_count;
     const size_t behind = (layout_size(l) + sizeof(double)) / sizeof(double) * sizeof(double);

@@ -100,7 +100,7 @@ static json_t *summary_of(const run_account *run) {
         (json_int_t)simulation_counts(run->sim).iterations, "matrix_blocks",
         (json_int_t)simulation_counts(run->sim).matrix_blocks, "mesh_seconds", run->mesh_seconds,
         "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "most_memory_bytes",
-        (json_int_t)memory_most(), "phases", phases_of(run->sim), "effects",
+        (json_int_t)memory_peak(), "phases", phases_of(run->sim), "effects",
         effects_of(run->sim, 1), "inactive_effects", effects_of(run->sim, 0), "rejections",
         rejections_of(run->sim), "faults", faults_of(run->sim));
 }

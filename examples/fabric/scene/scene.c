@@ -102,7 +102,7 @@ static int check_motions(const scene_source *from, const scene *s) {
     return 0;
 }
 
-/** What no single key's range can say, of a document whose keys are all valid. */
+/** Checks that concern several keys, for a document whose keys are all valid. */
 static int check_whole(const scene_source *from, scene *s) {
     if (s->mesh.from == SHEET_GENERATED && s->mesh.boundary >= s->mesh.vertices)
         return scene_complain(from, line_of(from, "mesh.boundary"),

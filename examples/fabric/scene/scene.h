@@ -20,8 +20,8 @@ enum { SCENE_FILE_SIZE = 1024 };
 /** Where a collider is at a time (see motion.h). */
 typedef struct keyframe {
     double time;    /* s, ascending */
-    double move[3]; /* m, from the collider's position, */
-    double angle;   /* degrees, about its turn_axis */
+    double move[3]; /* m, displacement from the collider's position */
+    double angle;   /* degrees, rotation about its turn_axis */
 } keyframe;
 
 typedef struct collider {
@@ -46,44 +46,45 @@ typedef enum pin_kind { PIN_RECTANGLE, PIN_BOX, PIN_NEAREST, PIN_VERTICES } pin_
 typedef struct pin {
     int by;                       /* pin_kind */
     double low[2], high[2];       /* m, rectangle of material coordinates */
-    double box_low[3];            /* m, box in space, */
-    double box_high[3];           /* where the cloth starts */
+    double box_low[3];            /* m, a box in space, in which */
+    double box_high[3];           /* selected vertices start */
     double nearest[3];            /* m, the vertex nearest to it where the cloth starts */
-    int vertex_count;             /* numbers in the mesh before it is reordered, */
-    int *vertices;                /* [vertex_count], from 1; the scene's */
+    int vertex_count;             /* length of `vertices` */
+    int *vertices;                /* [vertex_count] numbers before reordering, from 1; owned by the
+                                   * scene */
     double velocity[3];           /* m/s; 0: held where they are */
-    double move_from, move_until; /* s, it moves from then until then; until 0: for good */
-    double until;                 /* s, it lets go then; 0: never */
+    double move_from, move_until; /* s, interval in which it moves; move_until 0: no end */
+    double until;                 /* s, time at which it releases the cloth; 0: never */
 } pin;
 
 /** Limits of a step; beyond them it is repeated with half the length (see monitor.h). */
 typedef struct monitor_limits {
     double energy;      /* gain in a step, as a fraction of the present and added energy */
-    double growth;      /* of a triangle's strain in a step, */
-    double strain;      /* where it ends above this */
+    double growth;      /* limit for the growth of a triangle's strain in a step, */
+    double strain;      /* for triangles whose strain ends above this */
     double penetration; /* m, of a vertex into a collider */
     int off;            /* ignores these; checks only for non-finite and unsolved steps */
 } monitor_limits;
 
-/** Where the cloth comes from, */
+/** The origin of the cloth. */
 typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
 
-/** and the rest shape of one from a file. */
+/** The rest shape of a cloth from a file. */
 typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
 
-/** Where bending is none: where the cloth is flat, or where it starts. */
+/** The state without bending: the flat cloth, or its start. */
 typedef enum sheet_angles { ANGLES_FLAT, ANGLES_OF_MESH } sheet_angles;
 
 /** A section `mesh`. */
 typedef struct scene_cloth {
-    int from;                   /* sheet_kind; from a file: */
-    char file[SCENE_FILE_SIZE]; /* of input/mesh_file.h, with its whole path */
-    double scale;               /* m, of the file's unit */
+    int from;                   /* sheet_kind */
+    char file[SCENE_FILE_SIZE]; /* SHEET_FILE: path of a mesh for input/mesh_file.h */
+    double scale;               /* SHEET_FILE: metres in a unit of the file */
     int rest;                   /* sheet_rest */
     int rest_angles;            /* sheet_angles */
     struct mesh *sheet;         /* as the file has it; freed by scene_free */
-    int vertices, boundary;     /* from a file: its number, and 0 */
-    double side;                /* m; from a file: the square root of its area */
+    int vertices, boundary;     /* SHEET_FILE: the file's number of vertices, and 0 */
+    double side;                /* m; SHEET_FILE: the square root of the area */
     unsigned seed;
     mesh_order order;
     double origin[3]; /* m, the sheet's centre */
@@ -103,7 +104,7 @@ typedef struct scene_surroundings {
 #include "effects/effects.def"
     double gravity[3];            /* m/s^2 */
     double wind[3];               /* m/s */
-    double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
+    double wind_from, wind_until; /* s, interval in which it blows; wind_until 0: no end */
 } scene_surroundings;
 
 /** A section `self_collision`. */
@@ -190,8 +191,8 @@ int scene_write(const scene *s, const char *path);
 
 /** What scene_write would write, [*size], to be freed; NULL: out of memory. */
 char *scene_text(const scene *s, size_t *size);
-/** As scene_read, of a text in memory, which is not changed; `name` is said where a file's would
- *  be. */
+/** As scene_read, of a text in memory, which is not changed; `name` replaces the file's name in
+ *  messages. */
 int scene_read_text(scene *s, char *text, size_t size, const char *name);
 
 /** Whether two scenes differ in anything but the count of steps and the names of colliders' files;

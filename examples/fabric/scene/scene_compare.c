@@ -68,7 +68,7 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
     return 0;
 }
 
-/** Stops at the first difference: behind a collider's kind other keys would follow. */
+/** Stops at the first difference: after another collider's kind other keys would follow. */
 static int compare_keys(comparison *of, const scene_key *keys, const char *path) {
     const int kind = scene_kind(keys, of->a);
     if (keys->name[0] == '\0' && kind != scene_kind(keys, of->b)) {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The cloth of a scene: generated or from a file, put where the scene wants it, numbered as it
- * wants. */
+/* The cloth of a scene: generated or from a file, placed and numbered according to the scene. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,7 +33,7 @@ static void place(const scene *s, mesh *m) {
                 s->mesh.origin[k] + m->material[v][0] * right[k] + m->material[v][1] * up[k];
 }
 
-/** As above, for a cloth that need not be flat: its z along the normal. */
+/** The same for a cloth that need not be flat: its z axis becomes the normal. */
 static void place_in_space(const scene *s, mesh *m) {
     double right[3], up[3];
     plane_axes(s->mesh.normal, right, up);
@@ -76,7 +75,7 @@ mesh *scene_sheet_read(const char *path, int rest, char *error) {
 }
 
 /** A copy of the scene's sheet in metres, with the rest shape that the scene asks for; positions
- *  are the file's still. 0, or -1: out of memory. */
+ *  are still those of the file. 0, or -1: out of memory. */
 static int copy_sheet(const scene *s, mesh *m) {
     const mesh *from = s->mesh.sheet;
     if (mesh_allocate(m, from->vertex_count, from->triangle_count) != 0)
@@ -109,7 +108,7 @@ static int make_sheet(const scene *s, mesh *m, char *error) {
     return -1;
 }
 
-/** Numbers for the pins that go by them. */
+/** The vertex numbers before reordering, which pins refer to. */
 static int keep_numbers(const scene *s, mesh *m) {
     int wanted = 0;
     for (int k = 0; k < s->pin_count; k++)

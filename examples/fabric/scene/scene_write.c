@@ -11,7 +11,7 @@
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent);
 
-/** As YAML's plain style takes it: quoted, with quotes doubled. */
+/** In YAML's single-quoted style, with quotes doubled. */
 static void write_text(FILE *file, const char *text) {
     fputc('\'', file);
     for (; *text; text++)
@@ -19,7 +19,7 @@ static void write_text(FILE *file, const char *text) {
     fputc('\'', file);
 }
 
-/** As short as gives the same bits when read. */
+/** The shortest decimal that is read as the same bits. */
 static void write_number(FILE *file, double value) {
     char text[32];
     for (int digits = 15; digits <= 17; digits++) {

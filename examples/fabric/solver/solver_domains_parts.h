@@ -21,7 +21,7 @@ struct domain_solver {
     int count;               /* domains */
     int *start;              /* [count + 1] a domain's first vertex */
     int *domain;             /* [rows] a vertex' domain */
-    int *place;              /* [A's blocks] where in the matrix that it belongs to */
+    int *place;              /* [A's blocks] its index in the matrix that it belongs to */
     block_matrix within;     /* of U, within domains */
     block_matrix across;     /* of U, from even domains' vertices to odd ones' */
     int *reached_start;      /* [rows + 1] where in `reached` a column of `across` begins */
@@ -38,9 +38,9 @@ struct domain_solver {
     arrays own;                           /* of those above, but for the matrices' */
 };
 
-/** Number of domains of a cloth with this number of vertices, */
+/** The number of domains of a cloth with this number of vertices. */
 int domain_count(int vertices);
-/** and the first vertex of one; of domain_count: vertices. */
+/** The first vertex of a domain; for domain == domain_count: vertices. */
 int domain_start(int vertices, int domain);
 
 /** Domains begin at start [count + 1], vertices of A; NULL: out of memory. If A is a part of a
@@ -64,9 +64,9 @@ void domain_sweep_down(const domain_solver *d, int domain, double (*r)[3]);
  *  square, r' M^-1 r. */
 double domain_transform(domain_solver *d, int domain);
 
-/** What an iteration begins with: t, and w but for its product with what is between domains, which
- *  is to add the diagonal's part as well. Where nothing is between, w is whole, and an even domain
- *  is swept down at once. An even domain reads t of odd ones. */
+/** Begins an iteration: computes t, and w without its product with `between`, which adds the
+ *  diagonal's part as well. If `between` has no other blocks, w is complete, and even domains are
+ *  swept down at once. An even domain reads t of odd ones. */
 void domain_sweep_direction(domain_solver *d, int domain);
 
 /** Sweeps the rest down; returns p . image. An odd domain reads w, swept down, of even ones. */

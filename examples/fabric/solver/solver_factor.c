@@ -119,7 +119,7 @@ static int reduced_root(factored *f, const block_matrix *A, int i) {
     if (invert_root((const double(*)[3])left, least, f->root[i]))
         return 0;
     root_of(whole, f->root[i]);
-    /* A vertex whose own block is singular is left alone, here as elsewhere. */
+    /* A vertex whose own block is singular keeps the guess, as with the other preconditioners. */
     return f->root[i][0][0] == 0 ? 0 : -1;
 }
 

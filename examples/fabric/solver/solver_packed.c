@@ -18,10 +18,10 @@
 #undef REAL
 #undef PACKED
 
-/* In mixed precision an iteration in float goes on until it has gained this factor: more, and the
- * residual it believes in is no longer the true one. And it is repeated so often at most. */
+/* In mixed precision an iteration in float continues until the residual has decreased by this
+ * factor. Beyond that, the residual that it computes differs from the true one. */
 static const double float_gain = 1e-3;
-enum { most_refinements = 20 };
+enum { most_refinements = 20 }; /* repetitions of it */
 
 struct packed_solver {
     const block_matrix *A;

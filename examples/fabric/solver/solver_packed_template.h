@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * Conjugate gradients on the matrix as preconditioning makes it; included once a number type, with
- * REAL the type and PACKED(name) the names. Of the prefiltered matrix
- *     B = S A S + s (I - S)
- * is kept the scaled  A^ = C^-1 B C^-T = D^ + U + U', C C' the diagonal blocks that the
- * preconditioner is made of and U strictly upper, and the iteration runs on
+ * REAL the type and PACKED(name) the names. The prefiltered matrix B = S A S + s (I - S) is stored
+ * scaled, as A^ = C^-1 B C^-T = D^ + U + U', C C' the diagonal blocks that the preconditioner is
+ * made of and U strictly upper, and the iteration runs on
  *     none, Jacobi, block-Jacobi     A^ itself: M = C C'
  *     symmetric Gauss-Seidel         (I + U)^-T A^ (I + U)^-1
  *     incomplete Cholesky            (I + F)^-T A^ (I + F)^-1
- * Gauss-Seidel needs no product with A^ (Eisenstat 1981): with t = (I + U)^-1 p the image of
- * p is t + (I + U)^-T (p + (D^ - 2 I) t), two sweeps over U.
+ * Gauss-Seidel needs no product with A^ (Eisenstat 1981): with t = (I + U)^-1 p the image of p is t
+ * + (I + U)^-T (p + (D^ - 2 I) t), two sweeps over U.
  */
 
 typedef struct PACKED(system) {
@@ -24,7 +23,7 @@ typedef struct PACKED(system) {
     REAL (*image)[3];
 } PACKED(system);
 
-/* The vectors; the blocks are another's. */
+/* Allocates the vectors; the blocks are borrowed. */
 static void PACKED(allocate)(PACKED(system) * p, const block_matrix *A, arrays *own) {
     const size_t rows = (size_t)A->row_count + 1;
     p->direction = arrays_add(own, rows, sizeof *p->direction);

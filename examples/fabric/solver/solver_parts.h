@@ -9,7 +9,7 @@
 /** Vertices of a partial sum: a part of the result's bits, so not to be tuned by machine. */
 enum { SOLVER_CHUNK = 64 };
 
-enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* and some z is not 0 */ };
+enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* constrained, and some z is not 0 */ };
 
 /** dv = S dv + z; returns which of the above holds. */
 int solver_apply(const constraints *c, double (*dv)[3]);

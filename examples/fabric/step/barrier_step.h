@@ -25,9 +25,9 @@
 /** Where the last iteration went. */
 typedef struct barrier_descent {
     double (*direction)[3]; /* [vertices] m/s, */
-    double (*residual)[3];  /* [vertices] J s/m: -dE/d(dv) there, */
-    double along;           /* J, its product with Newton's direction; 0: there was no last one, */
-    double slope;           /* J, of E along the direction */
+    double (*residual)[3];  /* [vertices] J s/m: -dE/d(dv) at that point */
+    double along;           /* J, product of residual and Newton's direction; 0: no iteration yet */
+    double slope;           /* J, slope of E along the direction */
 } barrier_descent;
 
 typedef struct barrier_step {

@@ -28,7 +28,7 @@ static int doubt_units(const scene *s, double extent, FILE *to) {
         return 0;
     fprintf(to, "%s: the cloth is %.3g m long; coordinates are metres", s->name, extent);
     if (extent > largest)
-        fputs(", 'mesh.scale: 0.001' makes metres of millimetres", to);
+        fputs(", 'mesh.scale: 0.001' converts millimetres", to);
     fputc('\n', to);
     return 1;
 }
@@ -53,7 +53,8 @@ static int doubt_gaps(const scene *s, double edge, double extent, FILE *to) {
     return count;
 }
 
-/* A vertex that two pins hold is the first one's. */
+/* Finds pins that hold nothing. Each pin is tested alone, since a vertex of two pins is held by the
+ * first. */
 static int doubt_pins(const scene *s, const mesh *m, int *pin_of, FILE *to) {
     int count = 0;
     for (int p = 0; p < s->pin_count; p++) {

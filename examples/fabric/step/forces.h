@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What acts on the cloth, effect by effect, as the linear system of a step. */
+/** The linear system of a step, assembled effect by effect. */
 #ifndef FABRIC_FORCES_H
 #define FABRIC_FORCES_H
 
@@ -13,14 +13,15 @@
  */
 void forces_assemble(simulation *sim, const expansion *at);
 
-/** The same in two parts, for an incremental potential: forces that depend on velocities or are
- *  external, expanded about the beginning of the step only, */
+/** The first of two parts, for an incremental potential: forces that depend on velocities or are
+ *  external, expanded about the beginning of the step only. */
 void forces_assemble_lagged(simulation *sim, const expansion *at);
-/** and, added to sim->system, forces with an energy: stretch, shear, bend and their limit. */
+/** The second part: adds forces with an energy to sim->system: stretch, shear, bend, strain limit.
+ */
 void forces_add_elastic(simulation *sim, const expansion *at);
 
-/** Adds elements of effects that begin within the step, as the solution dv shows; returns their
- *  number. The system must then be solved again. */
+/** Adds elements that the solution dv brings under an effect (the strain limit) within the step;
+ *  returns their number. The system must then be solved again. */
 int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
 #endif

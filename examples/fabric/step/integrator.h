@@ -48,8 +48,8 @@ typedef struct integrator_memory {
 int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count);
 void integrator_free(integrator_memory *memory);
 
-/** x_next and v_next from what solveSystem found, pins and colliders kept to; returns whether all
- *  of them are finite. */
+/** Computes x_next and v_next from the solution of solveSystem, respecting pins and colliders;
+ *  returns whether all are finite. */
 int integrator_move(simulation *sim);
 
 /** The step ends at x_next and v_next: stores the state at its beginning, if needed. Must be

@@ -67,7 +67,7 @@ static double outside_work(const monitored_step *step, const scene *s) {
                            step->residual);
 }
 
-/* Energies of strains and angles of 1e-12, some thousand roundings. */
+/* The energy of strains and angles of 1e-12, the effect of some thousand rounding errors. */
 static double energy_of_rounding(const struct cloth *cloth) {
     const triangle_material *t = &cloth->triangle_material;
     double area = 0, weight = 0;

@@ -49,8 +49,8 @@ typedef struct monitored_step {
     int passing;  /* pairs of the cloth that pass through each other in the step */
     int watched;  /* otherwise only `finite`, `status` and `passing` are checked */
     int finite;   /* all of x_next and v_next */
-    int shortest; /* the step cannot be halved any more, */
-    int futile; /* or shorter ones did not keep cloth and bodies separate (monitor_futile_parts) */
+    int shortest; /* the step cannot be halved further */
+    int futile;   /* shorter steps did not keep cloth and bodies separate (monitor_futile_parts) */
 } monitored_step;
 
 typedef struct monitor {

@@ -14,7 +14,8 @@ int rest_lasts(simulation *sim) {
     return sim->step.slow_steps >= STEPS_UNTIL_SLEEP && !timing_event_within_frame(sim);
 }
 
-/* Does anything from outside move at present, or later without an event? */
+/* Does wind, a pin or a collider move the cloth at present, or may it later, without an event
+ * (plan.h)? */
 static int is_driven(const simulation *sim) {
     const scene *s = sim->scene;
     const double time = simulation_time(sim);

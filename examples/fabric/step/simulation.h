@@ -56,7 +56,7 @@ double simulation_direct_bytes(const simulation *sim, int *only);
 /** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
  *  all of these. The bits are the same. */
 void simulation_choose_threads(simulation *sim);
-/** How many that are at present; 0: all. */
+/** The number of threads at present; 0: all. */
 int simulation_threads(const simulation *sim);
 
 /** From now on a step with `contact: barrier`, which may take long, checks *stop in each of its
@@ -68,13 +68,13 @@ int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
  *  message in error[256]: no state within the scene's limits could be reached. */
 int simulation_step(simulation *sim, char *error);
 
-/* Between two steps of the scene: all from which a simulation of the same mesh and scene goes on
- * with the same bits, as bytes that this machine can read. */
+/* The state between two steps of the scene, as bytes that this machine can read. A simulation of
+ * the same mesh and scene continues from it with the same bits. */
 size_t simulation_saved_size(simulation *sim);
 /** bytes: [size], of simulation_saved_size. Changes nothing of the simulation. */
 void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
-/** To a simulation that has just been made. 0, or -1: the bytes are not of such a simulation; then
- *  all that can be done with it is to free it. Changes nothing of the bytes. */
+/** Restores the state of a simulation that has just been made. 0, or -1: the bytes are not of such
+ *  a simulation, which must then be freed. Leaves the bytes unchanged. */
 int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
 
 /* Read access for callers; valid until simulation_free. */
@@ -105,8 +105,8 @@ typedef struct run_faults {
     long not_solved, strain, penetration, passing;
     double greatest_strain, strain_limit; /* of a triangle in all of the run; the scene's limit */
     double deepest;                       /* m, of a vertex in a collider */
-    long start_inside;                    /* vertices in a collider where the cloth starts, */
-    double start_depth;                   /* m, the deepest of them */
+    long start_inside;                    /* vertices that start in a collider */
+    double start_depth;                   /* m, depth of the deepest of them */
     int watched;          /* the monitor is on: else strain and depth are not known */
     long solved_directly; /* systems, because the conjugate gradients did not converge */
 } run_faults;

@@ -10,8 +10,8 @@
 #include "simulation_state.h"
 
 /**
- * Values as a row of bytes, in either direction: one function says what belongs to a thing and in
- * which order, and counts, stores or loads it. Bytes are as the machine has them.
+ * Values as a row of bytes, in either direction: for each part one function lists its values in
+ * order, and counts, stores or loads them. Bytes are as the machine has them.
  */
 typedef enum archive_mode { ARCHIVE_COUNT, ARCHIVE_STORE, ARCHIVE_LOAD } archive_mode;
 

@@ -70,7 +70,7 @@ static void start_monitor(simulation *sim) {
     monitor_begin(&sim->monitor, sim->scene, &start);
 }
 
-/* What cannot be had together with the barrier's Newton method. */
+/* Rejects settings that the barrier's Newton method does not support. */
 static int check_barrier(const scene *s, char *error) {
     const char *wrong = NULL;
     if (s->time.integrator != INTEGRATOR_LINEAR_EULER && s->time.integrator != INTEGRATOR_EULER)
@@ -98,7 +98,8 @@ static int build(simulation *sim, char *error) {
     solver_options options = {
         (preconditioner_kind)s->solution.preconditioner, (solver_precision)s->solution.precision,
         (solver_method)s->solution.method, integrator != INTEGRATOR_LINEAR_EULER};
-    if (by_barrier) /* its matrix has another layout in each iteration: what lays nothing out */
+    if (by_barrier) /* its matrix has another layout in each iteration: use a solver without a
+                     * layout */
         options = (solver_options){.preconditioner = PRECONDITIONER_BLOCK_JACOBI};
     const int vertices = sim->mesh->vertex_count;
     sim->cloth.triangle_material =
@@ -130,7 +131,7 @@ static int build(simulation *sim, char *error) {
         return -1;
     plan_make(sim);
     if (by_barrier)
-        sim->collisions.any_near = 0; /* no vertex is ever in a body */
+        sim->collisions.any_near = 0; /* the barrier keeps vertices out of bodies */
     set_start(sim);
     if (by_barrier && barrier_step_init(sim, error) != 0)
         return -1;

@@ -40,8 +40,8 @@ struct cloth_state {
 struct step {
     int ticks;           /* its length, unless it is cut: a power of two */
     double h;            /* its length in s */
-    int end_ticks;       /* where it ends in the scene's step, */
-    double end_part;     /* s, and beyond that */
+    int end_ticks;       /* its end, in ticks since the beginning of the scene's step */
+    double end_part;     /* s, its end beyond end_ticks */
     double stage_h;      /* s, what forces are multiplied by; h for backward Euler */
     double (*guess)[3];  /* [vertices] m/s, dv of the last step accepted */
     double guess_h;      /* that step's length, s */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What the commands' command lines have in common. */
+/* Options that the commands share. */
 #include <stdio.h>
 
 #include "view/view.h"

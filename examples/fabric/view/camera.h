@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Where a picture is taken from. */
+/** The camera of a picture. */
 #ifndef FABRIC_VIEW_CAMERA_H
 #define FABRIC_VIEW_CAMERA_H
 
-/** Stands at `eye` and looks against `back`; right, up and back are unit vectors at right angles.
- */
+/** At `eye`, looking in the direction opposite to `back`; right, up and back are unit vectors at
+ *  right angles. */
 typedef struct camera {
     double eye[3]; /* m */
     double right[3], up[3], back[3];

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Frames of a cloth, wherever they come from, for what writes them in a format of other programs.
- */
+/** Frames of a cloth from any source, for writers of other programs' formats. */
 #ifndef FABRIC_VIEW_CLOTH_FRAMES_H
 #define FABRIC_VIEW_CLOTH_FRAMES_H
 
 #include "output/state.h"
 
-/** What all frames share, and how to read each. */
+/** Data common to all frames, and a function that reads one. */
 typedef struct cloth_frames {
     int count;          /* frames */
     const double *time; /* [count] s */

@@ -11,12 +11,12 @@
 #include "scene/scene.h"
 #include "view/cloth_frames.h"
 
-/* What readers are known to take: more morph targets than a graphics card has layers of textures,
- * or more bytes, they do not. */
+/* Limits of known readers, which reject more bytes, or more morph targets than a graphics card has
+ * texture layers. */
 enum { GLTF_MOST_FRAMES = 2000, GLTF_MOST_MEGABYTES = 1000 };
 
-/** Writes beside `path`, then renames; `binary`: as GLB, else as JSON with the numbers in base64.
- *  0, or -1 after a message on standard error. */
+/** Writes a temporary file and renames it to `path`; `binary`: as GLB, else as JSON with the
+ *  numbers in base64. 0, or -1 after a message on standard error. */
 int gltf_write(const cloth_frames *frames, const scene *of, int binary, const char *path);
 
 #endif

@@ -113,7 +113,7 @@ static void put_views(const uint64_t size[PARTS], FILE *json) {
             continue;
         fprintf(json, "%s\n{\"buffer\":0,\"byteOffset\":%llu,\"byteLength\":%llu", comma,
                 (unsigned long long)offset, (unsigned long long)size[part]);
-        /* ELEMENT_ARRAY_BUFFER, ARRAY_BUFFER; what vertices are read from says how far apart. */
+        /* ELEMENT_ARRAY_BUFFER, ARRAY_BUFFER; a view that vertices are read from has a stride. */
         if (is_mesh)
             fputs(is_corners ? ",\"target\":34963" : ",\"byteStride\":12,\"target\":34962", json);
         fputc('}', json);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the files that write glTF share; not for users of gltf.h. */
+/** Shared by the files that write glTF; not for users of gltf.h. */
 #ifndef FABRIC_VIEW_GLTF_PARTS_H
 #define FABRIC_VIEW_GLTF_PARTS_H
 
@@ -23,7 +23,7 @@ typedef struct solid {
     bounds box;
 } solid;
 
-/** What is known before anything is written. */
+/** Data collected before anything is written. */
 typedef struct gltf {
     const cloth_frames *frames;
     state first;

@@ -25,7 +25,7 @@ void picture_paste(picture *onto, const picture *from, int x, int y);
  *  upper left corner at (x, y). */
 void picture_text(picture *p, int x, int y, int dot, const char *text);
 
-/** Writes beside `path`, then renames. 0, or -1 after a message on standard error. */
+/** Writes a temporary file and renames it to `path`. 0, or -1 after a message on standard error. */
 int picture_write_png(const picture *p, const char *path);
 
 #endif

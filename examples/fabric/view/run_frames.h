@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The frames of a run, for what writes them in a format of other programs. */
+/** The frames of a run, for writers of other programs' formats. */
 #ifndef FABRIC_VIEW_RUN_FRAMES_H
 #define FABRIC_VIEW_RUN_FRAMES_H
 

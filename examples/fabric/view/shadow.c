@@ -87,7 +87,7 @@ int shadow_begin(shadow *s, OSMesaContext context, const float light[3], const d
     glEnable(GL_DEPTH_TEST);
     look_along(light, center, radius);
     note_way_to_texture(s);
-    /* A little behind where it is, or it would lie in its own shadow here and there. */
+    /* Stores slightly larger depths; otherwise surfaces would shadow themselves in places. */
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(3.0f, 6.0f);
     return 0;
@@ -100,7 +100,7 @@ void shadow_end(shadow *s) {
     glFinish();
 }
 
-void shadow_heed(const shadow *s) {
+void shadow_apply(const shadow *s) {
     static const GLenum coordinate[4] = {GL_S, GL_T, GL_R, GL_Q};
     static const GLenum generated[4] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R,
                                         GL_TEXTURE_GEN_Q};
@@ -121,7 +121,7 @@ void shadow_heed(const shadow *s) {
     glActiveTexture(GL_TEXTURE0);
 }
 
-void shadow_ignore(void) {
+void shadow_stop(void) {
     glActiveTexture(GL_TEXTURE1);
     glDisable(GL_TEXTURE_2D);
     glActiveTexture(GL_TEXTURE0);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the light sees, as a texture of depths: what lies behind it is in the shadow. With OpenGL's
- *  fixed functions, in the current OSMesa context. */
+/** A shadow map: a texture of depths as seen from the light. Points behind these depths are in the
+ *  shadow. With OpenGL's fixed functions, in the current OSMesa context. */
 #ifndef FABRIC_VIEW_SHADOW_H
 #define FABRIC_VIEW_SHADOW_H
 
@@ -10,7 +10,8 @@
 typedef struct shadow {
     GLuint depths;         /* texture of SHADOW_SIZE squared */
     unsigned char *pixels; /* what the light's picture is drawn into */
-    double from_world[16]; /* columns: a place in the world, m, to one in the texture */
+    double from_world[16]; /* matrix, by columns, from world coordinates (m) to texture
+                            * coordinates */
 } shadow;
 
 /** 0, or -1: out of memory. shadow_free in the same context. */
@@ -23,9 +24,9 @@ int shadow_begin(shadow *s, OSMesaContext context, const float light[3], const d
                  double radius);
 void shadow_end(shadow *s);
 
-/** From here to shadow_ignore what is drawn is black in the shadow; the model-view matrix is the
- *  camera's at this time. */
-void shadow_heed(const shadow *s);
-void shadow_ignore(void);
+/** From here to shadow_stop drawn things are black where they are in the shadow; the model-view
+ *  matrix is the camera's at this time. */
+void shadow_apply(const shadow *s);
+void shadow_stop(void);
 
 #endif

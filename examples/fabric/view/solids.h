@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-/** A box, sphere or cylinder where it is at `time` (s), with normals; a plane is nothing here. */
+/** A box, sphere or cylinder where it is at `time` (s), with normals; draws nothing for a plane. */
 void solids_draw(const collider *c, double time);
 
 /** A point of a plane at `time`, and its unit normal then. */

@@ -186,7 +186,7 @@ static void flatten(const double normal[3], double offset) {
     glMultMatrixd(matrix);
 }
 
-/** Darkens the plane where cloth or solids stand in its light; each pixel once (the stencil). */
+/** Darkens the plane in the shadows of cloth and solids; each pixel once (the stencil). */
 static void draw_shadows(const stage *st, const collider *plane, const patches *cloth,
                          double time) {
     double offset = 0.001; /* m above the plane, so as not to be hidden by it */
@@ -252,10 +252,10 @@ static void draw_lit(const stage *st, const patches *cloth, double time) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDepthFunc(GL_LEQUAL);
-    shadow_heed(&st->shadow);
+    shadow_apply(&st->shadow);
     draw_solids(st, time);
     draw_cloth(st, cloth);
-    shadow_ignore();
+    shadow_stop();
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
 }

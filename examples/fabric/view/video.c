@@ -79,7 +79,7 @@ static int finish(encoder *e, int at_once) {
     int status = 0;
     if (at_once)
         kill(e->process, SIGTERM);
-    fclose(e->pictures); /* what cannot be written ffmpeg's status tells */
+    fclose(e->pictures); /* ffmpeg's status shows whether writing failed */
     while (waitpid(e->process, &status, 0) < 0)
         if (errno != EINTR)
             return -1;

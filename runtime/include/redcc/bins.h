@@ -56,7 +56,7 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 
 /* ---- in generated text ---------------------------------------------------------------------- */
 
-/** Values of redcc__checked besides 0 and 1: updates are pushed, or made on private copies. */
+/** Values of redcc__checked other than 0 and 1: updates are pushed, or made on private copies. */
 enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 
 /** An element's number, counted from the array's first one. */
@@ -72,7 +72,7 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
-/** In no bin. */
+/** The place of a row that has no bin. */
 #define REDCC_NO_ROW ((redcc_int)((redcc_word)1 << 63))
 
 /** Is the pointer at this address readable? */

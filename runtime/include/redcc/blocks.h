@@ -20,9 +20,9 @@
 
 /** The number of blocks. Short iterations: a power of two, so that 2, 4 or 8 threads get equal
  *  shares, of 64 iterations or more in each. */
-#define REDCC_BLOCKS_LONG(redcc_trip, redcc_most)                                                  \
-    ((redcc_trip) < (redcc_most) ? (redcc_trip) : (redcc_most))
-#define REDCC_BLOCKS_SHORT(redcc_trip, redcc_most) redcc_blocks_short(redcc_trip, redcc_most)
+#define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
+    ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
+#define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)
 REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
     const redcc_word least = (redcc_word)trip / 64;
     if (trip <= 0)

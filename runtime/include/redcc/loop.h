@@ -147,7 +147,7 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
 }
 
 /** Pointers that the loop reads only under conditions are read before it, if the memory is
- *  readable: redcc_variable, `redcc_offset` bytes behind what `redcc_through` points to. */
+ *  readable: redcc_variable from `redcc_offset` bytes after the target of `redcc_through`. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
      (redcc_site).calls->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))

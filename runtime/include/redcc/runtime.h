@@ -225,7 +225,7 @@ static __inline__ redcc_int redcc_exact_signed(redcc_int value, int bits, int *l
     return value;
 }
 
-/** From the lower of two addresses to `bytes` behind the higher. Nothing lies below 0. */
+/** From the lower of two addresses to `bytes` after the higher. Nothing lies below 0. */
 static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, redcc_int other,
                                           redcc_int bytes, int *lost) {
     const redcc_int low = one < other ? one : other;

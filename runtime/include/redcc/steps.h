@@ -221,7 +221,7 @@ static __inline__ int redcc_row_meets(const char *first, redcc_size size, const 
     const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
     const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
     const __PTRDIFF_TYPE__ low = from / step - (from % step < 0); /* the first row not before; */
-    const __PTRDIFF_TYPE__ end = to / step + (to % step > 0);     /* one behind */
+    const __PTRDIFF_TYPE__ end = to / step + (to % step > 0);     /* one past the last */
     return (redcc_size)row - (redcc_size)low < (size ? (redcc_size)(end - low) : 0);
 }
 
@@ -313,7 +313,7 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                                               ? (redcc_u32)REDCC_CACHE_LINE                        \
                                               : ((bytes) & (0u - (bytes)))))
 
-/** Bytes of these lines and of the line of places behind them: the write-combining buffer of a
+/** Bytes of these lines and of the line of places after them: the write-combining buffer of a
  *  bin. */
 #define REDCC_LINES_BYTES(bytes) (REDCC_LINE_RECORDS(bytes) * (bytes))
 #define REDCC_COMBINED_BYTES(bytes) (REDCC_LINES_BYTES(bytes) + (redcc_u32)REDCC_CACHE_LINE)

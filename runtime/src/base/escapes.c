@@ -98,7 +98,7 @@ static struct object object_of(const struct link_map *map) {
         if (entry->d_tag == DT_STRSZ)
             object.text_bytes = (size_t)entry->d_un.d_val;
     }
-    /* The number of symbols is not stored directly; linkers put the string table behind them. */
+    /* The number of symbols is not stored directly; linkers put the string table after them. */
     const uintptr_t begin = (uintptr_t)object.symbol, end = (uintptr_t)object.text;
     if (object.symbol && object.text && end >= begin)
         object.end = object.symbol + (end - begin) / sizeof *object.symbol;

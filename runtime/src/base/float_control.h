@@ -66,7 +66,7 @@ static inline bool redcc_float_traps(struct float_control own) {
 
 /** Sets the calling thread's state. Flags of exceptions that occurred remain. */
 static inline void redcc_float_control_take(struct float_control wanted) {
-    redcc_rights_take(wanted.rights);
+    redcc_rights_set(wanted.rights);
     redcc_use_locale(wanted.locale); /* also if it is the same: the tables may differ */
 #if defined(__x86_64__)
     uint32_t mxcsr;

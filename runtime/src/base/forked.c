@@ -18,7 +18,7 @@
 static bool had_threads;       /* of the thread that forks, from before fork to the child */
 atomic_bool redcc_had_threads; /* written while there is only one thread */
 atomic_char *redcc_process_mark;
-static long process; /* without a marked page: the process that was seen */
+static long process; /* without a marked page: the id of the process noted last */
 
 #if defined(__linux__)
 
@@ -52,7 +52,7 @@ void *redcc_wiped_page(void) {
 
 #endif
 
-/* The calling process is a new one. */
+/* Notes the calling process, which is new. */
 static void begin_process(bool with_threads) {
     if (with_threads)
         atomic_store(&redcc_had_threads, true);
@@ -93,8 +93,9 @@ __attribute__((constructor)) static void watch(void) {
     begin_process(!register_handlers());
 }
 
-/* The program has forked by other means, so that the number of its threads then is unknown. */
-void redcc_see_process(void) {
+/* If the process is new, it was forked without the handlers: the number of its threads at that time
+ * is unknown. */
+void redcc_note_process(void) {
     if (redcc_process_mark ? atomic_load(redcc_process_mark) == 0
                            : redcc_system_process() != process)
         begin_process(true);

@@ -16,17 +16,18 @@ static inline bool redcc_is_forked(void);
 /** A page of memory, zero, that the system clears in a child; NULL: not supported. */
 void *redcc_wiped_page(void);
 
-/* Its first byte is 1 in the process that was seen, and 0 in a new one; NULL: not supported. */
+/* Its first byte is 1 in a process that redcc_note_process has noted, and 0 in a new one, since the
+ * system clears it. NULL: not supported. */
 extern atomic_char *redcc_process_mark;
 extern atomic_bool redcc_had_threads;
 
-/** Ensures that the current process has been seen. */
-void redcc_see_process(void);
+/** Notes the current process if it is a new one. */
+void redcc_note_process(void);
 
 static inline bool redcc_is_forked(void) {
     const atomic_char *mark = redcc_process_mark;
     if (!mark || atomic_load_explicit(mark, memory_order_relaxed) == 0)
-        redcc_see_process();
+        redcc_note_process();
     return atomic_load_explicit(&redcc_had_threads, memory_order_relaxed);
 }
 

@@ -105,7 +105,7 @@ bool redcc_maps_parse(const char *line, struct mapping *mapping) {
     return true;
 }
 
-static bool is_asked_for(const struct mapping *mapping, uintptr_t from, enum which_maps which) {
+static bool is_selected(const struct mapping *mapping, uintptr_t from, enum which_maps which) {
     if (mapping->place.end <= from)
         return false;
     switch (which) {
@@ -129,7 +129,7 @@ static enum maps_answer read_on(struct maps *maps, uintptr_t from, enum which_ma
         if (!redcc_maps_parse(maps->lines.line, found))
             return MAPS_UNKNOWN;
         maps->reached = found->place.end;
-        if (is_asked_for(found, from, which))
+        if (is_selected(found, from, which))
             return MAPS_FOUND;
     }
     maps->reached = UINTPTR_MAX;

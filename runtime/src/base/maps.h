@@ -52,7 +52,7 @@ extern bool redcc_maps_by_text;
 /** Opens the list. False: there is no /proc. */
 bool redcc_maps_open(struct maps *maps);
 
-/** Stores the first selected mapping that ends behind `from` in *found. */
+/** Stores the first selected mapping that ends after `from` in *found. */
 enum maps_answer redcc_maps_next(struct maps *maps, uintptr_t from, enum which_maps which,
                                  struct mapping *found);
 

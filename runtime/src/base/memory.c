@@ -35,8 +35,8 @@ static void block_give(void *block, size_t bytes, bool keep) {
 #endif
 
 static atomic_size_t in_use;
-static atomic_size_t limit;       /* 0: none */
-static _Thread_local bool is_owed /* may also exceed the limit */
+static atomic_size_t limit;         /* 0: none */
+static _Thread_local bool is_exempt /* exempt from the limit */
     __attribute__((__tls_model__("initial-exec")));
 static atomic_long live;
 static atomic_long until_failure = -1;
@@ -54,7 +54,7 @@ static bool fails_on_purpose(void) {
 static bool account(size_t bytes) {
     size_t most = atomic_load_explicit(&limit, memory_order_relaxed);
     size_t before = atomic_fetch_add(&in_use, bytes);
-    if (most && before + bytes > most && !is_owed) {
+    if (most && before + bytes > most && !is_exempt) {
         atomic_fetch_sub(&in_use, bytes);
         return false;
     }
@@ -133,8 +133,8 @@ void redcc_memory_limit(size_t bytes) {
     atomic_store(&limit, bytes);
 }
 
-void redcc_memory_owe(bool owed) {
-    is_owed = owed;
+void redcc_memory_exempt(bool owed) {
+    is_exempt = owed;
 }
 
 void redcc_memory_fail_after(long calls_from_now) {

@@ -35,9 +35,9 @@ size_t redcc_memory_size(const void *block);
 /** Limits the total to `bytes` from now on; 0: no limit. */
 void redcc_memory_limit(size_t bytes);
 
-/** Whether allocations of the calling thread may exceed the limit from now on: true for memory
- *  other than plans and copies, such as a loop's row in the report. */
-void redcc_memory_owe(bool owed);
+/** From now on, are allocations of the calling thread exempt from the limit? True for memory other
+ *  than plans and copies, such as a loop's row in the report. */
+void redcc_memory_exempt(bool owed);
 
 /** For tests: the `calls_from_now`-th allocation fails and all after it (0: the very next;
  *  negative: none). */

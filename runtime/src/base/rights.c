@@ -29,7 +29,7 @@ uint32_t redcc_rights(void) {
     return are_there() ? read_rights() : 0;
 }
 
-void redcc_rights_take(uint32_t rights) {
+void redcc_rights_set(uint32_t rights) {
     if (are_there() && read_rights() != rights)
         write_rights(rights);
 }
@@ -40,7 +40,7 @@ uint32_t redcc_rights(void) {
     return 0;
 }
 
-void redcc_rights_take(uint32_t rights) {
+void redcc_rights_set(uint32_t rights) {
     (void)rights;
 }
 

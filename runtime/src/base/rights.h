@@ -14,6 +14,6 @@ extern bool redcc_rights_assumed;
 uint32_t redcc_rights(void);
 
 /** Sets the calling thread's rights. */
-void redcc_rights_take(uint32_t rights);
+void redcc_rights_set(uint32_t rights);
 
 #endif

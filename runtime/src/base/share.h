@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Equal consecutive shares. */
+/** Division of iterations, or of items, into equal consecutive shares. */
 #ifndef REDCC_SHARE_H
 #define REDCC_SHARE_H
 
@@ -7,11 +7,11 @@
 
 #include <stdint.h>
 
-static inline redcc_int redcc_least(redcc_int a, redcc_int b) {
+static inline redcc_int redcc_min(redcc_int a, redcc_int b) {
     return a < b ? a : b;
 }
 
-static inline redcc_int redcc_most(redcc_int a, redcc_int b) {
+static inline redcc_int redcc_max(redcc_int a, redcc_int b) {
     return a > b ? a : b;
 }
 

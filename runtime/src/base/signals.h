@@ -21,9 +21,9 @@ uint64_t redcc_signals_hold(void);
 /** Restores the mask; pending signals are delivered now. */
 void redcc_signals_release(uint64_t before);
 
-/** In a thread of a region for which OpenMP may have created some: a thread created while signals
- *  were blocked blocks all of them from now on, also those that were let through at its creation.
- *  (It is recognised by the real-time signals, which are all blocked.) */
+/** Called in the threads of a region for which OpenMP may have created threads. A thread that was
+ *  created while signals were blocked blocks all of them from now on, including those that were let
+ *  through at its creation. (It is recognised by the real-time signals, which are all blocked.) */
 void redcc_signals_take_over(void);
 
 /** Is the calling thread in a handler, which may have interrupted it in malloc or in OpenMP's
@@ -31,8 +31,9 @@ void redcc_signals_take_over(void);
  *  before: the mask before redcc_signals_hold. */
 bool redcc_signals_in_handler(uint64_t before);
 
-/** In the calling thread, between the two: unblocks the signals with their default action, so that
- *  an interrupt ends the program at once, even in a long loop. Some 30 system calls. */
+/** In the calling thread, between redcc_signals_hold and redcc_signals_release: unblocks the
+ *  signals with their default action, so that an interrupt ends the program at once, even in a long
+ *  loop. Some 30 system calls. */
 void redcc_signals_let_default(uint64_t before);
 
 /** Does the signal have its default action, according to the system? */

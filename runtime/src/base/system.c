@@ -184,7 +184,7 @@ int redcc_system_online(void) {
     return count;
 }
 
-long redcc_system_cores_lost(void) {
+long redcc_system_preemptions(void) {
     struct rusage used;
     return redcc_system(SYS_getrusage, RUSAGE_SELF, &used) == 0 ? used.ru_nivcsw : 0;
 }
@@ -261,7 +261,7 @@ int redcc_system_online(void) {
     return 0;
 }
 
-long redcc_system_cores_lost(void) {
+long redcc_system_preemptions(void) {
     return 0;
 }
 

@@ -126,7 +126,7 @@ int redcc_system_running(void);
 int redcc_system_online(void);
 
 /** The number of involuntary context switches of the process's threads; 0: not known. */
-long redcc_system_cores_lost(void);
+long redcc_system_preemptions(void);
 
 /** Does the program have more rights than its caller (setuid), so that the environment must be
  *  ignored? */

@@ -50,8 +50,8 @@ enum {
 struct team {
     int threads;         /* of the thread's last region; 0: there was none */
     int pinned;          /* the code of its threads will not be unloaded */
-    int rest;            /* calls that were skipped after a handler was last seen, */
-    int rest_left;       /* and how many of them remain */
+    int rest;            /* calls to skip after a handler was last detected */
+    int rest_left;       /* how many of these remain */
     size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
 };
 
@@ -167,7 +167,7 @@ static bool is_limited(void) {
            is_low("/sys/fs/cgroup/pids.max");
 }
 
-/* Threads that do nothing. */
+/* A thread that does nothing. */
 struct trial {
     atomic_uint over;
     atomic_int asleep;
@@ -371,21 +371,21 @@ static void note_all(int others) {
 }
 
 bool redcc_team_is_alone(void) {
-    static int seen; /* so many others there were after a region: it is of no use again */
-    static double longest_wait = 0.25; /* halved after each time it was of no use */
+    static int known; /* the number of other threads that a region could not identify */
+    static double longest_wait = 0.25; /* seconds; halved after each wait in vain */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
     int others = count_others();
-    if (others > 0 && others != seen)
+    if (others > 0 && others != known)
         others = count_others_that_stay(0);
-    if (others <= 0 || others == seen)
+    if (others <= 0 || others == known)
         return others == 0;
     note_all(others);
-    seen = count_others_that_stay(longest_wait);
-    if (seen > 0)
+    known = count_others_that_stay(longest_wait);
+    if (known > 0)
         longest_wait /= 2;
-    return seen == 0;
+    return known == 0;
 }
 
 #else

@@ -47,7 +47,8 @@ static int read_image(struct image *image, uintptr_t place) {
     return image->symbol && image->text;
 }
 
-/* The number of symbols is in hash tables of two kinds; but the string table follows them. */
+/* Finding the number of symbols would need two kinds of hash tables. But the string table follows
+ * the symbols, and so ends them. */
 void (*redcc_vdso_find(unsigned long place, const char *name))(void) {
     struct image image = {0};
     if (!read_image(&image, place))

@@ -50,8 +50,8 @@ struct binner {
     int thread;
     int threads;
     enum bins_phase phase;
-    bool begun;              /* its part of the phase */
-    struct bins_share share; /* of the round */
+    bool begun;              /* its part of the phase has begun */
+    struct bins_share share; /* its share of the round */
     int pieces;              /* number taken in this round */
     redcc_int next;          /* of its piece, [next, last) is not handed out yet */
     redcc_int last;
@@ -101,8 +101,8 @@ struct bins_trial {
     double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
     double began;    /* its time */
     bool is_late;    /* the only round (REDCC_WHOLE) takes too long to push */
-    redcc_int stretch; /* iterations executed sequentially meanwhile, */
-    double sequential; /* and their seconds */
+    redcc_int stretch; /* iterations that the trial executes sequentially */
+    double sequential; /* their time, seconds */
 };
 
 struct binning {

@@ -31,8 +31,8 @@ struct redcc_bin_buffer {
     char *memory;
 };
 
-/** Records of one bin, in the order they were pushed: numbers of the first one and of the one
- *  behind the last. */
+/** Records of one bin, in the order they were pushed: numbers of the first one and of the one after
+ *  the last. */
 struct stretch {
     uint32_t begin;
     uint32_t end;

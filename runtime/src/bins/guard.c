@@ -101,7 +101,7 @@ static void find_read(const struct binning *binning, struct range *read) {
     }
 }
 
-static bool are_apart(const struct range *written, uint32_t count) {
+static bool are_disjoint(const struct range *written, uint32_t count) {
     for (uint32_t a = 0; a < count; a++)
         for (uint32_t b = 0; b < a; b++)
             if (redcc_ranges_overlap(written[a], written[b]))
@@ -114,9 +114,9 @@ static enum reason ask(struct binning *binning, bool exact, struct range *writte
     const redcc_loop *loop = &binning->loop->loop;
     for (uint32_t array = 0; array < loop->array_count; array++)
         written[array] = written_of(binning, array, exact);
-    if (!redcc_ranges_are_apart(loop, read, written, loop->array_count, &binning->overlap))
+    if (!redcc_ranges_are_disjoint(loop, read, written, loop->array_count, &binning->overlap))
         return REASON_OVERLAP;
-    if (!are_apart(written, loop->array_count))
+    if (!are_disjoint(written, loop->array_count))
         return REASON_OUT_OF_STEP;
     const struct touches touches = {written, loop->array_count, read, loop->source_count, loop};
     return redcc_may_be_aliased(touches) ? REASON_TWO_ADDRESSES : REASON_NONE;

@@ -42,7 +42,7 @@ struct bins_share {
 /** Consecutive pieces of the loop that are also consecutive in the records of one thread: its
  *  pieces number [first, end). */
 struct piece_run {
-    int share, piece; /* the one behind them */
+    int share, piece; /* the piece after them */
     int thread;
     int first;
     int end;

@@ -12,9 +12,9 @@
 enum {
     CHUNK = 16384,  /* iterations after which a thread notices that the round has failed; a smaller
                      * number would show less of the missing rows and records */
-    STRETCHES = 64, /* of each thread's share are measured, */
-    STRETCH = 64,   /* with at most this many iterations each; */
-    MEASURED = 64,  /* one iteration in this many */
+    STRETCHES = 64, /* stretches of each thread's share that are measured */
+    STRETCH = 64,   /* maximum iterations of a stretch */
+    MEASURED = 64,  /* of a small share one iteration in this many is measured */
     LEAST_CHUNK = 512,
     TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
                 * stretch compared with it; the next is as long as all before */
@@ -35,7 +35,7 @@ static redcc_int most_of_round(const struct binning *binning) {
         return INT64_MAX;
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->loop->streams[s].exact == REDCC_STREAM_SPANS)
-            most = redcc_least(most, redcc_bins_tuning.round_of_spans);
+            most = redcc_min(most, redcc_bins_tuning.round_of_spans);
     return most;
 }
 
@@ -78,13 +78,13 @@ static bool next_stretch(struct binning *binning, struct binner *binner, redcc_w
     const redcc_int trip = binning->call->request.trip;
     const redcc_int begin = redcc_share(trip, binner->threads, binner->thread);
     const redcc_int end = redcc_share(trip, binner->threads, binner->thread + 1);
-    const redcc_int share = end - begin, all = redcc_least(redcc_most(share / MEASURED, 2), share);
-    const redcc_int stretches = redcc_least(all, STRETCHES);
-    const redcc_int length = redcc_least(redcc_most(all / STRETCHES, 1), STRETCH);
+    const redcc_int share = end - begin, all = redcc_min(redcc_max(share / MEASURED, 2), share);
+    const redcc_int stretches = redcc_min(all, STRETCHES);
+    const redcc_int length = redcc_min(redcc_max(all / STRETCHES, 1), STRETCH);
     if (binner->sample == stretches)
         return false;
     const redcc_int first =
-        begin + redcc_share(share - length, (int)redcc_most(stretches - 1, 1), binner->sample);
+        begin + redcc_share(share - length, (int)redcc_max(stretches - 1, 1), binner->sample);
     binner->sample++;
     binner->measured += length;
     hand_out(binning, binner, worker, bins, first, first + length);

@@ -40,8 +40,8 @@ struct window {
 struct bins_tuning {
     size_t bin_bytes;         /* of the rows of a bin, at most */
     uint32_t bin_bits;        /* a bin has 2 ^ that many rows, at most */
-    uint32_t direct_bins;     /* more of them are pushed by write combining, */
-    double direct_rate;       /* and also if an iteration has more records than this */
+    uint32_t direct_bins;     /* with more bins than this, records are pushed by write combining */
+    double direct_rate;       /* the same if an iteration has more records than this */
     redcc_int round;          /* iterations of a round, at most */
     redcc_int round_of_spans; /* likewise, if a stream has spans */
     size_t least_budget;      /* bytes of records, for arrays of any size */

@@ -4,55 +4,56 @@
 #include <assert.h>
 #include <math.h>
 
-static size_t share_begin(const struct plan *plan, const struct lost *lost, int thread) {
-    return (size_t)redcc_share((redcc_int)lost->count, plan->threads, thread);
+static size_t share_begin(const struct plan *plan, const struct rounding *rounding, int thread) {
+    return (size_t)redcc_share((redcc_int)rounding->count, plan->threads, thread);
 }
 
-void redcc_lost_clear(const struct plan *plan, int thread, void *const *bases) {
+void redcc_rounding_clear(const struct plan *plan, int thread, void *const *bases) {
     assert(0 <= thread && thread < plan->threads);
     for (uint32_t group = 0; group < plan->array_count; group++) {
-        struct lost *lost = &plan->lost[group];
-        const size_t end = share_begin(plan, lost, thread + 1);
-        for (size_t i = share_begin(plan, lost, thread); lost->value && i < end; i++)
-            lost->value[i] = 0;
+        struct rounding *rounding = &plan->rounding[group];
+        const size_t end = share_begin(plan, rounding, thread + 1);
+        for (size_t i = share_begin(plan, rounding, thread); rounding->value && i < end; i++)
+            rounding->value[i] = 0;
         if (thread == 0)
-            lost->first = (char *)bases[group] + lost->offset;
+            rounding->first = (char *)bases[group] + rounding->offset;
     }
 }
 
-static void bring_float(float *element, double lost) {
-    *element = (float)((double)*element + lost);
+static void add_float(float *element, double rounding) {
+    *element = (float)((double)*element + rounding);
 }
 
-static void bring_double(double *element, double lost) {
-    *element += lost;
+static void add_double(double *element, double rounding) {
+    *element += rounding;
 }
 
-void redcc_lost_bring(const struct plan *plan, int thread) {
+void redcc_rounding_add(const struct plan *plan, int thread) {
     assert(0 <= thread && thread < plan->threads);
     for (uint32_t group = 0; group < plan->array_count; group++) {
-        const struct lost *lost = &plan->lost[group];
-        const size_t end = share_begin(plan, lost, thread + 1);
-        for (size_t i = share_begin(plan, lost, thread); lost->value && i < end; i++) {
-            if (lost->value[i] == 0 || !isfinite(lost->value[i]))
+        const struct rounding *rounding = &plan->rounding[group];
+        const size_t end = share_begin(plan, rounding, thread + 1);
+        for (size_t i = share_begin(plan, rounding, thread); rounding->value && i < end; i++) {
+            if (rounding->value[i] == 0 || !isfinite(rounding->value[i]))
                 continue; /* an untouched element must not be written */
-            if (lost->type == REDCC_FLOAT)
-                bring_float((float *)(void *)lost->first + i, lost->value[i]);
+            if (rounding->type == REDCC_FLOAT)
+                add_float((float *)(void *)rounding->first + i, rounding->value[i]);
             else
-                bring_double((double *)(void *)lost->first + i, lost->value[i]);
+                add_double((double *)(void *)rounding->first + i, rounding->value[i]);
         }
     }
 }
 
 /* The number of the element at `address`. */
-static size_t number_of(const struct lost *lost, const void *address) {
-    return (size_t)((const char *)address - lost->first) / redcc_lost_element(lost->type);
+static size_t number_of(const struct rounding *rounding, const void *address) {
+    return (size_t)((const char *)address - rounding->first) /
+           redcc_rounding_element(rounding->type);
 }
 
-void redcc_lost_begin(const struct lost *lost, void *address, size_t count) {
-    double *before = lost->before + number_of(lost, address);
-    assert(number_of(lost, address) + count <= lost->count);
-    if (lost->type == REDCC_FLOAT)
+void redcc_rounding_begin(const struct rounding *rounding, void *address, size_t count) {
+    double *before = rounding->before + number_of(rounding, address);
+    assert(number_of(rounding, address) + count <= rounding->count);
+    if (rounding->type == REDCC_FLOAT)
         for (size_t i = 0; i < count; i++) {
             before[i] = (double)((float *)address)[i];
             ((float *)address)[i] = -0.0f;
@@ -83,13 +84,13 @@ static double add_to_double(double *element, double before) {
     return error_of(before, value, *element);
 }
 
-void redcc_lost_end(const struct lost *lost, void *address, size_t count) {
-    const size_t first = number_of(lost, address);
-    assert(first + count <= lost->count);
+void redcc_rounding_end(const struct rounding *rounding, void *address, size_t count) {
+    const size_t first = number_of(rounding, address);
+    assert(first + count <= rounding->count);
     for (size_t i = 0; i < count; i++) {
-        const double before = lost->before[first + i];
-        lost->value[first + i] += lost->type == REDCC_FLOAT
-                                      ? add_to_float((float *)address + i, before)
-                                      : add_to_double((double *)address + i, before);
+        const double before = rounding->before[first + i];
+        rounding->value[first + i] += rounding->type == REDCC_FLOAT
+                                          ? add_to_float((float *)address + i, before)
+                                          : add_to_double((double *)address + i, before);
     }
 }

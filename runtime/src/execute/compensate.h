@@ -10,21 +10,21 @@
 #ifndef REDCC_COMPENSATE_H
 #define REDCC_COMPENSATE_H
 
-#include "plan/lost.h"
 #include "plan/plan.h"
+#include "plan/rounding.h"
 
 /** Clears the errors of the elements in this thread's share, for arrays at `bases`. */
-void redcc_lost_clear(const struct plan *plan, int thread, void *const *bases);
+void redcc_rounding_clear(const struct plan *plan, int thread, void *const *bases);
 
 /** Adds the errors of this thread's share to the arrays. */
-void redcc_lost_bring(const struct plan *plan, int thread);
+void redcc_rounding_add(const struct plan *plan, int thread);
 
 /** Before the `count` elements at `address` are updated, each at most once: saves their values and
  *  sets them to the neutral element. */
-void redcc_lost_begin(const struct lost *lost, void *address, size_t count);
+void redcc_rounding_begin(const struct rounding *rounding, void *address, size_t count);
 
 /** The elements now hold contributions: adds these to the saved values, and accumulates the
  *  errors. */
-void redcc_lost_end(const struct lost *lost, void *address, size_t count);
+void redcc_rounding_end(const struct rounding *rounding, void *address, size_t count);
 
 #endif

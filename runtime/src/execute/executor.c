@@ -98,7 +98,7 @@ static void take_snapshot(struct runner *runner) {
 }
 
 static bool is_hooked(const struct plan *plan) {
-    return plan->lost || plan->method->locks;
+    return plan->rounding || plan->method->locks;
 }
 
 static void install_hooks(struct runner *runner) {
@@ -110,8 +110,8 @@ static void install_hooks(struct runner *runner) {
 static void begin_hooks(struct runner *runner) {
     struct run *run = runner->run;
     const struct plan *plan = runner->plan;
-    if (plan->lost) {
-        redcc_lost_clear(plan, runner->thread, run->call->request.bases);
+    if (plan->rounding) {
+        redcc_rounding_clear(plan, runner->thread, run->call->request.bases);
         redcc_barrier_wait(run->barrier, runner->threads);
     }
     install_hooks(runner);
@@ -278,9 +278,9 @@ static void finish(redcc_worker *worker) {
         redcc_barrier_wait(run->barrier, runner->threads);
         redcc_copies_merge(plan, runner->thread, run->call->request.bases);
     }
-    if (plan->lost) {
+    if (plan->rounding) {
         redcc_barrier_wait(run->barrier, runner->threads);
-        redcc_lost_bring(plan, runner->thread);
+        redcc_rounding_add(plan, runner->thread);
     }
     runner->step = STEP_END;
     if (!run->validation.began)

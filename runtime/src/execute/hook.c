@@ -31,7 +31,7 @@ void redcc_hooks_settle(struct hooks *hooks) {
         atomic_store_explicit(hooks->held, 0, memory_order_release);
     hooks->held = NULL;
     if (hooks->updating)
-        redcc_lost_end(hooks->updating, hooks->address, hooks->count);
+        redcc_rounding_end(hooks->updating, hooks->address, hooks->count);
     hooks->updating = NULL;
 }
 
@@ -46,10 +46,10 @@ int redcc_hooked(struct redcc_hook *hook, const void *address) {
     }
     if (!redcc_owns(&hook->owner, address))
         return 0;
-    hooks->updating = hook->lost;
+    hooks->updating = hook->rounding;
     hooks->address = (void *)(uintptr_t)address;
     hooks->count = (hook->unit - into) / hook->element;
-    redcc_lost_begin(hook->lost, hooks->address, hooks->count);
+    redcc_rounding_begin(hook->rounding, hooks->address, hooks->count);
     return 1;
 }
 
@@ -58,14 +58,14 @@ void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const red
     hooks->locks = plan->method->locks;
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
-        const struct lost *lost = plan->lost ? &plan->lost[group] : NULL;
-        if (!hooks->locks && (!lost || !lost->value))
+        const struct rounding *rounding = plan->rounding ? &plan->rounding[group] : NULL;
+        if (!hooks->locks && (!rounding || !rounding->value))
             continue;
         /* Arrays that overlap use the same locks: those of the largest units. */
         const uint32_t units = hooks->locks ? group : array;
         hooks->hook[array] = (struct redcc_hook){.of = hooks,
                                                  .owner = owner[array],
-                                                 .lost = lost,
+                                                 .rounding = rounding,
                                                  .base = (uintptr_t)bases[units],
                                                  .unit = arrays[units].unit,
                                                  .element = arrays[array].element};

@@ -16,18 +16,18 @@
 
 struct redcc_hook {
     struct hooks *of;
-    redcc_owner owner;       /* the range that the thread owns; unused with locks */
-    const struct lost *lost; /* compensated; NULL: not this array */
-    uintptr_t base;          /* units begin at multiples of `unit` from here */
-    uint32_t unit;           /* bytes */
+    redcc_owner owner;               /* the range that the thread owns; unused with locks */
+    const struct rounding *rounding; /* compensated; NULL: not this array */
+    uintptr_t base;                  /* units begin at multiples of `unit` from here */
+    uint32_t unit;                   /* bytes */
     uint32_t element;
 };
 
 /** One thread's hooks. Zero: none. */
 struct hooks {
     bool locks;
-    atomic_uchar *held;          /* the lock that is held */
-    const struct lost *updating; /* compensated: the array whose elements are being updated */
+    atomic_uchar *held;              /* the lock that is held */
+    const struct rounding *updating; /* compensated: the array whose elements are being updated */
     void *address;
     size_t count;
     struct redcc_hook *hook; /* [array_count] */

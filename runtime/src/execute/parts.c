@@ -6,14 +6,15 @@
 #include <assert.h>
 #include <limits.h>
 
-/* The last slice has all remaining iterations, including stolen ones. */
-static redcc_int given(const struct parts *it) {
+/* Iterations of the current timing slice. The last slice has all remaining ones, including stolen
+ * ones. */
+static redcc_int slice_size(const struct parts *it) {
     return it->number + 1 == it->count ? LLONG_MAX : it->size;
 }
 
 static void begin_part(struct parts *it, unsigned number) {
     it->number = number;
-    it->left = given(it);
+    it->left = slice_size(it);
     it->began = redcc_seconds();
 }
 
@@ -42,7 +43,7 @@ void redcc_parts_end(struct parts *it) {
         return;
     assert(it->number < it->count);
     it->part[it->number].seconds = redcc_seconds() - it->began;
-    it->part[it->number].iterations = given(it) - it->left;
+    it->part[it->number].iterations = slice_size(it) - it->left;
 }
 
 void redcc_parts_add(const struct parts *it, double *seconds, double *iterations) {

@@ -21,7 +21,7 @@ struct variant_choice {
     const struct variants *known;
     bool is_open;  /* with or without prefetches is to be found out */
     bool is_asked; /* prefetches are requested */
-    int lanes;     /* iterations at once; 0: one by one, */
+    int lanes;     /* iterations at once; 0: one by one (`why`) */
     enum lanes_reason why;
 };
 
@@ -62,11 +62,11 @@ struct runner {
     uint32_t stage;    /* of execution */
     struct hooks hooks;
     struct run_reader runs;             /* of the current chunk, still to be handed out */
-    redcc_iterations piece[REDCC_RUNS]; /* handed out, of packed runs, which are marked for owner
-                                         * checks or cut */
+    redcc_iterations piece[REDCC_RUNS]; /* the runs handed out, if they are unpacked, marked for
+                                         * owner checks, or cut */
     struct parts parts;                 /* timing slices of a trial */
-    redcc_iterations whole;             /* handed out in order, without a plan, */
-    redcc_int in_order_end;             /* up to here */
+    redcc_iterations whole;             /* iterations handed out in order, without a plan */
+    redcc_int in_order_end;             /* where these end */
     struct selection selection;
     struct tile_walk tiles;
     void **base;        /* [array_count] where it writes */

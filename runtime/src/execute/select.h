@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Owners without an inspection of which thread executes what: each thread scans all iterations,
- * block by block. Iterations of a block are first classified by whether they touch an element that
- * it owns (REDCC_SELECT); the matching ones form the runs that it executes.
+ * Executes by owners, without an inspection that records which thread executes what. Each thread
+ * scans all iterations, block by block. Iterations of a block are first classified by whether they
+ * touch an element that it owns (REDCC_SELECT); the matching ones form the runs that it executes.
  */
 #ifndef REDCC_EXECUTE_SELECT_H
 #define REDCC_EXECUTE_SELECT_H
@@ -16,13 +16,14 @@
 struct selection {
     redcc_owner *window;  /* [arrays] the range that the thread owns */
     redcc_int trip;       /* iterations of the loop */
-    redcc_int idle_begin; /* among iterations that touch nothing, the thread executes those */
-    redcc_int idle_end;   /* from one to before the other */
+    redcc_int idle_begin; /* of the iterations that touch nothing, the thread executes [idle_begin,
+                           * idle_end) */
+    redcc_int idle_end;   /* end of these */
     redcc_int executed;   /* iterations so far */
     bool asked;           /* classes for worker->first, ... were requested, and are not evaluated
                            * yet */
-    redcc_int taken;      /* the number of them already handed out, */
-    bool follows;         /* the last ones with this flag (redcc_variant) */
+    redcc_int taken;      /* number of classified iterations already handed out */
+    bool follows;         /* the last runs handed out had this flag (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
 };
 

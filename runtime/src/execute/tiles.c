@@ -48,7 +48,8 @@ static void pass_on(struct tile_walk *walk, const struct plan *plan) {
                      value_of(plan, grid, walk->band, walk->block));
 }
 
-/* The flag of all bands' sums, and its value after those of `bands` bands. */
+/* The flag that counts the bands whose operands have been added to the sums; its value after
+ * `bands` bands. */
 static uint32_t sums_flag(const struct plan *plan) {
     return TILE_FLAG_WORDS * ((uint32_t)plan->threads + 2);
 }

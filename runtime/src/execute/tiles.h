@@ -42,11 +42,11 @@ void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);
 const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
                                    atomic_uint *claimed);
 
-/** The last tile of the thread's band is done: waits until the sums of all bands above have the
- *  operands of these. */
+/** The last tile of the thread's band is done: waits until the operands of all bands above have
+ *  been added to the sums. */
 void redcc_tiles_await_sums(struct tile_walk *walk, const struct plan *plan);
 
-/** They have those of the thread's band as well. */
+/** The operands of the thread's band have been added as well. */
 void redcc_tiles_pass_sums(const struct tile_walk *walk, const struct plan *plan);
 
 #endif

@@ -71,8 +71,8 @@ void redcc_validation_begin(struct validation *validation, const struct plan *pl
     for (uint32_t group = 0; validation->began && group < plan->array_count; group++) {
         const size_t bytes = bytes_of(plan, group);
         struct held *held = &validation->held[group];
-        held->in_order =
-            plan->method->keeps == REDCC_ORDER_SERIAL && !(plan->lost && plan->lost[group].value);
+        held->in_order = plan->method->keeps == REDCC_ORDER_SERIAL &&
+                         !(plan->rounding && plan->rounding[group].value);
         if (bytes > 0 && !hold(held, (char *)bases[group] + plan->touched[group].first, bytes))
             give_up(validation);
     }
@@ -112,7 +112,7 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* The number of floats or doubles between two: their bits are numbered in order. */
+/* The number of floats or doubles from one to another: as integers, their bits are in order. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \

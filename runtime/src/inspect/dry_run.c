@@ -33,7 +33,7 @@ static void begin_run(const struct inspection *inspection, struct inspector *ins
     inspector->late = false;
     run->block = REDCC_FIRST_BEFORE_DEADLINE;
     run->ended_in_margin = false;
-    run->stands = true;
+    run->no_conflict = true;
 }
 
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector) {
@@ -81,7 +81,7 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     }
     const redcc_int first = inspector->next;
     assert(0 <= first && first <= trip);
-    if (!run->stands || first == trip)
+    if (!run->no_conflict || first == trip)
         return false;
     inspector->late = will_be_late(inspection, inspector);
     if (inspector->late)
@@ -117,7 +117,7 @@ static struct range range_of_window(const redcc_owner *window) {
 static void end_run(struct inspection *inspection, struct inspector *inspector,
                     redcc_worker *worker, struct overlap overlap) {
     inspection->overlap = overlap;
-    inspector->dry_run.stands = false;
+    inspector->dry_run.no_conflict = false;
     worker->last = 0;
 }
 
@@ -248,5 +248,5 @@ enum reason redcc_dry_run_finish(struct inspection *inspection) {
         return REASON_DEADLINE;
     if (inspector->dry_run.leaves)
         return REASON_LEAVES;
-    return inspector->dry_run.stands ? REASON_NONE : REASON_OVERLAP;
+    return inspector->dry_run.no_conflict ? REASON_NONE : REASON_OVERLAP;
 }

@@ -29,8 +29,8 @@ static uint32_t most_owners(const struct call *call) {
     return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/* The owners of an earlier execution serve again if threads find their iterations during
- * execution; whose an element is makes no difference to the result. */
+/* The owners of an earlier execution are reused if threads find their iterations during execution:
+ * the result does not depend on who owns an element. */
 static bool begin_partition(struct inspection *inspection, bool is_direct) {
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;

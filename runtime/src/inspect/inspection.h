@@ -36,8 +36,8 @@ struct dry_run {
     bool has_margins;     /* windows are larger than the touched ranges */
     bool ended_in_margin; /* by a read, which perhaps overlaps no touched range */
     redcc_int block;      /* iterations until the deadline is checked again */
-    bool stands;          /* no updated element was found to be read, */
-    bool leaves;          /* or an iteration was found to leave the loop */
+    bool no_conflict;     /* no updated element was found to be read */
+    bool leaves;          /* an iteration was found to leave the loop */
     double seconds;       /* its duration, at the end */
 };
 

@@ -23,8 +23,8 @@ enum {
     LOOKED_AT_LEAST = 16,
     SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768,                    /* kept of them, with few owners; with many */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* this many each, */
-    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* with many owners: touches for each */
+    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* the maximum of these */
     ROWS_OF_A_TOUCH = 64
 };
 
@@ -37,9 +37,9 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     const bool looks = inspection->call->threads < inspection->call->planned;
     const redcc_int trip = inspection->call->request.trip, few = shares * SAMPLED_FOR_A_LOOK;
     const redcc_int even = trip / SAMPLED_OF < few ? few : trip / SAMPLED_OF;
-    const redcc_int most = redcc_least(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
-    const redcc_int seen = redcc_most(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
-    return trip / (looks ? redcc_least(few, seen) : redcc_least(even, most)) | 1;
+    const redcc_int most = redcc_min(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
+    const redcc_int seen = redcc_max(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
+    return trip / (looks ? redcc_min(few, seen) : redcc_min(even, most)) | 1;
 }
 
 /* The number of them before this thread's share. */

@@ -58,7 +58,7 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
     inspector->next = first + inspector->handed;
     if (inspection->deadline > 0)
         inspector->block =
-            redcc_least(redcc_next_before_deadline(inspector->block), inspector->largest);
+            redcc_min(redcc_next_before_deadline(inspector->block), inspector->largest);
     assert(inspector->handed > 0 && inspector->next <= end);
     const bool is_logged = redcc_is_logged(inspection);
     if (!is_logged)
@@ -138,8 +138,8 @@ enum reason redcc_sweep_finish(struct inspection *inspection) {
     const redcc_loop *loop = inspection->call->request.loop;
     const struct touches touches = {inspection->touched, inspection->partition.array_count,
                                     inspection->sources, loop->source_count, loop};
-    if (!redcc_ranges_are_apart(loop, touches.read, touches.written, touches.written_count,
-                                &inspection->overlap))
+    if (!redcc_ranges_are_disjoint(loop, touches.read, touches.written, touches.written_count,
+                                   &inspection->overlap))
         return REASON_OVERLAP;
     return redcc_may_be_aliased(touches) ? REASON_TWO_ADDRESSES : REASON_NONE;
 }

@@ -39,8 +39,8 @@ static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source
 
 /** Are the ranges of a source and of the scalar `kept` disjoint, or may they overlap? False:
  *  *overlap is this pair. */
-static inline bool redcc_are_apart(const redcc_loop *loop, uint32_t source, struct range read,
-                                   uint32_t kept, struct range scalar, struct overlap *overlap) {
+static inline bool redcc_are_disjoint(const redcc_loop *loop, uint32_t source, struct range read,
+                                      uint32_t kept, struct range scalar, struct overlap *overlap) {
     if (!redcc_may_meet_scalar(loop, source, kept) || !redcc_ranges_overlap(read, scalar))
         return true;
     *overlap = (struct overlap){source, loop->array_count + kept};
@@ -48,25 +48,25 @@ static inline bool redcc_are_apart(const redcc_loop *loop, uint32_t source, stru
 }
 
 /** Is the source disjoint from all scalars and own elements? Most sources need no comparison. */
-static inline bool redcc_range_is_apart_from_scalars(const redcc_loop *loop,
-                                                     const struct range *read, uint32_t source,
-                                                     struct overlap *overlap) {
+static inline bool redcc_range_is_disjoint_from_scalars(const redcc_loop *loop,
+                                                        const struct range *read, uint32_t source,
+                                                        struct overlap *overlap) {
     const bool may_meet = redcc_meets_scalars(loop, source);
     for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
-        if (!redcc_are_apart(loop, source, read[source], s, read[s], overlap))
+        if (!redcc_are_disjoint(loop, source, read[source], s, read[s], overlap))
             return false;
     return true;
 }
 
 /** The same for all extents that are known before execution. */
-static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
-                                                      const redcc_extent *known,
-                                                      struct overlap *overlap) {
+static inline bool redcc_known_are_disjoint_from_scalars(const redcc_loop *loop,
+                                                         const redcc_extent *known,
+                                                         struct overlap *overlap) {
     for (uint32_t r = 0; r < loop->source_count; r++) {
         const bool may_meet = redcc_meets_scalars(loop, r);
         for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
-            if (!redcc_are_apart(loop, r, redcc_range_of(known[r]), s, redcc_range_of(known[s]),
-                                 overlap))
+            if (!redcc_are_disjoint(loop, r, redcc_range_of(known[r]), s, redcc_range_of(known[s]),
+                                    overlap))
                 return false;
     }
     return true;
@@ -76,11 +76,11 @@ static inline bool redcc_known_are_apart_from_scalars(const redcc_loop *loop,
  * Is everything that the loop reads (read [loop->source_count]) disjoint from everything that it
  * writes (written [written_count])? False: *overlap is the first pair that overlaps.
  */
-static inline bool redcc_ranges_are_apart(const redcc_loop *loop, const struct range *read,
-                                          const struct range *written, uint32_t written_count,
-                                          struct overlap *overlap) {
+static inline bool redcc_ranges_are_disjoint(const redcc_loop *loop, const struct range *read,
+                                             const struct range *written, uint32_t written_count,
+                                             struct overlap *overlap) {
     for (uint32_t r = 0; r < loop->source_count; r++) {
-        if (!redcc_range_is_apart_from_scalars(loop, read, r, overlap))
+        if (!redcc_range_is_disjoint_from_scalars(loop, read, r, overlap))
             return false;
         for (uint32_t w = 0; redcc_source_meets_arrays(loop, r) && w < written_count; w++)
             if (redcc_ranges_overlap(read[r], written[w])) {

@@ -7,7 +7,8 @@
 #include <string.h>
 
 enum {
-    TOUCHES_A_BLOCK = 4,        /* sampled ones: fewer do not tell who touches it most */
+    TOUCHES_A_BLOCK = 4,        /* sampled ones: with fewer, it is not clear who touches the block
+                                 * most */
     LEAST_BLOCKS = 64,          /* of a group */
     TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between blocks costs as much as to misplace
                                  * one touch in this many */
@@ -114,9 +115,9 @@ static uint32_t best_of(const struct poll *poll) {
     return best;
 }
 
-/* The owners of a group's blocks that have most votes, less `price` for each change from one block
- * to the next: where votes are nearly even, chance does not decide block by block. (The most
- * probable path of a chain: Viterbi, 1967.) */
+/* The owners of a group's blocks with the most votes, less `price` for each change from one block
+ * to the next. So nearly even votes do not make owners alternate at random. (The most probable path
+ * of a chain: Viterbi, 1967.) */
 static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it,
                   uint64_t price) {
     const size_t owners = poll->owners;

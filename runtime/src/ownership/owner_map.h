@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Owners by votes: the iterations are cut into consecutive parts with equally many touches, and a
- * block of rows belongs to the part that touches it most. So rows that were appended behind the
- * others (halo cells, ghost atoms) belong to whoever updates the rows that they border on. Any map
- * gives the same result: it decides only who executes what.
+ * block of rows belongs to the part that touches it most. So rows that were appended to the others
+ * (halo cells, ghost atoms) belong to the thread that updates their neighbours. Any map gives the
+ * same result: it decides only which thread executes what.
  */
 #ifndef REDCC_OWNER_MAP_H
 #define REDCC_OWNER_MAP_H

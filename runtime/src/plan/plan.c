@@ -5,7 +5,7 @@
 #include "ownership/graph/divide.h"
 #include "ownership/owner_map.h"
 #include "plan/length.h"
-#include "plan/lost.h"
+#include "plan/rounding.h"
 
 #include <assert.h>
 
@@ -82,7 +82,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
         return NULL;
     }
     record_groups(plan, partition, touched);
-    if (compensated && !redcc_lost_new(plan, partition->arrays)) {
+    if (compensated && !redcc_rounding_new(plan, partition->arrays)) {
         redcc_plan_free(plan);
         return NULL;
     }
@@ -135,7 +135,7 @@ void redcc_plan_free(struct plan *plan) {
     for (uint32_t s = 0; plan->schedule && s < plan->schedules; s++)
         redcc_schedule_end(&plan->schedule[s]);
     redcc_copies_end(&plan->copies);
-    redcc_lost_free(plan);
+    redcc_rounding_free(plan);
     redcc_memory_give(plan->group_of);
     redcc_memory_give(plan->shift);
     redcc_memory_give(plan->touched);
@@ -228,7 +228,7 @@ size_t redcc_plan_bytes(const struct plan *plan) {
     size_t bytes = redcc_memory_size(plan) + redcc_memory_size(plan->bound) +
                    redcc_memory_size(plan->schedule) + redcc_memory_size(plan->teams.barrier) +
                    redcc_memory_size(plan->flags) + redcc_memory_size(plan->map.owner) +
-                   redcc_memory_size(plan->map.of) + redcc_lost_bytes(plan);
+                   redcc_memory_size(plan->map.of) + redcc_rounding_bytes(plan);
     for (uint32_t s = 0; s < plan->schedules; s++)
         bytes +=
             redcc_memory_size(plan->schedule[s].run) + redcc_memory_size(plan->schedule[s].packed) +

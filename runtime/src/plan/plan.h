@@ -17,7 +17,7 @@
 #include <assert.h>
 
 struct divide;
-struct lost;
+struct rounding;
 
 /** Teams of threads, which synchronise after each stage. */
 struct teams {
@@ -43,9 +43,9 @@ struct plan {
     struct owner_map map;
     struct schedule *schedule; /* [schedules] of each thread; with stealable blocks of each owner */
     uint32_t schedules;
-    struct flags *flags; /* of tasks; NULL: there are none */
-    unsigned round;      /* of this execution: the value of a raised flag */
-    struct lost *lost;   /* [array_count] of each group, of compensated sums; or NULL */
+    struct flags *flags;       /* of tasks; NULL: there are none */
+    unsigned round;            /* of this execution: the value of a raised flag */
+    struct rounding *rounding; /* [array_count] of each group, of compensated sums; or NULL */
     struct copies copies;
     redcc_int executed; /* iterations, counting replicated ones */
     redcc_int length;   /* its makespan, in iterations (length.h) */

@@ -48,7 +48,7 @@ static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin
                       bool checked) {
     const struct chunk *last =
         schedule->chunk_count ? &schedule->chunk[schedule->chunk_count - 1] : NULL;
-    if (!last || last->stage != stage || schedule->apart || begin < last->origin ||
+    if (!last || last->stage != stage || schedule->new_chunk || begin < last->origin ||
         begin - last->origin > REDCC_RUN_MOST) {
         if (!room_for_chunk(schedule))
             return false;
@@ -60,7 +60,7 @@ static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin
                                                                   .wait_begin = schedule->waited,
                                                                   .wait_end = schedule->wait_count};
         schedule->waited = schedule->wait_count;
-        schedule->apart = false;
+        schedule->new_chunk = false;
     }
     if (!room_for_run(schedule))
         return false;
@@ -79,7 +79,7 @@ bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int beg
     schedule->iterations += count;
     if (schedule->chunk_count) {
         const struct chunk *last = &schedule->chunk[schedule->chunk_count - 1];
-        if (last->stage == stage && !schedule->apart) {
+        if (last->stage == stage && !schedule->new_chunk) {
             const redcc_int taken = lengthen(schedule, last, begin, count, checked);
             begin += taken;
             count -= taken;
@@ -122,7 +122,7 @@ bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, 
     }
     for (uint32_t w = 0; w < count; w++)
         schedule->wait[schedule->wait_count++] = wait[w];
-    schedule->apart = true;
+    schedule->new_chunk = true;
     return true;
 }
 
@@ -130,12 +130,12 @@ void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag) {
     assert(schedule->chunk_count > 0);
     assert(schedule->chunk[schedule->chunk_count - 1].flag == 0);
     schedule->chunk[schedule->chunk_count - 1].flag = flag + 1;
-    schedule->apart = true;
+    schedule->new_chunk = true;
 }
 
 void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy) {
     schedule->copy = copy;
-    schedule->apart = true;
+    schedule->new_chunk = true;
 }
 
 void redcc_schedule_finish(struct schedule *schedule) {

@@ -38,8 +38,8 @@ struct schedule {
     uint32_t wait_count;
     uint32_t wait_capacity;
     uint32_t waited;      /* those of `wait` already assigned to chunks */
-    uint32_t copy;        /* of the chunks that follow */
-    bool apart;           /* the next iterations begin a new chunk */
+    uint32_t copy;        /* the copy that later chunks write to */
+    bool new_chunk;       /* the next iterations begin a new chunk */
     redcc_int iterations; /* executed, including owner-checked ones */
 };
 

@@ -13,7 +13,7 @@ enum {
     TILE_FLAG_WORDS = 16 /* from one band's flag to the next: a cache line */
 };
 
-/** For tests: rows of a band; 0: as many as serve best. */
+/** For tests: rows of a band; 0: the best number. */
 extern redcc_int redcc_tile_side;
 
 /** How a loop is cut. */

@@ -67,8 +67,8 @@ static bool fits(const struct reuse *reuse, const struct kept_plan *kept, int th
            (key_bytes == 0 || memcmp(kept->key, request->key, key_bytes) == 0) &&
            sources_fit(kept, request, reuse->sources) &&
            arrays_fit(plan, request, reuse->written) &&
-           redcc_ranges_are_apart(loop, reuse->sources, reuse->written, plan->array_count,
-                                  &overlap);
+           redcc_ranges_are_disjoint(loop, reuse->sources, reuse->written, plan->array_count,
+                                     &overlap);
 }
 
 static struct reading reading_of(const struct reuse *reuse, uint32_t source) {
@@ -81,7 +81,7 @@ static void ask_tracking(struct reuse *reuse) {
     double earned = reuse->earned;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         struct tracking *tracking = &reuse->found->source[s].tracking;
-        tracking->stands = false;
+        tracking->is_untouched = false;
         tracking->begun = 0;
         if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && reuse->call->tracks)
             redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->rest, &earned);
@@ -270,7 +270,7 @@ bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
         if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT))
             continue;
         const struct tracking *tracking = &reuse->found->source[s].tracking;
-        const bool same = tracking->stands
+        const bool same = tracking->is_untouched
                               ? redcc_tracking_unchanged(tracking, reading_of(reuse, s))
                               : verify_by_reading(reuse, hasher, s);
         if (same)
@@ -285,7 +285,7 @@ bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
 uint32_t redcc_reuse_skipped_sources(const struct reuse *reuse) {
     uint32_t count = 0;
     for (uint32_t s = 0; reuse->found && s < reuse->call->request.loop->source_count; s++)
-        count += reuse->found->source[s].tracking.stands;
+        count += reuse->found->source[s].tracking.is_untouched;
     return count;
 }
 

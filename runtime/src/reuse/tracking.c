@@ -67,8 +67,8 @@ void redcc_tracking_ask(struct tracking *tracking, struct reading reading, struc
     const struct range pages = redcc_whole_pages(reading.range);
     if (tracking->version && redcc_readings_equal(tracking->reading, reading)) {
         const enum watch_answer answer = redcc_watch_ask(pages, tracking->version);
-        tracking->stands = answer == WATCH_UNTOUCHED;
-        tracking->skipped += tracking->stands;
+        tracking->is_untouched = answer == WATCH_UNTOUCHED;
+        tracking->skipped += tracking->is_untouched;
         if (answer != WATCH_TOUCHED)
             return;
         end_tracking(tracking, pages, rest);

@@ -16,7 +16,7 @@ struct tracking {
     struct fingerprint ends; /* of the bytes outside of them */
     uint64_t begun;          /* in this execution: a version, valid if the comparison finds no
                               * change; or 0 */
-    bool stands;             /* in this execution: the whole pages are untouched */
+    bool is_untouched;       /* in this execution: the whole pages are untouched */
     uint32_t stable_count;   /* consecutive comparisons without a change; sequential calls between
                               * them count as well */
     uint32_t skipped;        /* number of comparisons skipped since it has been tracked */

@@ -198,7 +198,7 @@ static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
             (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL));
 }
 
-/* Conditions on counter, bound and lower, once they are found. */
+/* Checks counter, bound and lower, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
     const char *written = NULL;

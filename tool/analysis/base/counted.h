@@ -8,9 +8,9 @@
 typedef struct counted_result {
     bool is_counted;
     counted_loop loop;
-    reason_id why;       /* not counted: the reason, */
-    const ir_node *node; /* its place, */
-    const char *name;    /* and its name */
+    reason_id why;       /* if not counted: the reason */
+    const ir_node *node; /* place of the reason */
+    const char *name;    /* name in the reason's message */
 } counted_result;
 
 /** Brings a for or while loop into the form of counted_loop; rejects do loops. Checks that the

@@ -35,7 +35,7 @@ static bool holds(const ir_type *type, int64_t value) {
 
 /* ---- results of functions -------------------------------------------------------------------- */
 
-/* Does every return give this value, or the first one found? */
+/* Does every return give the value in `found`, or if it has none yet, the first one's? */
 static bool returns_one(search *s, const ir_node *node, const ir_type *type, result_of *found) {
     if (node->kind == IR_OPAQUE)
         return false;
@@ -122,8 +122,8 @@ static const ir_node *declared_value(const ir_node *declaration, const ir_variab
     return value;
 }
 
-/* What the statement assigns to the variable, whatever it had before; NULL: it may assign something
- * else. */
+/* What the statement assigns to the variable, independent of its old value; NULL: it may assign
+ * something else. */
 static const ir_node *assigned_by(const ir_node *statement, const ir_variable *variable) {
     const ir_node *first = statement->child_count ? statement->children[0] : NULL;
     if (statement->kind == IR_EXPRESSION)

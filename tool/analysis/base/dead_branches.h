@@ -5,7 +5,7 @@
  *     ok = product(a, b, c);
  *     if (!ok) fprintf(stderr, "no product\n");
  *
- * where every `return` of `product` gives 1. An analysis of loops needs nothing of them.
+ * where every `return` of `product` gives 1. The analysis of loops ignores them.
  */
 #ifndef ANALYSIS_DEAD_BRANCHES_H
 #define ANALYSIS_DEAD_BRANCHES_H

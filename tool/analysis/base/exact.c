@@ -33,7 +33,7 @@ bool exact_needs_settled(const ir_node *node, const ir_node *operand) {
     return operand->type->size < node->type->size;
 }
 
-/* For a conversion whose operand has C's value. */
+/* Does a conversion preserve every value of the operand's type (as a number, or as an address)? */
 static bool keeps_value(const ir_type *from, const ir_type *to) {
     if (to->size >= ADDRESS_SIZE)
         return true;
@@ -49,7 +49,7 @@ bool exact_is_settled(const ir_node *node, const ir_variable *counter) {
         return false;
     if (node->kind != IR_CAST && !ir_type_never_wraps(node->type))
         return false;
-    /* such operations do not overflow when they are executed */
+    /* operations in such types do not overflow when they are executed */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!exact_needs_settled(node, node->children[i]) &&
             !exact_is_settled(node->children[i], counter))

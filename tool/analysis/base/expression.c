@@ -264,12 +264,7 @@ bool expression_is_hazard(const ir_node *node) {
 }
 
 bool expression_has_hazard(const ir_node *node) {
-    if (expression_is_hazard(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (expression_has_hazard(node->children[i]))
-            return true;
-    return false;
+    return ir_any(node, expression_is_hazard);
 }
 
 bool expression_is_assigned(const ir_node *node) {

@@ -154,9 +154,9 @@ typedef struct bound_term {
 
 enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
 
-/** Elements base[k] of which some are read: k is between the least and the greatest of the terms,
- *  where each condition, a floating value, is not negative. All of these are parameters, and what
- *  is read through them, in the terms of the caller: to be read where the program might not. */
+/** Elements base[k] of which some are read: k lies between the minimum and the maximum of the terms
+ *  if no condition, a floating value, is negative. All of these are parameters, or are read through
+ *  parameters, in the caller's terms. They are read even where the program would not. */
 typedef struct element_bounds {
     const ir_node *base; /* a pointer */
     const ir_type *element;
@@ -300,7 +300,7 @@ typedef struct loop_exits {
 } loop_exits;
 
 /** A loop-invariant pointer, and a variable that replaces it: it is loaded from `offset` bytes
- *  behind the target of `through`. */
+ *  after the target of `through`. */
 typedef struct loop_load {
     const ir_variable *variable; /* its stands_for is the pointer */
     const ir_variable *through;  /* a variable of the function, or of an earlier load */
@@ -335,19 +335,19 @@ typedef struct own_element {
                              * before anything is written */
 } own_element;
 
-/** An inner `for` of the slice, up to (LESS, LESS_EQUAL) its bound, whose iterations only record
- *  rows, perhaps in nested spans with invariant headers. Rows that mention its stepped variables
- *  are consecutive elements of arrays, with a step of s the rows of s such elements: the first and
- *  the last iteration determine the whole range. */
+/** An inner `for` of the slice, that counts up (LESS, LESS_EQUAL) to its bound, whose iterations
+ *  only record rows, perhaps in nested spans with invariant headers. Rows that mention its stepped
+ *  variables are consecutive elements of arrays, with a step of s the rows of s such elements: the
+ *  first and the last iteration determine the whole range. */
 typedef struct loop_span {
     const ir_node *loop;
     counted_loop counted;
-    /* The header steps these by counted.step: the counter, and integers and pointers beside it. The
-     * body does not write them. */
+    /* The header steps these by counted.step: the counter, and integers and pointers stepped with
+     * it. The body does not write them. */
     unsigned stepped_count;
     const ir_variable *stepped[MOST_STEPPED];
-    /* The header changes these in another way, `w += dw`. The slice does not read them, and leaves
-     * the change out. */
+    /* The header changes these in another way, `w += dw`. The slice neither reads nor changes
+     * them. */
     unsigned other_count;
     const ir_variable *others[MOST_STEPPED];
 } loop_span;
@@ -355,7 +355,7 @@ typedef struct loop_span {
 /** A read that prevents keeping a plan of the loop. */
 typedef struct unkept_read {
     const char *name; /* of the memory read; NULL: plans are kept, according to the analysis */
-    ir_range range;   /* of the read, or of the call that makes it */
+    ir_range range;   /* range of the read, or of the call that makes it */
 } unkept_read;
 
 /** Variables of a loop other than scalars of updates. */
@@ -393,8 +393,8 @@ typedef struct loop_slice {
 
 /** The code that executes the slice, to record the rows that each iteration touches. */
 typedef struct loop_inspector {
-    bool exists; /* false: the subscripts cannot be computed a second time. Only an executor that
-                  * computes each iteration once applies: in-order binning */
+    bool exists; /* false: the subscripts cannot be computed a second time. Only in-order binning,
+                  * which computes each iteration once, can execute the loop */
     unsigned span_count;
     const loop_span *spans;
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
@@ -436,12 +436,14 @@ typedef enum verdict_kind {
 typedef struct foreign_call {
     const char *name, *file;
     const char *word; /* its property: "const" */
-    ir_range range;   /* of its name in the loop, or of the callee's through which it is called */
+    ir_range range;   /* range of its name in the loop, or of the name of the callee that calls
+                       * it */
 } foreign_call;
 
 typedef struct loop_verdict {
     verdict_kind kind;
-    const ir_node *loop; /* that is reported: outermost analysed as one, or innermost if refused */
+    const ir_node *loop; /* the reported loop: the outermost one analysed as a whole, or the
+                          * innermost one if refused */
     const ir_function *function;
     reason why; /* refusals */
     unsigned pragma_count;

@@ -20,7 +20,7 @@ typedef struct library_function {
     bool is_exact;   /* the result is exact and equal in all implementations, not an
                       * approximation */
     library_standard standard;
-    bool has_variants; /* for float and long double: the same name with f or l behind it */
+    bool has_variants; /* for float and long double: the same name with the suffix f or l */
 } library_function;
 
 enum { LIBRARY_NAME_SIZE = 32 };

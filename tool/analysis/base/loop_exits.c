@@ -25,7 +25,8 @@ static const ir_node *only_statement(const ir_node *block) {
     return block;
 }
 
-/* c ? (void)0 : fail(); ({ if (c) ; else fail(); }); sizeof(...), one of these. */
+/* The condition of c ? (void)0 : fail(), of ({ if (c) ; else fail(); }), or of one of these after
+ * sizeof(...) and a comma. */
 const ir_node *assertion_condition(const ir_node *node) {
     while (node &&
            (node->kind == IR_CAST || (node->kind == IR_BINARY && node->op == IR_OP_COMMA &&
@@ -72,16 +73,10 @@ static bool always_leaves(const ir_node *node, bool break_leaves) {
     }
 }
 
-/* Does the branch contain a path on which the loop continues, or a label that other text jumps
- * to? */
-static bool goes_on(const ir_node *node) {
-    if (node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
-        node->kind == IR_DEFAULT || node->kind == IR_BREAK)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (goes_on(node->children[i]))
-            return true;
-    return false;
+/* May the loop continue after a branch that contains this node, or may other text jump to it? */
+static bool may_continue(const ir_node *node) {
+    return node->kind == IR_CONTINUE || node->kind == IR_LABEL || node->kind == IR_CASE ||
+           node->kind == IR_DEFAULT || node->kind == IR_BREAK;
 }
 
 static bool branch_leaves(const ir_node *branch, bool break_leaves) {
@@ -90,7 +85,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
     if (branch->kind != IR_BLOCK)
         return true;
     for (unsigned i = 0; i + 1 < branch->child_count; i++)
-        if (goes_on(branch->children[i]))
+        if (ir_any(branch->children[i], may_continue))
             return false;
     return true;
 }
@@ -98,7 +93,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
 /* ---- branches with messages -------------------------------------------------------------------
  */
 
-enum { DEEPEST_MESSAGE = 4 }; /* calls of functions within functions */
+enum { DEEPEST_MESSAGE = 4 }; /* nested calls */
 
 /* Does it print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {
@@ -107,7 +102,8 @@ static bool is_stateful(const ir_function *function) {
     return deed && strncmp(deed, "writes memory", 13) != 0;
 }
 
-/* Not one behind another condition of the loop's text, which is looked at by itself. */
+/* Does the statement print or keep state? Without the branches of its inner conditions, which are
+ * checked separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;
@@ -133,7 +129,7 @@ static bool is_with_message(const ir_node *statement) {
 typedef struct search {
     arena *memory;
     loop_exits *found;
-    bool is_over; /* more than fit, or one that cannot be removed */
+    bool is_over; /* there are too many, or one cannot be removed */
 } search;
 
 static unsigned last_id(const ir_node *node) {

@@ -2,8 +2,8 @@
 /**
  * Statements by which an iteration leaves the loop for good: an assertion, or an `if` whose branch
  * ends in exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or keeps
- * state in another way, is treated alike, although it goes on: what it says must stand in its
- * place.
+ * state in another way, is treated alike although the loop continues, because its output must come
+ * in the loop's order.
  *
  * The loop without them is the loop in which none of them leaves. Before any iteration is executed
  * in parallel, one thread evaluates their conditions for all iterations, in order and up to the

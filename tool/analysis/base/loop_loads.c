@@ -27,7 +27,7 @@ static bool is_plain_pointer(const ir_type *type) {
            !type->target->has_address_space;
 }
 
-/* p->a.b.c, with the pointer type of c: returns p, and the offset of c behind it. NULL: another
+/* p->a.b.c, with the pointer type of c: returns p, and the offset of c from it. NULL: another
  * form. */
 static const ir_node *pointer_under(const ir_node *node, int64_t *offset) {
     *offset = 0;

@@ -79,7 +79,8 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
 
 /* ---- in it --------------------------------------------------------------------------------- */
 
-/* Past a word of the pragma, and the blanks behind it; NULL: another word is there. */
+/* The text after this word of the pragma and the blanks that follow it; NULL: it begins with
+ * another word. */
 static const char *after_word(const char *text, const char *word) {
     const size_t length = strlen(word);
     if (strncmp(text, word, length) != 0 || source_is_name_byte(text[length]))

@@ -70,7 +70,7 @@ const char *openmp_plain_text(arena *a, const char *text) {
     return plain;
 }
 
-/* Behind the bracket that closes the one at `text`; NULL: none does. */
+/* The text after the bracket that closes the one at `text`; NULL: none does. */
 static const char *after_brackets(const char *text) {
     unsigned depth = 0;
     for (; *text; text++) {
@@ -125,7 +125,7 @@ static void read_list(reader *r, openmp_item item, const char *at) {
     }
 }
 
-/* op: list */
+/* reduction(op: list) */
 static void read_reduction(reader *r, const char *inside) {
     static const struct {
         const char *text;
@@ -158,7 +158,7 @@ static bool assigns(const char *text) {
     return strstr(text, "++") || strstr(text, "--");
 }
 
-/* An expression of names, numbers and operators. */
+/* A clause whose argument is an expression of names, numbers and operators. */
 static void read_expression(reader *r, openmp_clause_kind kind, const char *word,
                             const char *inside) {
     const char *rest = kind == OPENMP_IF ? after(inside, "parallel") : NULL;
@@ -170,7 +170,7 @@ static void read_expression(reader *r, openmp_clause_kind kind, const char *word
     add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL, word});
 }
 
-/* Of parallel for, and for. */
+/* Clauses of `parallel for` and `for`. */
 static const struct {
     const char *word;
     openmp_clause_kind kind;
@@ -259,14 +259,14 @@ static void read_clauses(reader *r, openmp_construct construct, const char *at) 
 
 /* ---- macros ---------------------------------------------------------------------------------- */
 
-/* Past `define NAME` or `undef NAME`; NULL: the directive is another one. */
+/* The text after `define NAME` or `undef NAME`; NULL: the directive is another one. */
 static const char *after_definition(const char *text, const char *word, const char *name) {
     const char *at = *text == '#' ? after(text + 1, word) : NULL;
     return at ? after(at, name) : NULL;
 }
 
-/* The number that the macro stands for at `place`: the file defines it once, as a number, and
- * nothing is included in between. NULL: another text, or it is unknown. */
+/* The number that the macro stands for at `place`. The file must define it once, as a number, and
+ * include nothing in between. NULL: it stands for other text, or for an unknown one. */
 static const char *number_of_macro(arena *a, const ir_unit *unit, const char *name,
                                    uint32_t place) {
     const char *value = NULL;
@@ -297,8 +297,7 @@ static const char *number_of_macro(arena *a, const ir_unit *unit, const char *na
     return rest == 0 ? arena_copy(a, number, length) : NULL;
 }
 
-/* The text with the numbers that its macros stand for; *macro: one that stands for something else,
- * or NULL. */
+/* The text with macros replaced by their numbers. *macro: a macro that is not a number, or NULL. */
 static const char *with_numbers(arena *a, const ir_unit *unit, const char *text, uint32_t place,
                                 const char **macro) {
     *macro = NULL;

@@ -41,7 +41,7 @@ typedef struct openmp_directive {
     openmp_construct construct;
     unsigned item_count;
     const openmp_item *items;
-    const char *kept; /* what is not understood of it; NULL: nothing */
+    const char *kept; /* the part that is not understood; NULL: none */
 } openmp_directive;
 
 /** Is it `#pragma omp ...`, or `_Pragma("omp ...")` in these words? */

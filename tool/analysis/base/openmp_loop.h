@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The OpenMP directives of a loop in a file that is compiled with OpenMP: may the loop be executed
- *  in sequential order, as by a team of one thread? */
+ *  without them, in sequential order? */
 #ifndef ANALYSIS_OPENMP_LOOP_H
 #define ANALYSIS_OPENMP_LOOP_H
 
 #include "analysis/base/openmp_directive.h"
 
-/** A combined `parallel for`, without which the loop below it is executed. */
+/** The directives of a loop that is to be executed without them: `parallel for` above it, `atomic`
+ *  and `critical` inside. */
 typedef struct openmp_loop {
     unsigned item_count;
     const openmp_item *items;
     bool has_locks;   /* `atomic` or `critical` in the loop: other threads may update as well */
-    const char *kept; /* the reason to keep it, from its text; NULL: none so far */
+    const char *kept; /* the reason why they must be kept, from their text; NULL: none so far */
 } openmp_loop;
 
 typedef struct blocked_scalar {
     const ir_variable *variable;
-    const char *operator; /* of the clause */
+    const char *operator; /* the clause's operator */
 } blocked_scalar;
 
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
@@ -25,18 +26,19 @@ typedef struct fixed_blocks {
     unsigned scalar_count;
     const blocked_scalar *scalars;
     openmp_directive directive;
-    bool keeps_counter; /* a clause names the counter: it says what becomes of it */
+    bool keeps_counter; /* a clause names the counter, and determines its final value */
     bool is_balanced;   /* iterations take the same time, according to `schedule` */
 } fixed_blocks;
 
 /** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop);
 
-/** Does the file have code that devices execute as well? It cannot use the runtime. */
+/** Does the file have code that devices execute as well, which cannot use the runtime? */
 bool openmp_has_devices(const ir_unit *unit);
 
-/** Is a `parallel for` above this loop omitted that makes the variable private to the threads, so
- *  that it keeps its value from before the loop? For the counter this needs no clause. */
+/** Does the variable have the same value after the loop as before, because a `parallel for` makes
+ *  it private to the threads? The loop executed without the directive must then restore it. The
+ *  counter is private without a clause. */
 bool openmp_keeps_value(arena *a, const ir_unit *unit, const ir_node *loop,
                         const ir_variable *variable);
 

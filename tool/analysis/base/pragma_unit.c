@@ -80,7 +80,7 @@ static void check(collection *c, const user_pragma *pragma) {
         return;
     if (!pragma->loop) {
         add_problem(c, pragma->range.begin,
-                    arena_format(c->memory, "'redcc %s' stands above no loop", pragma->text));
+                    arena_format(c->memory, "'redcc %s' is not above a loop", pragma->text));
         return;
     }
     for (unsigned i = 0; i < pragma->name_count; i++) {

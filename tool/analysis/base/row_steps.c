@@ -3,11 +3,11 @@
 
 #include "analysis/base/expression.h"
 
-/* Elements of a vector among others in one array, `x[3 * i + c]`: as with records, the whole from
- * the first to the last has some too many. */
+/* Elements of a vector among others in one array, `x[3 * i + c]`: as with records, the range from
+ * the first to the last also contains other elements. */
 enum { MOST_FLAT = 16 };
 
-static int64_t at_most(int64_t steps) {
+static int64_t if_short(int64_t steps) {
     return steps <= MOST_FLAT ? steps : 0;
 }
 
@@ -22,7 +22,7 @@ static bool keeps_steps(const ir_type *from, const ir_type *to) {
             (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
 
-/* By how much does the index increase with the counter, without wrapping around? 0: not known. */
+/* By how much the index increases with the counter, without wrapping around; 0: unknown. */
 static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
     if (index->kind == IR_VARIABLE)
         return index->variable == counter && counter->type->size >= 4;
@@ -36,9 +36,9 @@ static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
     int64_t factor;
     if (index->op == IR_OP_MULTIPLY)
         return expression_constant(left, &factor) && factor > 0 && factor <= MOST_FLAT
-                   ? at_most(factor * steps_with(right, counter))
+                   ? if_short(factor * steps_with(right, counter))
                : expression_constant(right, &factor) && factor > 0 && factor <= MOST_FLAT
-                   ? at_most(factor * steps_with(left, counter))
+                   ? if_short(factor * steps_with(left, counter))
                    : 0;
     if (index->op == IR_OP_ADD && !expression_mentions(left, counter))
         return steps_with(right, counter);
@@ -48,8 +48,8 @@ static int64_t steps_with(const ir_node *index, const ir_variable *counter) {
                : 0;
 }
 
-/* Of the same part of each element, `a[i].f.x` or `a[i].v[2]`: the element. Between two such parts
- * lie other ones, of which the whole from the first to the last has some too many. */
+/* The element that contains the row `a[i].f.x` or `a[i].v[2]`, which is the same part of each
+ * element. The range from the first part to the last also contains other parts. */
 static const ir_node *element_around(const ir_node *row) {
     for (;; row = row->children[0]) {
         const bool is_member = row->kind == IR_MEMBER && !(row->flags & IR_ARROW) && row->field &&

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Elements one after the other, as a counter is incremented. */
+/** The distance between the rows of consecutive values of a counter. */
 #ifndef ANALYSIS_ROW_STEPS_H
 #define ANALYSIS_ROW_STEPS_H
 
 #include "analysis/base/facts.h"
 
-/** Bytes from the row to that of the counter's next value, at least those of the row; 0: it is
- *  independent of the counter; -1: they are not known, or differ. */
+/** Bytes from the row to the one for the counter's next value: at least the row's own size. 0: the
+ *  row is independent of the counter. -1: the distance is unknown, or not constant. */
 int64_t row_stride(const ir_node *row, const ir_variable *counter);
 
-/** Is the row independent of the counter, or a later one of an array for its next value, at a
- *  constant distance? */
+/** Is the row independent of the counter, or is row_stride positive? */
 bool row_steps_with(const ir_node *row, const ir_variable *counter);
 
 /** Does the loop access elements at constant distances, so that the first and the last determine

@@ -13,8 +13,8 @@ bool is_step_afterwards(const ir_node *node);
  *  NULL: none. */
 const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable);
 
-/** The lvalue with v in place of each v++ and v--, a copy without a parent, if its statement names
- *  each such variable only there. Otherwise, or if there are none, the lvalue itself. */
+/** A copy, without a parent, of the lvalue with v in place of each v++ and v--, if its statement
+ *  names each such variable only there. Otherwise, or if there are none, the lvalue itself. */
 const ir_node *lvalue_before_steps(arena *a, const ir_node *lvalue);
 
 #endif

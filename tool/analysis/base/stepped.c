@@ -7,7 +7,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 
-/* Between the rows of a loop with a longer step lie too many others. */
+/* With a longer step, the range from the first row to the last contains too many other rows. */
 enum { MOST_STEP = 16 };
 
 static bool is_local(const ir_variable *variable) {
@@ -94,7 +94,7 @@ const ir_variable *span_stepped_in(const loop_span *span, const ir_node *express
     return NULL;
 }
 
-bool span_is_told(const loop_span *span, const ir_node *row) {
+bool span_is_recorded(const loop_span *span, const ir_node *row) {
     for (unsigned i = 0; i < span->other_count; i++)
         if (expression_mentions(row, span->others[i]))
             return false;

@@ -17,6 +17,6 @@ const ir_variable *span_stepped_in(const loop_span *span, const ir_node *express
 
 /** Is the row invariant in the loop, or at a constant distance from that of the iteration before?
  */
-bool span_is_told(const loop_span *span, const ir_node *row);
+bool span_is_recorded(const loop_span *span, const ir_node *row);
 
 #endif

@@ -34,7 +34,8 @@ static bool is_read_for_row(const reduction_update *update, const loop_access *r
     return read->access.node != update->row && ir_contains(update->row, read->access.node);
 }
 
-/* Does the inspector evaluate this access: in a statement of the slice, its control, or a row? */
+/* Does the inspector evaluate this access: in a statement of the slice, in its control, or in a
+ * row? */
 static bool is_in_slice(const loop_analysis *j, const bool *keep, const loop_access *read) {
     const ir_node *place = slice_place(j, read->access.node);
     if (place && keep[place->id])
@@ -231,27 +232,28 @@ static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue)
 
 /* Loads needed for recorded addresses, which the inspector computes completely. `read`: the
  * callee's read that is recorded; NULL: none. */
-typedef struct told_loads {
-    const loop_source *told;
+typedef struct recorded_loads {
+    const loop_source *recorded;
     const loop_access *read;
-} told_loads;
+} recorded_loads;
 
-/* The read that this load implies, which the callee's list has for more than the one element. */
-static void add_load_in_loops(loop_analysis *j, const ir_node *node, const told_loads *of) {
+/* Adds a load that a callee's recorded read implies, with those loops of the read whose counters it
+ * mentions. */
+static void add_load_in_loops(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
     loop_access load = *of->read;
     load.access.lvalue = node;
     load.access.type = node->type;
     load.access.is_behind = false;
     load.where = location_of(j->an->facts, node, j->loop);
-    /* the callee's own read may be elsewhere */
+    /* these flags hold only for the read's own row */
     load.needs_guard = load.meets_scalars = load.meets_arrays = false;
     while (load.access.loop_count &&
-           !expression_mentions(node, of->told->loops[load.access.loop_count - 1].counter))
+           !expression_mentions(node, of->recorded->loops[load.access.loop_count - 1].counter))
         load.access.loop_count--;
     add_read(j, &load, true);
 }
 
-static void add_load(loop_analysis *j, const ir_node *node, const told_loads *of) {
+static void add_load(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
     if (!is_load(node))
         return;
     const loop_access *load = read_of(j, node);
@@ -263,7 +265,7 @@ static void add_load(loop_analysis *j, const ir_node *node, const told_loads *of
         keep_no_plan(j, node, node);
 }
 
-static void add_loads_below(loop_analysis *j, const ir_node *row, const told_loads *of) {
+static void add_loads_below(loop_analysis *j, const ir_node *row, const recorded_loads *of) {
     for (unsigned i = 0; i < row->child_count; i++) {
         add_load(j, row->children[i], of);
         add_loads_below(j, row->children[i], of);
@@ -271,14 +273,14 @@ static void add_loads_below(loop_analysis *j, const ir_node *row, const told_loa
 }
 
 /* A callee's loads determine its addresses: while a plan is kept, they must not change. */
-static void add_loads_of(loop_analysis *j, const loop_source *told, const loop_access *read) {
-    const told_loads of = {told, read};
-    add_loads_below(j, told->row, &of);
-    for (unsigned i = 0; i < told->loop_count; i++) {
-        add_load(j, told->loops[i].lower, &of);
-        add_loads_below(j, told->loops[i].lower, &of);
-        add_load(j, told->loops[i].bound, &of);
-        add_loads_below(j, told->loops[i].bound, &of);
+static void add_loads_of(loop_analysis *j, const loop_source *recorded, const loop_access *read) {
+    const recorded_loads of = {recorded, read};
+    add_loads_below(j, recorded->row, &of);
+    for (unsigned i = 0; i < recorded->loop_count; i++) {
+        add_load(j, recorded->loops[i].lower, &of);
+        add_loads_below(j, recorded->loops[i].lower, &of);
+        add_load(j, recorded->loops[i].bound, &of);
+        add_loads_below(j, recorded->loops[i].bound, &of);
     }
 }
 
@@ -417,13 +419,13 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
-    if (j->left_out.exits) { /* before a plan were reused, reads would be made that an iteration
+    if (j->left_out.exits) { /* the check before reusing a plan would make reads that the program
                               * may never execute */
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }
     j->slice.is_verifiable = j->slice.is_verifiable && is_settled && has_rows;
-    j->slice.has_floating_work |= !has_rows; /* the rows' */
+    j->slice.has_floating_work |= !has_rows; /* of the rows */
     if (!are_scalars_apart(j))
         return false;
     if (!is_small(j))

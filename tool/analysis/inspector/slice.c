@@ -34,7 +34,7 @@ typedef struct slicer {
     bool *keep;
     VECTOR(needed_part) needed;
     uint64_t own;         /* bits, by number: own elements whose values are needed */
-    bool is_integer_only; /* of the attempt: floating-point values are an obstacle */
+    bool is_integer_only; /* in this attempt floating-point values are an obstacle */
     bool has_floating_work;
     const ir_node *obstacle;
 } slicer;
@@ -309,8 +309,8 @@ static void need_expression(slicer *s, const ir_node *node) {
         need_expression(s, node->children[i]);
 }
 
-/* A simple statement, a declarator, a jump; or control, if the write is in its header. `of`: for
- * the value of this variable; NULL: for all its effects. */
+/* Keeps a simple statement, a declarator, a jump; or a control statement whose header contains the
+ * write. `of`: only what the value of this variable needs; NULL: all effects. */
 static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of) {
     if (!statement || s->obstacle)
         return;
@@ -446,7 +446,7 @@ static bool is_in_block(const slicer *s, const ir_node *node) {
         return false;
     for (unsigned i = 0; i < s->touch_count; i++)
         if (ir_contains(span.counted.body, s->touches[i].place) &&
-            (s->touches[i].loop_count || !span_is_told(&span, s->touches[i].row) ||
+            (s->touches[i].loop_count || !span_is_recorded(&span, s->touches[i].row) ||
              !slice_is_safe_here(s->j, s->touches[i].row, true)))
             return false;
     for (unsigned i = 0; i < s->j->sources.count; i++) /* no more of it may be compared */
@@ -488,7 +488,7 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
 
 /* ---- continue -------------------------------------------------------------------------------- */
 
-/* A `continue` of this loop: if it cannot be kept without floating-point work, may the rest of the
+/* Can this `continue` be left out of the slice if it needs floating-point work: may the rest of the
  * iteration be executed as well? */
 static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node *jump,
                             unsigned touch_count, const slice_touch *touches) {

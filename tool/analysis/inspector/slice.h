@@ -20,7 +20,7 @@ typedef struct slice {
     bool *keep;            /* [function->node_count] */
     unsigned needed_count; /* private variables of the iteration that it uses */
     const ir_variable **needed;
-    uint64_t own; /* bits, by number: own elements whose values it asks for */
+    uint64_t own; /* bits, by number: own elements whose values it needs */
     bool has_floating_work;
     const ir_node *obstacle; /* the reason why there is none; NULL: there is one */
 } slice;

@@ -39,13 +39,8 @@ static bool list_dereferences(const access_list *list, const ir_node *pointer) {
     return false;
 }
 
-static bool has_subscript(const ir_node *node) {
-    if (node->kind == IR_INDEX)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_subscript(node->children[i]))
-            return true;
-    return false;
+static bool is_subscript(const ir_node *node) {
+    return node->kind == IR_INDEX;
 }
 
 /* A function that is called makes it whenever it is called, once, and of this very lvalue. */
@@ -65,13 +60,13 @@ static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
 }
 
 bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load) {
-    const ir_node *pointer = has_subscript(load) ? NULL : dereferenced(load);
+    const ir_node *pointer = ir_any(load, is_subscript) ? NULL : dereferenced(load);
     return pointer && list_dereferences(&j->found, pointer);
 }
 
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
     /* If another element of the array exists, this one need not. */
-    if (has_subscript(base) && base->type && base->type->kind != IR_ARRAY)
+    if (ir_any(base, is_subscript) && base->type && base->type->kind != IR_ARRAY)
         return is_read_anyway(j, base);
     const ir_node *pointer = dereferenced(base);
     if (!pointer || (base->type && base->type->kind == IR_ARRAY && pointer->kind == IR_VARIABLE))

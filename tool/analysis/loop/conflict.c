@@ -261,7 +261,7 @@ static terms terms_of(question *q, const ir_node *lvalue) {
                                        ? value_in_loop(q, node->variable)
                                        : NULL;
             if (value && variable_fact_of(q->facts, node->variable)->write_count > 1)
-                own.has_long = true; /* it steps through them */
+                own.has_long = true; /* the pointer steps through the elements */
             else if (!value && is_pointer(node) && is_varying(q, node))
                 own.has_row = true;
             q->depth++;

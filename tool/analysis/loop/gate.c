@@ -14,8 +14,9 @@
 
 /* ---- the source text ------------------------------------------------------------------------- */
 
-/* Past blanks, comments, empty statements, directives and text that is not compiled (with it, the
- * original loop is: as_compiled.h); the beginning of other text, or `to`. */
+/* Skips blanks, comments, empty statements, directives and text that is not compiled (another
+ * compilation uses the original loop: as_compiled.h). Returns the beginning of other text, or
+ * `to`. */
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
     while ((from = source_skip_blanks(unit->source, from, to)) < to) {
@@ -74,8 +75,8 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
-/* Directives that are asleep, or that the loop may be executed without as far as the text tells,
- * are none that matters. */
+/* Ignores directives that this compilation does not use, and those that the loop may be executed
+ * without, judging by their text. */
 static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
@@ -112,13 +113,8 @@ static reason check_directives(const loop_analysis *j) {
 
 /* ---- names ----------------------------------------------------------------------------------- */
 
-static bool has_macro(const ir_node *node) {
-    if (node->flags & IR_FROM_MACRO)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_macro(node->children[i]))
-            return true;
-    return false;
+static bool is_from_macro(const ir_node *node) {
+    return node->flags & IR_FROM_MACRO;
 }
 
 reason check_text(const loop_analysis *j) {
@@ -139,7 +135,8 @@ reason check_text(const loop_analysis *j) {
     if (why.id != REASON_NONE)
         return why;
     const ir_range everything = {0, s ? s->length : 0};
-    const bool is_anywhere = has_macro(loop) || loop_text_has_branches(j->an->unit, loop);
+    const bool is_anywhere =
+        ir_any(loop, is_from_macro) || loop_text_has_branches(j->an->unit, loop);
     if ((is_anywhere && j->an->unit->text.names_counter) ||
         unit_text_has_counter(j->an->text, is_anywhere ? everything : loop->range))
         return analysis_reason(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
@@ -195,20 +192,15 @@ reason check_jumps(const loop_analysis *j) {
 
 /* ---- accesses -------------------------------------------------------------------------------- */
 
-static bool reads_errno(const ir_node *node) {
-    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
-        strcmp(node->children[0]->function->name, "__errno_location") == 0)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (reads_errno(node->children[i]))
-            return true;
-    return false;
+static bool is_errno(const ir_node *node) {
+    return node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+           strcmp(node->children[0]->function->name, "__errno_location") == 0;
 }
 
 /* A caller of the function may read it as well. */
 static bool file_reads_errno(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->function_count; i++)
-        if (unit->functions[i]->body && reads_errno(unit->functions[i]->body))
+        if (unit->functions[i]->body && ir_any(unit->functions[i]->body, is_errno))
             return true;
     return false;
 }
@@ -233,7 +225,7 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* The first values are computed again by the original loop, if that runs. */
+/* If the original loop runs, it computes the first values again. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)

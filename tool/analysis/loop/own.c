@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A variable may stand for the element where
+ * A variable may replace the element if
  * - its subscript has another value in each iteration, and nothing else on the way to it changes:
  * no two iterations have one element, and its address may be computed at any time;
  * - each iteration reads it, before it stores to it. So reading it at the beginning does nothing
  * that the program would not do, and it has this type from before the loop on: what other
  * iterations read as another type is no part of it (C17 6.5p7), since no store of the loop lies
  * between. Or each iteration stores to it, before it reads it: then nothing is read at the
- * beginning, and types tell only declared objects apart (6.5p6);
- * - whatever else the loop reads is apart from it, by proof or by a comparison before anything is
- *   written, and whatever else it writes is an update, with which all reads are compared. So no
- *   iteration sees that the store is made later;
+ * beginning, and types distinguish only declared objects (6.5p6);
+ * - all else that the loop reads is disjoint from it, by proof or by a comparison before anything
+ * is written, and all else that it writes is an update, with which all reads are compared. So no
+ * iteration sees that the store is made later;
  * - the text names it by this expression alone, and nowhere asks for its address.
  */
 #include "analysis/loop/own.h"
@@ -21,8 +21,8 @@ enum { MOST_OWN = 16 };
 
 /* ---- what such an element looks like --------------------------------------------------------- */
 
-/* The counter, cast or not, and what is added to it. A wider type keeps different values apart, and
- * sums that wrap around do so too. */
+/* The counter, possibly cast to a type that is at least as wide, plus or minus invariants:
+ * different iterations have different values, even if sums wrap around. */
 static bool differs_always(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_CAST)
         return ir_type_is_plain_integer(node->type) &&
@@ -44,7 +44,7 @@ static bool is_array(const loop_analysis *j, const ir_node *base) {
                 : base->type->kind == IR_POINTER && analysis_leaves(j, base));
 }
 
-/* One of the elements that an array inside has for certain. */
+/* An element of an inner array that certainly exists: its subscript is constant and in range. */
 static bool is_constant_inside(const ir_node *node) {
     int64_t value;
     return node->kind == IR_INDEX && node->children[0]->type->kind == IR_ARRAY &&
@@ -52,7 +52,7 @@ static bool is_constant_inside(const ir_node *node) {
            value < node->children[0]->type->count;
 }
 
-/* t[i + c], of which the lvalue is all or a part. NULL: of a bit-field. */
+/* The row t[i + c] that contains the lvalue; NULL: the lvalue is a bit-field. */
 static const ir_node *row_of(const ir_node *lvalue) {
     const ir_node *node = lvalue;
     while ((node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) || is_constant_inside(node)) {
@@ -69,7 +69,7 @@ bool own_is_element(const loop_analysis *j, const ir_node *lvalue) {
            is_array(j, node->children[0]) && differs_always(j, node->children[1]);
 }
 
-/* Its type is copied bit by bit and stored atomically. */
+/* Can a value of the type be copied bit by bit and stored atomically? */
 static bool has_type(const ir_type *type) {
     return type && type->spelling && !type->is_const && !type->is_volatile && !type->is_atomic &&
            (type->kind == IR_INTEGER || type->kind == IR_FLOATING) &&
@@ -83,7 +83,7 @@ static bool is_of(const loop_access *a, const ir_node *element) {
            a->access.lvalue == a->access.node && expression_same(a->access.lvalue, element);
 }
 
-/* What each iteration does to the element first, for certain. */
+/* The first access that each iteration certainly makes to the element. */
 typedef enum first_use { FIRST_UNKNOWN, FIRST_READ, FIRST_STORED } first_use;
 
 static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
@@ -95,7 +95,7 @@ static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
             continue;
         const bool reads =
             a->kind == ACCESS_READ || (a->kind == ACCESS_UPDATE && a->form.has_operator);
-        /* it is stored once the value is known */
+        /* a store takes place after the value has been evaluated */
         const unsigned at = reads ? a->node->id : expression_last_id(a->node->parent);
         unsigned *any = reads ? &any_read : &any_store;
         unsigned *certain = reads ? &certain_read : &certain_store;
@@ -107,7 +107,7 @@ static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
                                                                     : FIRST_UNKNOWN;
 }
 
-/* Statements of their own, that update nothing else. */
+/* Is each store to the element a statement by itself? */
 static bool stores_alone(const loop_analysis *j, const ir_node *element) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -140,7 +140,8 @@ static location location_of_element(const loop_analysis *j, const ir_node *eleme
     return where;
 }
 
-/* x[t][0] and x[t][2]: scalars at other places of one row, and of different rows. */
+/* x[t][0] and x[t][2]: are both scalars at different places of a row, so that they are disjoint for
+ * any t? */
 static bool is_other_part(const loop_analysis *j, const loop_access *other,
                           const ir_node *element) {
     const ir_node *lvalue = other->access.lvalue;
@@ -149,7 +150,7 @@ static bool is_other_part(const loop_analysis *j, const loop_access *other,
            !expression_same(lvalue, element) && expression_same(row_of(lvalue), row_of(element));
 }
 
-/* Does the other access meet that of another iteration to the element? */
+/* May the other access touch the element that belongs to another iteration? */
 static overlap meets(const loop_analysis *j, const loop_access *other, const ir_node *element,
                      const location *where, first_use first) {
     if (!other->access.lvalue)

@@ -5,26 +5,26 @@
  *     if (member[t] != c) changes++;
  *     member[t] = c;
  *
- * No other iteration touches the element. While the loop runs a variable stands for it, and memory
- * stays as it was before the loop: however often an iteration is executed, it begins with the same
- * value. What the variable is in the end is kept, as operands of scalars are, and stored once all
- * iterations are over.
+ * No other iteration touches the element. While the loop runs, a variable replaces the element, and
+ * memory is unchanged: even if an iteration is executed several times, it begins with the same
+ * value. The variable's last value is kept, as operands of scalars are, and stored after all
+ * iterations.
  */
 #ifndef ANALYSIS_OWN_H
 #define ANALYSIS_OWN_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Is it a scalar t[i + c] or a part of one, that lies elsewhere in each iteration: of an array
- * that is a variable, or behind a pointer that stays? */
+/** Is it a scalar t[i + c] or a part of one, at a different address in each iteration? Its array
+ *  must be a variable, or the target of an invariant pointer. */
 bool own_is_element(const loop_analysis *j, const ir_node *lvalue);
 
-/** Where analyser.keeps_own: notes the elements to which variables are given, and classes their
- *  accesses. One is added for each, of what is read first. */
+/** If analyser.keeps_own is set: lists the elements that variables replace, and classifies their
+ *  accesses. Adds an access for each element: the read at the beginning. */
 void own_take(loop_analysis *j);
 
-/** When all writes have their classes: does nothing but updates write where an own element may be?
- *  Sets the reason, and returns false. */
+/** Once all writes are classified: do only updates write memory that may be an own element? Sets
+ *  the reason, and returns false. */
 bool own_check(loop_analysis *j);
 
 /** The number of the own element that this node names; -1: it names none. */

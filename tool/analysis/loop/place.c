@@ -123,18 +123,18 @@ bool slice_loops_are_constant(unsigned count, const source_loop *loops) {
     return true;
 }
 
-bool slice_can_tell(const loop_analysis *j, const loop_source *told, const ir_node *node,
-                    const ir_node *place) {
-    if (!place ||
-        (slice_is_ahead(node, place) && (!slice_is_safe_anywhere(told->row) ||
-                                         !slice_loops_are_constant(told->loop_count, told->loops))))
+bool slice_can_record(const loop_analysis *j, const loop_source *recorded, const ir_node *node,
+                      const ir_node *place) {
+    if (!place || (slice_is_ahead(node, place) &&
+                   (!slice_is_safe_anywhere(recorded->row) ||
+                    !slice_loops_are_constant(recorded->loop_count, recorded->loops))))
         return false;
     /* For if and switch only the condition is computed in between. */
     if (place->kind == IR_IF || place->kind == IR_SWITCH)
         place = place->children[0];
-    for (unsigned i = 0; i < told->loop_count; i++)
-        if (changes_in(j, told->loops[i].lower, place) ||
-            changes_in(j, told->loops[i].bound, place))
+    for (unsigned i = 0; i < recorded->loop_count; i++)
+        if (changes_in(j, recorded->loops[i].lower, place) ||
+            changes_in(j, recorded->loops[i].bound, place))
             return false;
-    return !changes_in(j, told->row, place);
+    return !changes_in(j, recorded->row, place);
 }

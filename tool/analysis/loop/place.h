@@ -5,11 +5,11 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Can the addresses of the source's row, with its loops, be computed before `place`, for any
- *  control flow to it: the statement itself assigns no operand of theirs, and no condition inside
- *  of it protects one of their loads? */
-bool slice_can_tell(const loop_analysis *j, const loop_source *told, const ir_node *node,
-                    const ir_node *place);
+/** Can the addresses of the source's row, with its loops, be computed before `place`? That holds
+ *  for any control flow to it if the statement itself assigns none of their operands, and no
+ *  condition inside of it protects one of their loads. */
+bool slice_can_record(const loop_analysis *j, const loop_source *recorded, const ir_node *node,
+                      const ir_node *place);
 
 /** The statement or declarator of the body around `node`; NULL: it is in the loop's header. */
 const ir_node *slice_place(const loop_analysis *j, const ir_node *node);

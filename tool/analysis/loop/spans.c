@@ -10,11 +10,11 @@
  *     for (p = first, i = 0; i < n; i++, p++)
  *         for (q = second, k = 0; k < m; k++, q++)  f[p] += ..., f[q] -= ...
  *
- * A row may go along with both if the nested loop is over constants, `f[3 * p + c]`: it has the
- * nested loop's first value in the first row and its last one in the last row.
+ * A row may depend on both counters if the nested loop is over constants, `f[3 * p + c]`: it has
+ * the nested loop's first value in the first row and its last one in the last row.
  *
- * With a step of s, `for (j = 0; j < n; j += 3)  f[j] += ..., f[j + 1] += ..., f[j + 2] += ...`,
- * the loop accesses s rows in each iteration: the range has no others.
+ * With a step of s, `for (j = 0; j < n; j += 3) f[j] += ..., f[j + 1] += ..., f[j + 2] += ...`, the
+ * loop accesses s rows in each iteration: the range has no others.
  */
 #include "analysis/loop/spans.h"
 
@@ -44,7 +44,7 @@ static bool is_vector_loop(const ir_node *loop, const loop_span *inner, const ir
            counter == inner->counted.counter && row_steps_with(row, counter);
 }
 
-/* Is there a loop of the slice in between that also steps a variable of the row? */
+/* Does a loop of the slice, between the span and the place, also step a variable of the row? */
 static bool is_stepped_below(const loop_analysis *j, const loop_span *span, const ir_node *place,
                              const ir_node *row) {
     loop_span inner;
@@ -56,7 +56,7 @@ static bool is_stepped_below(const loop_analysis *j, const loop_span *span, cons
     return false;
 }
 
-/* Is it in the slice for its counter alone, which other loops use again? */
+/* Is the loop in the slice only because other loops use its counter again? */
 static bool is_idle(const loop_analysis *j, const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last;
@@ -71,7 +71,7 @@ static bool is_idle(const loop_analysis *j, const ir_node *loop) {
            counted_constant_sets(j->counted.body, counter);
 }
 
-/* Below, the slice has only spans, and no jumps. */
+/* Does the slice have only spans, and no jumps, below the node? */
 static bool is_left_out(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];
@@ -89,17 +89,18 @@ static bool is_left_out(const loop_analysis *j, const loop_span *span, ir_node *
 
 static bool tells_row(const loop_analysis *j, const loop_span *span, const ir_node *place,
                       const ir_node *row) {
-    return span_is_told(span, row) &&
+    return span_is_recorded(span, row) &&
            (span_mentions(span, row) == 0 || !is_stepped_below(j, span, place, row));
 }
 
-/* Of the rows of the list: is this another one of the same array? */
+/* Is `other` another row of the same array? */
 static bool is_another(const ir_node *row, const ir_node *other) {
     return other->kind == IR_INDEX && syntax_same(row->children[0], other->children[0]) &&
            !syntax_same(row->children[1], other->children[1]);
 }
 
-/* Is no row left out from one iteration to the next? Else they may be those of other iterations. */
+/* Do consecutive iterations leave out no row? Rows in between may be updated by other iterations of
+ * the analysed loop. */
 static bool has_all_rows(const loop_analysis *j, const loop_span *span, const ir_node *row,
                          bool is_update) {
     int64_t count = 1;

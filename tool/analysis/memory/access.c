@@ -146,22 +146,11 @@ static void walk_unary(access_walk *w, const ir_node *node) {
     }
 }
 
-/* May the loop be left during its iterations? */
-static bool is_left_early(const ir_node *node, bool by_break) {
-    if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
-        return true;
-    const bool breaks_inside = by_break && !ir_is_loop(node) && node->kind != IR_SWITCH;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_left_early(node->children[i], breaks_inside))
-            return true;
-    return false;
-}
-
 static void walk_for(access_walk *w, const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
     bool is_certain =
-        counted_constant(node, &counter, &first, &last) && !is_left_early(node->children[3], true);
+        counted_constant(node, &counter, &first, &last) && !ir_leaves_loop(node->children[3]);
     access_walk_node(w, node->children[0]);
     access_walk_node(w, node->children[1]);
     w->condition_depth += is_certain ? 0 : 1;
@@ -219,13 +208,8 @@ bool access_is_assertion(const ir_function *function) {
 }
 
 /* With gcc's extensions glibc's assert is a statement expression. */
-static bool holds_assertion(const ir_node *node) {
-    if (node->kind == IR_FUNCTION && access_is_assertion(node->function))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (holds_assertion(node->children[i]))
-            return true;
-    return false;
+static bool names_assertion(const ir_node *node) {
+    return node->kind == IR_FUNCTION && access_is_assertion(node->function);
 }
 
 /* In a called function: unless it fails, only its condition is evaluated. */
@@ -276,7 +260,7 @@ void access_walk_node(access_walk *w, const ir_node *node) {
     case IR_OPAQUE:
         if (walk_assertion(w, node))
             return;
-        if (holds_assertion(node))
+        if (ir_any(node, names_assertion))
             access_problem_add(w, REASON_NO_RETURN, node, "assert");
         else
             access_problem_add(w, REASON_OPAQUE, node, node->text ? node->text : "?");

@@ -51,7 +51,7 @@ typedef struct access_list {
     VECTOR(const ir_node *) ends; /* calls of functions that may end the program by an assertion */
 } access_list;
 
-typedef struct effects effects; /* all summaries of one unit */
+typedef struct effects effects; /* the summaries of all functions of a unit */
 
 effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
                      variable_facts *facts);

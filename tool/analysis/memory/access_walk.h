@@ -10,7 +10,7 @@ typedef struct access_walk {
     arena *memory;
     effects *all;
     access_list *list;
-    unsigned condition_depth; /* > 0: the following code may not be executed */
+    unsigned condition_depth; /* > 0: the following code is not executed on all paths */
     bool in_callee;           /* assertions are recorded, and no problem */
 } access_walk;
 

@@ -7,17 +7,6 @@
 
 /* ---- leaving a loop -------------------------------------------------------------------------- */
 
-/* Does the body leave its loop other than at its end? */
-static bool leaves(const ir_node *node, bool by_break) {
-    if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
-        return true;
-    const bool breaks_inside = by_break && !ir_is_loop(node) && node->kind != IR_SWITCH;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (leaves(node->children[i], breaks_inside))
-            return true;
-    return false;
-}
-
 /* Is there a `continue` before `node`, which may skip it? */
 static bool continues_before(const ir_node *part, const ir_node *node) {
     if (part->kind == IR_CONTINUE)
@@ -69,7 +58,7 @@ static void take_loop(callee_loops *loops, ir_node *loop) {
     loops->items[0] = (callee_loop){.loop = loop,
                                     .counted = found.loop,
                                     .is_constant = counted_constant(loop, &counter, &first, &last),
-                                    .may_end_early = leaves(ir_loop_body(loop), true)};
+                                    .may_end_early = ir_leaves_loop(ir_loop_body(loop))};
 }
 
 callee_loops callee_loops_around(const ir_function *function, const ir_node *node) {
@@ -121,7 +110,7 @@ static bool comes_to(const callee_loops *loops, const ir_node *loop, const ir_no
     const ir_variable *counter;
     int64_t first, last;
     return (is_one_of(loops, loop) || counted_constant(loop, &counter, &first, &last)) &&
-           !leaves(ir_loop_body(loop), true) && !continues_before(ir_loop_body(loop), node);
+           !ir_leaves_loop(ir_loop_body(loop)) && !continues_before(ir_loop_body(loop), node);
 }
 
 /* Is this part evaluated whenever the parent is? */

@@ -17,8 +17,8 @@ typedef struct rewriting {
                           * iteration's value */
     bool is_exact;
     bool loads_stay;        /* what is read here is not written while the caller's loop runs */
-    bool has_load;          /* an address depends on a load, */
-    bool loads_are_certain; /* each time that the function is called */
+    bool has_load;          /* an address depends on loads */
+    bool loads_are_certain; /* all of them are made whenever the function is called */
     unsigned depth;
 } rewriting;
 

@@ -59,8 +59,8 @@ static bool returns(const ir_node *statement, const ir_variable *cursor) {
     return value && value->kind == IR_VARIABLE && value->variable == cursor;
 }
 
-/* Incremented far enough it reaches the end of all memory, or is undefined; a narrower one would
- * wrap around to 0. */
+/* A cursor of this type reaches the end of all memory before it wraps around, or its overflow is
+ * undefined. A narrower unsigned one would wrap around to 0. */
 static bool cannot_wrap(const ir_type *cursor) {
     return cursor->kind == IR_INTEGER && (cursor->size == 8 || ir_type_never_wraps(cursor));
 }

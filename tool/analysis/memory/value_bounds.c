@@ -8,17 +8,17 @@
 
 enum { MOST_TRACKED = 16, MOST_OFFSET = 1 << 20 };
 
-/* What is known of a variable. Of a floating one: it is not below `least`, a node of the function,
- * or 0 where that is NULL; or it is no number. */
+/* What is known of a variable. A floating one with has_least is either a NaN, or not below `least`,
+ * a node of the function (NULL: not below 0). */
 typedef struct known_value {
     const ir_variable *variable;
     value_bounds integer;
     bool has_least;
     const ir_node *least;
-    unsigned needs; /* bits: the conditions that this rests on */
+    unsigned needs; /* bits: the conditions that this depends on */
 } known_value;
 
-/* Of variables that it does not hold nothing is known. */
+/* Nothing is known about variables that are not in it. */
 typedef struct known_values {
     unsigned count;
     known_value items[MOST_TRACKED];
@@ -34,7 +34,7 @@ typedef struct bounding {
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/* A variable that only the text of the function changes, where it names it. */
+/* Does the variable change only where the function's text names it? */
 static bool is_tracked(const bounding *b, const ir_variable *variable) {
     const ir_type *type = variable->type;
     return variable_is_automatic(variable) && variable->function == b->function &&
@@ -50,7 +50,7 @@ static known_value *known_of(bounding *b, const ir_variable *variable) {
     return NULL;
 }
 
-/* The expression's value depends on the conditions of the variable's. */
+/* The variable's value, used in the current expression, which then depends on its conditions. */
 static known_value used(bounding *b, const ir_variable *variable) {
     const known_value *known = known_of(b, variable);
     b->needs |= known ? known->needs : 0;
@@ -137,9 +137,9 @@ static bool is_same_term(bound_term a, bound_term b) {
            (a.value && b.value ? expression_same(a.value, b.value) : !a.value && !b.value);
 }
 
-/* The ends of one or of the other: nothing is known where nothing is of one. */
-static void put_together(bound_term *ends, unsigned *count, const bound_term *other,
-                         unsigned other_count) {
+/* The union of the ends of two possible values: unknown if one of them is unknown. */
+static void join_ends(bound_term *ends, unsigned *count, const bound_term *other,
+                      unsigned other_count) {
     if (*count == 0 || other_count == 0) {
         *count = 0;
         return;
@@ -159,8 +159,8 @@ static void put_together(bound_term *ends, unsigned *count, const bound_term *ot
 }
 
 static value_bounds either(value_bounds a, value_bounds b) {
-    put_together(a.low, &a.low_count, b.low, b.low_count);
-    put_together(a.high, &a.high_count, b.high, b.high_count);
+    join_ends(a.low, &a.low_count, b.low, b.low_count);
+    join_ends(a.high, &a.high_count, b.high, b.high_count);
     return a;
 }
 
@@ -173,7 +173,7 @@ static bool is_never_below_zero(const value_bounds *bounds) {
 
 static known_value value_of(bounding *b, const ir_node *node);
 
-/* The number of type `type` that is to be: the same number where that holds all of the other's. */
+/* Bounds after a conversion: the same if `to` has all values of `from`; else unknown. */
 static value_bounds converted(value_bounds bounds, const ir_type *from, const ir_type *to) {
     return from && ir_type_is_plain_integer(from) && from->is_signed &&
                    ir_type_is_plain_integer(to) && to->is_signed && to->size >= from->size
@@ -195,8 +195,9 @@ static bool is_never_negative(bounding *b, const ir_node *node);
 
 static value_bounds integer_of(bounding *b, const ir_node *node);
 
-/* The integer that a value is converted to. A floating value that is none of the type's may become
- * any (F.4): of fewer bits, all of them might be subscripts of the table. */
+/* The integer that a value is converted to. A floating value outside of the type's range may become
+ * any integer (F.4). In a type of less than 4 bytes any integer might be a subscript of the
+ * table. */
 static value_bounds integer_set(bounding *b, const ir_node *value, const ir_type *type) {
     if (value->type && value->type->kind == IR_FLOATING)
         return type->size >= 4 && is_never_negative(b, value) ? (value_bounds){.low_count = 1}
@@ -242,8 +243,8 @@ static bool requires(bounding *b, const ir_node *value) {
     return true;
 }
 
-/* A function of the C library whose result is not negative, of an argument that is not, or always.
- */
+/* If the C library's function has no negative result for a non-negative argument (is_always: for
+ * any argument), that argument; else NULL. */
 static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *is_always) {
     static const char *const names[] = {"sqrt", "fabs", "floor",    "trunc",
                                         "ceil", "rint", "nearbyint"};
@@ -259,7 +260,7 @@ static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *i
     return NULL;
 }
 
-/* By the sign of its parts, or because it is no number. */
+/* Is the value not negative because of its parts, or a NaN? */
 static bool is_sign_of_parts(bounding *b, const ir_node *node) {
     bool is_always = false;
     switch (node->kind) {
@@ -322,7 +323,7 @@ static void set(bounding *b, const ir_variable *variable, const ir_node *value) 
         known.integer = integer_set(b, value, variable->type);
     else if (is_tracked(b, variable))
         known = value_of(b, value);
-    /* of another floating type it may be rounded to less: not to below zero */
+    /* a conversion to another floating type may round below `least`, but not below zero */
     if (known.least && value->type->size != variable->type->size)
         known.has_least = false;
     known.needs = b->needs;
@@ -331,7 +332,7 @@ static void set(bounding *b, const ir_variable *variable, const ir_node *value) 
         learn(b, variable, known);
 }
 
-/* variable <op> bound holds. */
+/* Learns that variable <op> bound holds. */
 static void refine(bounding *b, const ir_variable *variable, ir_operator op, const ir_node *bound) {
     known_value known = {0};
     if (!is_tracked(b, variable))
@@ -370,8 +371,8 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
     learn(b, variable, known);
 }
 
-/* Where it does not hold of floating values, one of them may be no number: that is what `least`
- * allows. */
+/* Learns that the condition holds, or not. If a comparison of floating values does not hold, one of
+ * them may be a NaN, which `least` allows. */
 static void suppose(bounding *b, const ir_node *condition, bool holds) {
     if (condition->kind != IR_BINARY || !expression_is_plain(condition))
         return;
@@ -385,7 +386,7 @@ static void suppose(bounding *b, const ir_node *condition, bool holds) {
         refine(b, right->variable, expression_mirrored(op), left);
 }
 
-/* Facts that hold after either branch. */
+/* Keeps the facts that hold after both branches. */
 static void join(bounding *b, const known_values *other) {
     for (unsigned i = b->now.count; i-- > 0;) {
         known_value *item = &b->now.items[i];
@@ -407,7 +408,7 @@ static void join(bounding *b, const known_values *other) {
 
 static void execute(bounding *b, const ir_node *statement, const ir_node *site);
 
-/* Up to the site, where it is in one of the branches. */
+/* Executes both branches; stops at the site if one of them contains it. */
 static void execute_if(bounding *b, const ir_node *statement, const ir_node *site) {
     const ir_node *condition = statement->children[0];
     forget_all_written(b, condition);
@@ -438,7 +439,7 @@ static void execute_expression(bounding *b, const ir_node *node) {
         forget_all_written(b, node);
 }
 
-/* All of it, or as far as the site. */
+/* Executes the whole statement, or stops at the site. */
 static void execute(bounding *b, const ir_node *statement, const ir_node *site) {
     const bool is_last = ir_contains(statement, site);
     switch (statement->kind) {

@@ -145,8 +145,8 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
 
 /* The ends of a row that is monotonic in the counter. In iterations that do not read it the
  * subscript may have any value: `x[t - 1]` where t is 0. If that is likely and no condition on the
- * counter identifies these iterations, the inspector finds the reads (`can_be_told`). */
-static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_told,
+ * counter identifies these iterations, the inspector finds the reads (`can_be_recorded`). */
+static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
     loop_source *item = &plan->source;
@@ -160,12 +160,12 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
         return false;
     if (item->is_sometimes)
         item->limit_count = executed_limits(j, read->access.node, &item->limits);
-    return !item->is_sometimes || item->limit_count || !can_be_told ||
+    return !item->is_sometimes || item->limit_count || !can_be_recorded ||
            !may_fall_below(&address, counter);
 }
 
 /* The range of the row is known before the inspection. */
-static bool plan_known(const loop_analysis *j, const loop_access *read, bool can_be_told,
+static bool plan_known(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                        source_plan *plan) {
     row_address address;
     plan->is_possible = true;
@@ -173,7 +173,7 @@ static bool plan_known(const loop_analysis *j, const loop_access *read, bool can
     plan->source.is_sometimes = read->access.is_conditional;
     if (is_invariant_row(j, plan->source.row))
         return !plan->source.is_sometimes || row_address_of(plan->source.row, &address);
-    return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_told, plan);
+    return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_recorded, plan);
 }
 
 /* Is it made of variables that the loop leaves unchanged, of loads, and of the counters of the
@@ -219,7 +219,7 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     const bool is_safe = item.base
                              ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
                              : !of_contents && update_table_of(j, read->where.base);
-    return (source_plan){is_safe && slice_can_tell(j, &item, node, place), item};
+    return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
 /* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read only the
@@ -231,8 +231,8 @@ static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
 
 /* ---- between bounds -------------------------------------------------------------------------- */
 
-/* Does nothing that the loop writes, other than sums that it is compared with, lie where this is
- * read? */
+/* Does the loop write nothing there, apart from arrays and scalars that are compared with the read
+ * at run time? */
 static bool is_written_by_none(const loop_analysis *j, const ir_node *load) {
     const location where = location_of(j->an->facts, load, j->loop);
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -245,8 +245,8 @@ static bool is_written_by_none(const loop_analysis *j, const ir_node *load) {
     return true;
 }
 
-/* Can it be read before the loop, by loads that do no harm where the program makes none, and has it
- * the value then that it has in the loop? */
+/* Can it be loaded before the loop, without a fault if the program does not load it, and with the
+ * value that it has in the loop? */
 static bool can_be_read_before(const loop_analysis *j, const ir_node *node) {
     const ir_type *type = node->type;
     if (!type || type->is_volatile || type->is_atomic || type->has_address_space)
@@ -275,7 +275,7 @@ static bool is_bound(const loop_analysis *j, const ir_node *node) {
            !expression_mentions(node, j->counted.counter) && can_be_read_before(j, node);
 }
 
-/* *base, for what is asked of rows. */
+/* *base: represents the table where a row is required. */
 static const ir_node *first_element(const loop_analysis *j, const element_bounds *bounds) {
     ir_node *row = ir_new(j->an->memory, IR_UNARY, bounds->element, 1);
     row->op = IR_OP_DEREFERENCE;
@@ -284,7 +284,7 @@ static const ir_node *first_element(const loop_analysis *j, const element_bounds
     return row;
 }
 
-/* Some of the elements between bounds that the function itself keeps to. */
+/* The extent of a table whose subscript the function itself bounds. */
 static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bounds) {
     bool is_possible = is_bound(j, bounds->base);
     for (unsigned i = 0; i < bounds->term_count; i++)
@@ -356,7 +356,7 @@ static bool plan_found(const loop_analysis *j, const loop_access *read, source_p
     row->children[1]->parent = row;
     plan->source.row = row;
     plan->source.place = after;
-    return slice_can_tell(j, &plan->source, read->access.node, after);
+    return slice_can_record(j, &plan->source, read->access.node, after);
 }
 
 static bool plan_search_end(const loop_analysis *j, const loop_access *read, const ir_node *row,
@@ -370,7 +370,7 @@ static bool plan_search_end(const loop_analysis *j, const loop_access *read, con
                                  .place = place,
                                  .is_subscript = true,
                                  .needs_guard = read->needs_guard};
-    plan->is_possible = slice_can_tell(j, &plan->source, read->access.node, place);
+    plan->is_possible = slice_can_record(j, &plan->source, read->access.node, place);
     return plan->is_possible;
 }
 
@@ -505,7 +505,7 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
     return table && expression_same(table, array->array.base);
 }
 
-/* Overlap with the scalars in memory that the loop accumulates into. */
+/* The closest overlap with the scalars in memory that the loop accumulates into. */
 static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *other) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {

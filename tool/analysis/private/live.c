@@ -34,7 +34,7 @@ static ways then(ways first, ways second) {
     return first & WAY_PASSES ? (first & ~(ways)WAY_PASSES) | second : first;
 }
 
-/* The continuation of such jumps. */
+/* The paths after such jumps. */
 static ways landed(ways all, ways jumps) {
     return all & jumps ? (all & ~jumps) | WAY_PASSES : all;
 }
@@ -48,7 +48,7 @@ static ways jumps_in(const ir_node *node) {
     return jumps;
 }
 
-/* For code that is executed in an unknown order, if at all. */
+/* Paths through code that is executed in an unknown order, if at all. */
 static ways any_ways(const search *s, const ir_node *node) {
     return WAY_PASSES | jumps_in(node) |
            (expression_mentions(node, s->variable) ? (ways)WAY_READS : 0);
@@ -64,7 +64,7 @@ static bool holds_case(const ir_node *node) {
     return false;
 }
 
-/* One after another; a switch may enter at its cases. */
+/* Statements one after another; a switch may enter at its cases. */
 static ways ways_in_order(const search *s, const ir_node *node) {
     ways all = WAY_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
@@ -74,7 +74,7 @@ static ways ways_in_order(const search *s, const ir_node *node) {
     return all;
 }
 
-/* Operands, initialisers: in any order. */
+/* Operands and initialisers, in any order. */
 static ways ways_in_any_order(const search *s, const ir_node *node) {
     ways all = WAY_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
@@ -177,13 +177,8 @@ static ways ways_of(const search *s, const ir_node *node) {
 
 /* ---- after the loop -------------------------------------------------------------------------- */
 
-static bool has_label(const ir_node *node) {
-    if (node->kind == IR_LABEL || node->kind == IR_GOTO)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_label(node->children[i]))
-            return true;
-    return false;
+static bool is_label(const ir_node *node) {
+    return node->kind == IR_LABEL || node->kind == IR_GOTO;
 }
 
 static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
@@ -228,7 +223,7 @@ bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
     const ir_node *body = loop;
     while (body->parent)
         body = body->parent;
-    if (has_label(body))
+    if (ir_any(body, is_label))
         return true;
     ways all = WAY_PASSES;
     for (const ir_node *node = loop; node->parent && !(all & WAY_READS); node = node->parent)

@@ -59,29 +59,25 @@ static bool is_known(const loop_analysis *j, const ir_variable *variable) {
 
 /* Does it name a const variable that may hold the address of a static object? gcc replaces it by
  * its initialiser, `&deleted`, which would then be the address of a copy. */
-static bool names_constant_address(const ir_node *node) {
+static bool is_constant_address(const ir_node *node) {
     const ir_type *type = node->kind == IR_VARIABLE ? node->variable->type : NULL;
-    if (type && type->is_const && node->variable->storage != IR_PARAMETER &&
-        (type->kind == IR_POINTER || (type->kind == IR_INTEGER && type->size == 8)))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (names_constant_address(node->children[i]))
-            return true;
-    return false;
+    return type && type->is_const && node->variable->storage != IR_PARAMETER &&
+           (type->kind == IR_POINTER || (type->kind == IR_INTEGER && type->size == 8));
 }
 
 /* Each thread may have a copy of a record or scalar that the loop only reads, unless the loop uses
  * its address: `if (entry[t] == &deleted)`. */
 static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     if (variable_written_in(j->an->facts, j->loop, variable) ||
-        (!variable_is_automatic(variable) && names_constant_address(j->loop)))
+        (!variable_is_automatic(variable) && ir_any(j->loop, is_constant_address)))
         return false;
     if (variable->type->kind != IR_RECORD)
         return ir_type_is_scalar(variable->type);
     return !variable->address_taken && variable->storage != IR_THREAD_LOCAL;
 }
 
-/* The address of this thread's thread-local object, which in other threads names another. */
+/* Does the loop take the address of a thread-local object? In another thread the name denotes
+ * another object. */
 static bool takes_thread_local_address(const loop_analysis *j, const ir_variable *variable) {
     return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&
            variable_written_in(j->an->facts, j->loop, variable);

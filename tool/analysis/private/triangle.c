@@ -13,7 +13,7 @@ static bool may_leave_turns(const ir_node *body) {
            ir_has_kind(body, IR_CASE) || ir_has_kind(body, IR_DEFAULT);
 }
 
-/* i or i + c: c in *offset. An unsigned one does not wrap around with c = 1: i + 1 is at most the
+/* i or i + c: c in *offset. An unsigned sum does not wrap around with c = 1: i + 1 is at most the
  * bound of its loop. */
 static bool is_row_plus(const ir_variable *row, const ir_node *node, int64_t *offset) {
     *offset = 0;
@@ -32,7 +32,8 @@ static bool is_number(const ir_type *type) {
     return ir_type_is_plain_integer(type) && type->size >= 4;
 }
 
-/* Does the loop count to it, or begin with it, as a number? */
+/* Is it an end of the counter's range whose conversion to the counter's type preserves its
+ * value? */
 static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_first) {
     int64_t constant;
     if (expression_constant(end, &constant))
@@ -41,7 +42,7 @@ static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_fir
            (end->type->size == counter->size || (counter->is_signed && !is_first));
 }
 
-/* Its counter has the type of the rows', so that both count the same numbers. */
+/* Both counters have one type, so that both count the same numbers. */
 static bool recognise(const loop_analysis *j, ir_node *loop, triangle *it) {
     const ir_variable *row = j->counted.counter;
     const counted_result result = counted_recognise_beside(loop);

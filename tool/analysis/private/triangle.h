@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Inner loops over a triangle: the numbers of their turns in all iterations are known before. */
+/** Inner loops over a triangle: the number of turns in each iteration is known before the loop. */
 #ifndef ANALYSIS_TRIANGLE_H
 #define ANALYSIS_TRIANGLE_H
 

@@ -34,7 +34,7 @@ static bool reduces_scalar(const search *s, const openmp_item *item) {
     return variable && variable->type->kind != IR_ARRAY;
 }
 
-/* The compiled OpenMP directives above the loop; `unread`: one of them is not plain text. */
+/* The compiled OpenMP directives above the loop; *unread: one of them is not plain text. */
 static unsigned directives_above(const search *s, const ir_directive **last, bool *unread) {
     const ir_unit *unit = s->an->unit;
     unsigned count = 0;
@@ -50,7 +50,8 @@ static unsigned directives_above(const search *s, const ir_directive **last, boo
     return count;
 }
 
-/* Does its text reduce something? Of directives that are not understood more is not known. */
+/* Does its text reduce something? For a directive that is not understood, only its text can be
+ * searched. */
 static bool may_reduce(const openmp_directive *read, const ir_directive *d) {
     return read->kept && strstr(d->text, "reduction") != NULL;
 }
@@ -91,7 +92,7 @@ static void read_items(search *s, fixed_blocks *blocks) {
 
 /* ---- the loop ------------------------------------------------------------------------------ */
 
-/* Behind the bracket that closes the header's first; 0: it is not written as one. */
+/* The position after the bracket that closes the loop's header; 0: the header is not plain text. */
 static uint32_t header_end(const source *text, const ir_node *loop) {
     uint32_t at = loop->range.begin;
     if (strncmp(text->text + at, "for", 3) != 0 || source_is_name_byte(text->text[at + 3]))
@@ -137,7 +138,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     return found.loop;
 }
 
-/* A jump by which another thread's iterations would be left out. */
+/* A jump that would leave out iterations of other threads. */
 static bool has_directive_named(const search *s, const char *word) {
     const ir_unit *unit = s->an->unit;
     for (unsigned i = loop_text_first_directive(unit, s->loop->range.begin);
@@ -194,7 +195,7 @@ static void check_body(search *s, const fixed_blocks *blocks) {
         obstacle(s, "%s", "the function, which is not understood");
 }
 
-/* Does a private copy of it replace the loop's own in the header? */
+/* Sets keeps_counter: does a clause name the counter, which is declared outside of the loop? */
 static void check_names(search *s, fixed_blocks *blocks, const counted_loop *counted) {
     const openmp_directive *read = &blocks->directive;
     for (unsigned i = 0; i < read->item_count; i++)

@@ -27,8 +27,7 @@ static bool is_step_up(const ir_node *node, const ir_node *target) {
 
 static int64_t highest_of(const ir_type *type) {
     const int64_t bits = 8 * type->size - type->is_signed;
-    return bits < 63 ? ((int64_t)1 << bits) - 1
-                     : INT64_MAX; /* of facts that a constant gives here */
+    return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is above it */
 }
 
 /* Both operands are compared as the numbers that they are. */

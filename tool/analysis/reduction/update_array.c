@@ -206,8 +206,8 @@ static bool writes_any_of(const ir_node *block, const ir_node *index) {
     return false;
 }
 
-/* The pointer is made in a block around the statement, before it, and nothing in that block writes
- * what it is made of. */
+/* Is the pointer computed in a block around the statement, before it, and does nothing in that
+ * block write its operands? */
 static bool is_made_before(const loop_analysis *j, const ir_node *element,
                            const ir_node *statement) {
     const ir_node *made = element;
@@ -219,7 +219,7 @@ static bool is_made_before(const loop_analysis *j, const ir_node *element,
            !writes_any_of(block, element->children[1]);
 }
 
-/* b[k] of p = &b[k], NULL: it is nothing of that kind. */
+/* For an update through p = &b[k]: b[k]; NULL: it has another form. */
 static const ir_node *element_of_pointer(const loop_analysis *j, const loop_access *update,
                                          const ir_node *statement) {
     if (!update_is_by_local_pointer(j, update) || !stays(j, update->where.base))
@@ -237,7 +237,7 @@ static const ir_node *element_of_pointer(const loop_analysis *j, const loop_acce
                : NULL;
 }
 
-/* `p->x`, with the element that p points to. */
+/* `p->x` spelled by the element that p points to: b[k].x. */
 static const ir_node *spelled_by_element(const loop_analysis *j, const ir_node *target,
                                          const ir_node *element) {
     const ir_variable *pointer = ir_root_variable(target);

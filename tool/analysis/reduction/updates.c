@@ -229,7 +229,7 @@ static update_kind kind_of_update(const loop_analysis *j, const loop_access *upd
 static bool check_update(loop_analysis *j, loop_access *update) {
     const ir_node *statement;
     unsigned number;
-    const ir_node *target = update->access.lvalue; /* without steps in it */
+    const ir_node *target = update->access.lvalue; /* v in place of each v++ */
     const char *name = analysis_name(j, target);
     if (update->where.base &&
         (is_inside_node(target, update->where.base) || update_is_by_local_pointer(j, update)))

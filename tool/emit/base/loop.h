@@ -39,8 +39,9 @@ typedef struct outline_text {
     const char *text;                   /* of both, and of each thread's last
                                          * statements */
     const char *slice_call, *body_call; /* for iteration redcc__k */
-    const char *reads_call; /* in place of the slice while iterations are pushed; or NULL */
-    const char *tile_call;  /* for those of its turns in a tile; or NULL */
+    const char *reads_call; /* replaces the slice while records are appended; NULL: the slice
+                             * serves */
+    const char *tile_call;  /* for the iteration's turns in a tile; or NULL */
     const char *body_parameters, *body_arguments; /* ", ..." without the counter */
 } outline_text;
 

@@ -23,7 +23,7 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
                         (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
-/** The turns of the first iteration, perhaps less than none. */
+/** The number of turns of the first iteration; may be negative, which means none. */
 static const char *turns_text(loop_text *loop, const private_variable *item) {
     const triangle *turns = &item->turns;
     const char *end = loop_operand(loop, turns->end);
@@ -33,7 +33,7 @@ static const char *turns_text(loop_text *loop, const private_variable *item) {
                : arena_format(loop->arena, "(redcc_int)%s - redcc__lower + %lld", end, offset);
 }
 
-/** The number of steps before an iteration. */
+/** How many steps precede an iteration. */
 static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
                               const char *iteration) {
     if (!item->turns.loop)

@@ -328,7 +328,7 @@ static const char *name_in_span(const ir_node *node, void *context) {
                : NULL;
 }
 
-/** Of a variable in the context, by value (bins_span.c). */
+/** Declares a copy of a variable of the context, for an apply function. */
 static const char *taken_declaration(loop_text *loop, const ir_variable *variable) {
     const char *name = origin_declarator(loop->arena, variable);
     return variable->type->kind == IR_ARRAY

@@ -5,18 +5,19 @@
 
 #include "emit/base/loop.h"
 
-/** The text before an update whose element has this address; `name` spells variables; */
+/** The text before an update whose element has this address; `name` spells variables. */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name);
-/** the text before a loop over constants, to append its operands; NULL: none. */
+/** The text before a loop over constants that appends its operands; NULL: none. */
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
 /** Do apply functions use the context, which then precedes them? */
 bool bins_have_spans(const loop_text *loop);
-/** Writes the apply functions; the streams, and their number; the arguments of
- *  REDCC_PARALLEL_BINNED for them. */
+/** Writes the apply functions. */
 void write_bins(loop_text *loop, writer *out);
+/** Writes the streams; their number follows. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
+/** The arguments of REDCC_PARALLEL_BINNED for the streams. */
 const char *bins_phase(loop_text *loop);
 const char *streams_argument(loop_text *loop);
 

@@ -426,7 +426,7 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
     return reads_below(facts->counted.body, variable, body_increment(facts));
 }
 
-/** For spelling an own element itself. */
+/** Spells the address of an own element: here its name is not replaced by that of the variable. */
 static const char *element_name(const ir_node *node, void *context) {
     const loop_text *loop = context;
     const int array = loop_array_of_base(loop->facts, node);

@@ -57,7 +57,7 @@ void print_instead(body_copy *copy, const ir_node *statement) {
     const ir_node *whole = syntax_editable_statement(statement, body);
     if (!whole)
         loop_obstacle(copy->loop, statement->range,
-                      "one macro call stands for several statements of the body");
+                      "one macro call expands to several statements of the body");
     else if (!is_printed(copy, whole))
         VECTOR_PUSH(copy->loop->arena, &copy->printed, whole);
 }

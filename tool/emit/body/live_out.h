@@ -5,19 +5,21 @@
 
 #include "emit/base/loop.h"
 
-/** For those that each iteration assigns: storage for the last values; */
+/** Variables that each iteration assigns. Declares storage for their last values. */
 void declare_live_outs(loop_text *loop, writer *out);
-/** stores by the last iteration; and copies to the variables. */
+/** In the last iteration: stores their values. */
 void note_live_outs(loop_text *loop, writer *out);
+/** After the loop: copies the values to the variables. */
 void take_live_outs(loop_text *loop, writer *out);
 
-/** For those that only some iterations assign: storage for the latest value of all threads, and for
- *  the iteration that assigned it; */
+/** Variables that only some iterations assign. Declares storage for the latest value of all
+ * threads, and for the iteration that assigned it. */
 void declare_conditional_live_outs(loop_text *loop, writer *out);
-/** records it after an assignment of private variable `number`; */
+/** After an assignment of private variable `number`: records value and iteration. */
 void write_note(loop_text *loop, writer *out, unsigned number);
-/** a thread's last statements; and copies to the variables. */
+/** At a thread's end: merges its values into the storage. */
 void write_last_notes(loop_text *loop, writer *out);
+/** After the loop: copies the values to the variables. */
 void take_conditional_live_outs(loop_text *loop, writer *out);
 
 #endif

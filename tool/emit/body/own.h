@@ -5,15 +5,15 @@
 
 #include "emit/base/loop.h"
 
-/** Of own element `number`'s kept value: the type, the name, and the number by which the runtime
- *  keeps it. */
+/** Type and name of own element `number`'s kept value, and the number by which the runtime keeps
+ * it. */
 const char *kept_own_type(const loop_text *loop, unsigned number);
 const char *kept_own_name(loop_text *loop, unsigned number);
 unsigned kept_own_number(const loop_text *loop, unsigned number);
 
-/** At the end of an iteration; */
+/** At the end of an iteration: keeps the values. */
 void keep_own(loop_text *loop, writer *out);
-/** and after the loop. */
+/** After the loop: stores the kept values. */
 void store_own(loop_text *loop, writer *out);
 
 #endif

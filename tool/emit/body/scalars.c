@@ -117,7 +117,8 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
                 type, type, value, number, made_text(loop, number, true));
 }
 
-/** Its value when an iteration begins, or when a tile goes on with one. */
+/** The initial value of redcc__so_far_N: neutral, or in a tile that continues an iteration what the
+ *  iteration has so far. */
 static const char *so_far_text(loop_text *loop, unsigned number) {
     const scalar_update *update = &loop->facts->scalars[number];
     const char *neutral = neutral_of(update);

@@ -55,7 +55,7 @@ static const char *copies(loop_text *loop, bool is_kept) {
     return buffer_take(loop->arena, &text);
 }
 
-/** Those without a value get one: compilers would warn of copies. */
+/** Initial values for variables that have none, because compilers would warn of copying them. */
 static const char *first_values(loop_text *loop) {
     buffer text = {0};
     for (unsigned i = 0; i < loop->tiles->kept_count; i++)

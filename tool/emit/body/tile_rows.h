@@ -15,7 +15,7 @@ void declare_tile_rows(loop_text *loop, writer *out);
 /** Their address, as the tile's function takes it. */
 extra_value tile_rows_value(loop_text *loop);
 
-/** Statements in front of the loop over columns, and behind it; "": none. */
+/** Statements before the loop over columns, and after it; "": none. */
 const char *take_tile_row(loop_text *loop);
 const char *keep_tile_row(loop_text *loop);
 

@@ -24,7 +24,7 @@ typedef struct vectoriser {
     lane_scope in; /* the code being written */
     loop_text *loop;
     lane_clone_list *clones;
-    writer *front; /* functions to be inserted before */
+    writer *front; /* vector forms of called functions, inserted before the current function */
     writer *out;
     unsigned depth;        /* of calls */
     bool *is_kept;         /* by variable: some lanes keep its old value */
@@ -46,15 +46,15 @@ typedef struct lane_words {
     const char *vector; /* the type of their vectors */
     const char *gather; /* makes a vector from a lane's text */
     const char *same;   /* makes a vector from a scalar */
-    const char *select; /* selects between two by a mask */
+    const char *select; /* selects between two vectors by a mask */
     const char *mask;   /* makes a mask from a comparison */
-    const char *of;     /* converts a vector of the others */
+    const char *of;     /* converts a vector of the other type */
     const char *scalar; /* the type of one */
 } lane_words;
 
 /** Those of a type that satisfies lane_is_real. */
 const lane_words *lane_words_of(const ir_type *type);
-/** The expression's value, computed in its own type, in that of `to`, as C converts it. */
+/** Converts a value, computed in the type `from`, to `to` as C does. */
 lane_value lane_convert(vectoriser *l, lane_value value, const ir_type *from, const ir_type *to);
 /** The value as a vector, even if all lanes are the same. */
 const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type);

@@ -29,7 +29,7 @@ const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
     return NULL;
 }
 
-/** The value in the first or last row of a span that a loop over constants has there. */
+/** The value of a counter of a loop over constants, in the first or last row of a span. */
 static const char *end_value(inspector *self, const ir_variable *counter) {
     const ir_node *loop = vector_loop_of(self->span, self->place, counter);
     const ir_variable *stepped;
@@ -86,7 +86,7 @@ static void remember(inspector *self, logged_row item) {
     self->recent_end = self->printer.out->out.length;
 }
 
-/** In the slice's names: its stored values are in variables. */
+/** The row as the slice spells it: stored values are in variables there. */
 const char *log_row_text(inspector *self, const ir_node *row) {
     const char *text = text_operand(self->loop->arena, row, inspector_note_variable, self);
     if (!text)
@@ -233,7 +233,7 @@ bool logged_is_update(const logged_row *item) {
     return item->source == SOURCE_NOT_LOGGED;
 }
 
-/** Of the updated array, or of the source. */
+/** The number of the updated array, or of the source. */
 unsigned logged_number(const logged_row *item) {
     return logged_is_update(item) ? item->array : (unsigned)item->source;
 }

@@ -25,11 +25,11 @@ typedef struct inspector {
     bool *source_logged;   /* by the facts' source */
     bool *is_mentioned;    /* by variable: named in the printed text */
     bool is_unconditional; /* the current code may be evaluated when the program does not */
-    unsigned loop_count;   /* around the current code, of a called function */
+    unsigned loop_count;   /* loops of a called function around the current code */
     const source_loop *loops;
-    const ir_node *span;  /* a loop, while the ends of its rows are spelled, */
-    const ir_node *place; /* of the one accessed here; NULL: not now */
-    bool is_at_last;      /* in the last of its iterations, not the first */
+    const ir_node *span;  /* the span whose first or last row is being spelled; NULL: none */
+    const ir_node *place; /* the place of that row's access */
+    bool is_at_last;      /* the last row, not the first */
     row_list recent;      /* logged since the slice's last other statement */
     size_t recent_end;    /* length of the text when the last of them was */
 } inspector;
@@ -58,9 +58,9 @@ const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
 /** The range from row number `row` of a list, from its first element on, whose address was saved,
  *  to this one. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter);
-/** Logs the address of an update, unless it was just logged; */
+/** Logs the address of an update, unless it was just logged. */
 void log_update(inspector *self, const reduction_update *update);
-/** and of a read, in the loops of a called function if it is there. */
+/** The same for a read, within the loops of a called function that contain it. */
 void log_read(inspector *self, const loop_source *read, int number);
 
 #endif

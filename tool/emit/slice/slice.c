@@ -34,8 +34,8 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
     return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
-/** If an iteration leaves the loop, nothing has been executed, and the original loop runs. Of a
- *  comparison in parentheses clang warns. */
+/** If an iteration leaves the loop, nothing has been executed, and the original loop runs. A
+ *  comparison gets no parentheses of its own, of which clang would warn. */
 static void write_exit(inspector *self, const loop_exit *exit) {
     const ir_node *condition = exit->rest->children[0];
     const char *operand = log_row_text(self, condition);
@@ -86,7 +86,8 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
-/** Accessed within the same loops over constants that step variables of the row. */
+/** Are both places within the same loops over constants, as far as these step variables of the
+ *  row? */
 static bool has_same_ends(const ir_node *row, const ir_node *span, const ir_node *place,
                           const ir_node *other) {
     if (row->kind == IR_VARIABLE &&
@@ -159,7 +160,7 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Do spans around it log all its rows? Its counter is not known behind it. */
+/** Do spans around it log all its rows? Its counter is unknown after it. */
 static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
     return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
@@ -206,7 +207,7 @@ static void step_to_last(inspector *self, const loop_span *span) {
 }
 
 /** From there to the final values of the loop's stepped variables, if they are used later. */
-static void step_behind(inspector *self, const loop_span *span) {
+static void step_past_end(inspector *self, const loop_span *span) {
     const long long step = (long long)span->counted.step;
     for (unsigned i = 0; i < span->stepped_count; i++)
         if (!ir_declarator_in(span->loop->children[0], span->stepped[i]))
@@ -245,7 +246,7 @@ static void log_at_once(printer *p, const ir_node *loop) {
             self->span = loop;
             log_up_to(self, &rows.items[i], i, span_stepped_in(span, rows.items[i].row));
         }
-    step_behind(self, span);
+    step_past_end(self, span);
 }
 
 /** Every access of the loop must be logged. */
@@ -280,7 +281,7 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
     return false;
 }
 
-/** For spelling an own element itself. */
+/** Spells the address of an own element, and records the variables in it. */
 static const char *note_element_variable(const ir_node *node, void *context) {
     inspector *self = context;
     if (node->kind == IR_VARIABLE)

@@ -9,9 +9,9 @@
  *  by its number, that they name. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
-/** In the inspector, the name of the counter number `depth` of a source's loops, */
+/** In the inspector, the name of the counter number `depth` of a source's loops. */
 const char *source_loop_counter(arena *a, unsigned depth);
-/** and the head of the loop, followed by a block: `if` if one iteration logs all of it. */
+/** The header of that loop, which precedes a block; an `if` if one iteration logs all rows. */
 const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
                                const char *counter, const char *bound, bool is_span);
 

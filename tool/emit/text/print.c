@@ -31,13 +31,8 @@ static bool declares_kept(const printer *p, const ir_node *declaration) {
     return false;
 }
 
-static bool assigns(const ir_node *node) {
-    if (expression_written(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (assigns(node->children[i]))
-            return true;
-    return false;
+static bool is_assignment(const ir_node *node) {
+    return expression_written(node);
 }
 
 static void print_declarator(printer *p, const ir_node *declarator) {
@@ -51,7 +46,7 @@ static void print_declarator(printer *p, const ir_node *declarator) {
     const ir_node *initialiser = ir_child(declarator, 0);
     if (initialiser) /* `w = e[k++]`: the slice may need it only for k */
         writer_line(p->out, "%s%s = %s;", text,
-                    assigns(initialiser) ? " __attribute__((__unused__))" : "",
+                    ir_any(initialiser, is_assignment) ? " __attribute__((__unused__))" : "",
                     print_expression(p, initialiser));
     else
         writer_line(p->out, "%s;", text);

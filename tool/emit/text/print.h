@@ -20,7 +20,7 @@ struct printer {
      *  initialisation, with the output of `print_at_once` as its body. */
     bool (*is_at_once)(const printer *p, const ir_node *loop);
     void (*print_at_once)(printer *p, const ir_node *loop);
-    /** The text before a `for`, with a blank behind it; may be NULL. */
+    /** The text before a `for`, with a blank after it; may be NULL. */
     const char *(*in_front_of_for)(const ir_node *loop);
     void (*at_end)(printer *p); /* before print_body closes the block; may be NULL */
     const char *problem;        /* the first part that cannot be printed, or NULL */

@@ -11,7 +11,7 @@
 
 enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
 
-/** What has been seen of a line of marked text. */
+/** The state after scanning a part of a line of marked text. */
 typedef struct line_scan {
     size_t columns;  /* without marks */
     size_t indent;   /* blanks that it begins with */
@@ -23,7 +23,7 @@ typedef struct line_scan {
     bool is_comment; /* that has begun */
 } line_scan;
 
-/** The end of the line. Are the user's bytes in it? */
+/** The end of the line; has_copy: it contains the user's bytes. */
 static const char *line_end(const char *at, const char *end, bool *has_copy) {
     *has_copy = false;
     while (at < end && *at != '\n') {
@@ -34,7 +34,7 @@ static const char *line_end(const char *at, const char *end, bool *has_copy) {
     return at;
 }
 
-/** Takes in a byte that was appended to `out`. */
+/** Updates the state for a byte that was appended to `out`. */
 static void scan_byte(line_scan *line, const buffer *out, char byte) {
     const char before = out->length > 1 ? out->data[out->length - 2] : ' ';
     line->columns++;
@@ -60,8 +60,8 @@ static void scan_byte(line_scan *line, const buffer *out, char byte) {
         line->comma = out->length - 1;
 }
 
-/** Puts a line end and an indentation in the place of the last blank that is far enough from the
- * beginning. */
+/** Replaces the last blank that is far enough from the beginning by a line end and an
+ *  indentation. */
 static void break_line(arena *scratch, line_scan *line, buffer *out) {
     const size_t at = line->comma ? line->comma : line->blank;
     const char *rest = arena_format(scratch, "%s", out->data + at + 1);
@@ -72,7 +72,7 @@ static void break_line(arena *scratch, line_scan *line, buffer *out) {
         buffer_byte(out, ' ');
         scan_byte(&next, out, ' ');
     }
-    next.indent = line->indent; /* of the lines that follow, the same */
+    next.indent = line->indent; /* all continuation lines are indented alike */
     for (const char *c = rest, *const end = rest + strlen(rest); c < end;) {
         const char *after = origin_skip(c, end);
         for (; c < after; c++)

@@ -58,7 +58,7 @@ void redcc_access_log_end(struct access_log *logged) {
     *logged = (struct access_log){0};
 }
 
-/* The list is full. */
+/* Is the list full? */
 static bool room_for_unit(struct access_log *logged, struct unit_list *list) {
     if (logged->failed || logged->too_much)
         return false;

@@ -97,8 +97,9 @@ void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, 
         }
 }
 
-/* Merges the edges of node `node` behind the `count` existing ones; place [nodes] is the position
- * of the edge to each node (below `count`: of another node). Returns the new number. */
+/* Merges the edges of node `node` and appends them to the `count` existing ones; place [nodes] is
+ * the position of the edge to each node (below `count`: of another node). Returns the new
+ * number. */
 static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, uint32_t end,
                             uint32_t count, uint32_t *place) {
     const uint32_t own = count;

@@ -11,8 +11,8 @@
 #include "plan/plan.h"
 #include "plan/tile_grid.h"
 
-/* How far each thread's band is, and the one before the first; how far the sums are: in cache lines
- * of their own. */
+/* Flags for the progress of each thread's band and of the band before the first, and for that of
+ * the sums: each in a separate cache line. */
 static uint32_t flags(uint32_t owners) {
     return TILE_FLAG_WORDS * (owners + 3);
 }

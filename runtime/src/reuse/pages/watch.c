@@ -62,7 +62,7 @@ static struct watched *place_for_one(void) {
 static bool begun(void) {
     if (redcc_pages_begun())
         return true;
-    for (int i = 0; i < WATCHED; i++) /* a parent's, in a child */
+    for (int i = 0; i < WATCHED; i++) /* in a child, the parent's ranges are not tracked */
         watched[i].version = 0;
     return redcc_pages_begin();
 }

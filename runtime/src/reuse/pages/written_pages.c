@@ -84,7 +84,7 @@ static bool take(struct opened *opened, int descriptor, int from) {
     return opened->descriptor >= 0 && look_at(opened);
 }
 
-static void give_up(struct opened *opened) {
+static void close_opened(struct opened *opened) {
     if (opened->descriptor >= 0 && is_ours(opened))
         redcc_system_close(opened->descriptor);
     opened->descriptor = -1;
@@ -191,32 +191,32 @@ static bool is_under_valgrind(void) {
     return preloaded && strstr(preloaded, "vgpreload_");
 }
 
-static bool hopeless; /* also for children */
+static bool is_unavailable; /* no attempt is made, in this process or its children */
 
 bool redcc_pages_begun(void) {
     return own_mark && *own_mark == 1;
 }
 
 bool redcc_pages_begin(void) {
-    if (hopeless)
+    if (is_unavailable)
         return false;
-    if (own_mark) { /* in a child: the parent's */
-        give_up(&faults);
-        give_up(&pagemap);
+    if (own_mark) { /* in a child: the parent's files are of no use */
+        close_opened(&faults);
+        close_opened(&pagemap);
     }
-    hopeless = is_under_valgrind() || redcc_is_confined() || redcc_has_accelerator() ||
-               !make_mark() || !open_both() || !try_out();
-    if (hopeless) {
-        give_up(&faults);
-        give_up(&pagemap);
+    is_unavailable = is_under_valgrind() || redcc_is_confined() || redcc_has_accelerator() ||
+                     !make_mark() || !open_both() || !try_out();
+    if (is_unavailable) {
+        close_opened(&faults);
+        close_opened(&pagemap);
     } else
         *own_mark = 1;
-    return !hopeless;
+    return !is_unavailable;
 }
 
 bool redcc_pages_protect(struct range pages) {
     if (!is_ours(&faults) || !is_ours(&pagemap)) {
-        hopeless = true;
+        is_unavailable = true;
         *own_mark = 0;
         return false;
     }

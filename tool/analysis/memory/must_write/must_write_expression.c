@@ -291,7 +291,7 @@ value run_evaluate(run *r, state *s, const ir_node *node) {
         evaluate_initialisers(r, s, node);
         return value_other;
     default:
-        return run_give_up(r, node, "something stands here that is not understood");
+        return run_give_up(r, node, "it contains a construct that is not understood");
     }
 }
 

@@ -17,7 +17,8 @@ static bool is_wide_integer(const ir_type *type) {
     return ir_type_never_wraps(type) && !type->is_volatile && !type->is_atomic;
 }
 
-/* For signed integers that are not narrowed in between: no sum wraps around. */
+/* The value as a variable plus a number. Only of signed integers without narrowing conversions, so
+ * that no sum wraps around. */
 static bool offset_of(const ir_node *node, offset_value *to) {
     int64_t number;
     if (!is_wide_integer(node->type))

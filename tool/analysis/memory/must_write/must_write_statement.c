@@ -212,7 +212,7 @@ static void execute_switch(run *r, state *s, const ir_node *node) {
     const ir_node *body = node->children[1];
     ir_walk((ir_node *)node, note_label, &labels);
     if (labels.is_nested) {
-        run_give_up(r, node, "a case label stands inside an inner statement");
+        run_give_up(r, node, "a case label is inside an inner statement");
         return;
     }
     run_evaluate(r, s, node->children[0]);
@@ -295,6 +295,6 @@ void run_execute(run *r, state *s, const ir_node *node) {
         if (ir_is_expression(node))
             run_discard(r, s, node);
         else
-            run_give_up(r, node, "something stands here that is not understood");
+            run_give_up(r, node, "it contains a construct that is not understood");
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Compensated sums: a plan's storage for the rounding errors of each element. */
-#ifndef REDCC_LOST_H
-#define REDCC_LOST_H
+#ifndef REDCC_ROUNDING_H
+#define REDCC_ROUNDING_H
 
 #include "redcc/runtime.h"
 
@@ -12,7 +12,7 @@
 struct plan;
 
 /** Rounding errors of a group's elements. */
-struct lost {
+struct rounding {
     double *value;    /* of each touched element; NULL: the group is not compensated */
     double *before;   /* of each element being updated: its previous value */
     size_t count;     /* of elements */
@@ -22,19 +22,19 @@ struct lost {
 };
 
 /** Bytes of an element. */
-static inline size_t redcc_lost_element(redcc_type type) {
+static inline size_t redcc_rounding_element(redcc_type type) {
     assert(type == REDCC_FLOAT || type == REDCC_DOUBLE);
     return type == REDCC_FLOAT ? sizeof(float) : sizeof(double);
 }
 
 /** Allocates the errors for the plan's groups that are sums of floats or doubles. False: no
  *  memory. */
-bool redcc_lost_new(struct plan *plan, const redcc_array *arrays);
+bool redcc_rounding_new(struct plan *plan, const redcc_array *arrays);
 
 /** Frees them. */
-void redcc_lost_free(struct plan *plan);
+void redcc_rounding_free(struct plan *plan);
 
 /** Bytes they take. */
-size_t redcc_lost_bytes(const struct plan *plan);
+size_t redcc_rounding_bytes(const struct plan *plan);
 
 #endif
