@@ -98,13 +98,24 @@ static void write_site(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
+/** Is its team that of a region around it? Then the parts are those of one thread, whose address
+ * the others get, and the thread that ends the last block combines them. */
+static bool is_of_team(const loop_text *loop) {
+    return blocks_of(loop)->directive.construct == OPENMP_FOR;
+}
+
 static void write_parts(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
+    const int most = blocks->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED;
     writer_line(out, "struct {");
     for (unsigned i = 0; i < blocks->scalar_count; i++)
         writer_line(out, "    __typeof__(%s) redcc__%u;", value_of(loop, i), i);
-    writer_line(out, "} redcc__parts[%d];",
-                blocks->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED);
+    if (!is_of_team(loop)) {
+        writer_line(out, "} redcc__parts[%d];", most);
+        return;
+    }
+    writer_line(out, "} redcc__own[%d], *redcc__parts;", most);
+    writer_line(out, "redcc_int redcc__ended = 0, *redcc__all_ended, redcc__mine = 0;");
 }
 
 /** The trip count, and the number of blocks. */
@@ -136,13 +147,22 @@ static void write_counts(loop_text *loop, writer *out) {
 /** The directive, of the blocks. */
 static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
-    buffer_text(&out->out, "#pragma omp parallel for schedule(");
-    buffer_text(&out->out, blocks->is_balanced ? "static)" : "dynamic)");
+    if (is_of_team(loop))
+        buffer_text(&out->out,
+                    "#pragma omp single copyprivate(redcc__parts, redcc__all_ended)\n"
+                    "    redcc__parts = redcc__own, redcc__all_ended = &redcc__ended;\n");
+    buffer_format(&out->out, "#pragma omp %s schedule(%s)",
+                  is_of_team(loop) ? "for nowait" : "parallel for",
+                  blocks->is_balanced ? "static" : "dynamic");
     for (unsigned i = 0; i < blocks->directive.item_count; i++) {
         const openmp_item *item = &blocks->directive.items[i];
         if (item->kind != OPENMP_REDUCTION && item->kind != OPENMP_SCHEDULE &&
-            item->kind != OPENMP_COLLAPSE_ONE)
+            item->kind != OPENMP_COLLAPSE_ONE && item->kind != OPENMP_NOWAIT)
             buffer_format(&out->out, " %s(%s)", item->word, item->text);
+    }
+    if (is_of_team(loop)) {
+        buffer_byte(&out->out, '\n');
+        return;
     }
     buffer_text(&out->out, " \\\n    shared(redcc__parts, redcc__lower, redcc__bound, redcc__trip, "
                            "redcc__blocks, redcc__in_order");
@@ -225,8 +245,12 @@ static void write_tail(loop_text *loop, writer *out, uint32_t end) {
     for (unsigned i = 0; i < blocks->scalar_count; i++)
         writer_line(out, "redcc__parts[redcc__block].redcc__%u = %s;", i, value_of(loop, i));
     out->depth = 1;
+    if (is_of_team(loop))
+        writer_line(out, "    redcc__mine++;");
     writer_line(out, "}");
     writer_line(out, "REDCC_QUIET_BEGIN");
+    if (is_of_team(loop))
+        writer_line(out, "if (REDCC_IS_LAST(redcc__all_ended, redcc__mine, redcc__blocks))");
     writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");
     for (unsigned i = 0; i < blocks->scalar_count; i++) {
         const char *part = arena_format(loop->arena, "redcc__parts[redcc__block].redcc__%u", i);
@@ -236,6 +260,8 @@ static void write_tail(loop_text *loop, writer *out, uint32_t end) {
                     combination(loop->arena, &blocks->scalars[i], sum, part));
     }
     writer_line(out, "}");
+    if (is_of_team(loop))
+        buffer_text(&out->out, "#pragma omp barrier\n");
     writer_line(out, "REDCC_QUIET_END");
     out->depth = 0;
     writer_line(out, "}");

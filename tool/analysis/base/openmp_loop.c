@@ -90,7 +90,7 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         const char *kept = read.kept ? read.kept : only_by_directive(a, &read);
         if (is_above)
             take_above(a, result, &read, d);
-        else if (read.construct <= OPENMP_FOR)
+        else if (read.construct <= OPENMP_PARALLEL)
             result->kept = with_text(a, "a region in the loop", d);
         result->has_locks |= !is_above;
         if (kept)

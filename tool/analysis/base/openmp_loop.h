@@ -22,6 +22,7 @@ typedef struct blocked_scalar {
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
 typedef struct fixed_blocks {
     ir_range header; /* `for ( ... )` */
+    const ir_variable *counter;
     unsigned scalar_count;
     const blocked_scalar *scalars;
     openmp_directive directive;

@@ -8,6 +8,7 @@
 #include "analysis/base/openmp_loop.h"
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
+#include "analysis/reduction/team_loop.h"
 #include "ir/ir_syntax.h"
 
 typedef struct search {
@@ -124,6 +125,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     const counted_result found = counted_recognise_analysed(s->loop);
     const counted_loop *counted = &found.loop;
+    blocks->counter = counted->counter;
     blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
     if (!found.is_counted || s->loop->kind != IR_FOR || counted->stride || counted->ahead ||
         counted->start_count > 0 || counted->bound_variable || counted->ends_below ||
@@ -184,7 +186,8 @@ static void check_body(search *s, const fixed_blocks *blocks) {
     if (text_pragma_macro(s->an->memory, unit, s->loop->range))
         obstacle(s, "%s", "a macro in the loop that may make a directive");
     if (blocks->is_balanced && has_explicit_schedule(blocks) &&
-        calls_named(s->loop, "omp_get_thread_num"))
+        calls_named(blocks->directive.construct == OPENMP_FOR ? s->function->body : s->loop,
+                    "omp_get_thread_num"))
         obstacle(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
     if (openmp_has_devices(unit))
         obstacle(s, "%s", "code for devices in the file");
@@ -235,11 +238,13 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
         s.why = unread ? "a directive that is not written as one" : blocks->directive.kept;
     else if (count > 1)
         s.why = "several directives above the loop";
-    else if (blocks->directive.construct != OPENMP_PARALLEL_FOR)
-        s.why = "the construct, which is no 'parallel for'";
+    else if (blocks->directive.construct > OPENMP_FOR)
+        s.why = "the construct, which is no 'parallel for' or 'for'";
     const counted_loop counted = check_header(&s, blocks);
     check_names(&s, blocks, &counted);
     check_body(&s, blocks);
+    if (!s.why && blocks->directive.construct == OPENMP_FOR)
+        s.why = team_loop_obstacle(an, function, loop, blocks);
     *verdict = (loop_verdict){.kind = s.why ? VERDICT_REFUSE : VERDICT_BLOCKS,
                               .loop = loop,
                               .function = function,
