@@ -39,6 +39,11 @@ void kept(int n) {
         for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
             sum += buffer[i % 100];
     }
+    of_file = sum;
+}
+
+void by_number(int n) {
+    double sum = 0;
 #pragma omp parallel
     {
         const int me = omp_get_thread_num();

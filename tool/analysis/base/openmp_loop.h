@@ -19,6 +19,12 @@ typedef struct blocked_scalar {
     const char *operator; /* of the clause */
 } blocked_scalar;
 
+/** What is known of the team of `omp for`: reduction/team_loop.h. */
+typedef struct team_facts {
+    bool shares_frame; /* a variable of the function's outermost block is one for all its threads */
+    bool may_be_early; /* threads may come to the loop while others are in one before it */
+} team_facts;
+
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
 typedef struct fixed_blocks {
     ir_range header; /* `for ( ... )` */
@@ -27,6 +33,7 @@ typedef struct fixed_blocks {
     const blocked_scalar *scalars;
     openmp_directive directive;
     bool keeps_counter; /* a clause names the counter: it says what becomes of it */
+    team_facts team;    /* of OPENMP_FOR */
     bool is_balanced;   /* iterations take the same time, according to `schedule` */
 } fixed_blocks;
 

@@ -244,7 +244,7 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
     check_names(&s, blocks, &counted);
     check_body(&s, blocks);
     if (!s.why && blocks->directive.construct == OPENMP_FOR)
-        s.why = team_loop_obstacle(an, function, loop, blocks);
+        s.why = team_of_loop(an, function, loop, blocks);
     *verdict = (loop_verdict){.kind = s.why ? VERDICT_REFUSE : VERDICT_BLOCKS,
                               .loop = loop,
                               .function = function,

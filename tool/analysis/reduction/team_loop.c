@@ -14,32 +14,35 @@ typedef struct team_loop {
     const fixed_blocks *blocks;
     const ir_node *region;  /* the statement below `parallel`; NULL: in a caller */
     openmp_directive above; /* `parallel` */
+    bool is_outermost;
 } team_loop;
 
 /* ---- the region ---------------------------------------------------------------------------- */
 
-/* The compiled directive `parallel` directly above the statement. */
-static const ir_directive *parallel_above(const ir_unit *unit, const ir_node *statement) {
+/* The last compiled OpenMP directive directly above the statement. */
+static const ir_directive *directive_above(const ir_unit *unit, const ir_node *statement) {
+    const ir_directive *last = NULL;
     for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, statement));
          i < unit->directive_count && unit->directives[i].range.begin < statement->range.begin;
          i++) {
         const ir_directive *d = &unit->directives[i];
-        if (!d->is_skipped && directive_is_openmp_pragma(d) && strstr(d->text, "parallel"))
-            return d;
+        if (!d->is_skipped && directive_is_openmp_pragma(d))
+            last = d;
     }
-    return NULL;
+    return last;
 }
 
+/* The innermost `parallel`, and whether it is the function's only directive around the loop. */
 static void find_region(team_loop *it) {
     const ir_unit *unit = it->an->unit;
     for (const ir_node *node = it->loop->parent; node && node != it->function->body;
          node = node->parent) {
-        const ir_directive *d = parallel_above(unit, node);
-        if (!d)
+        const ir_directive *d = directive_above(unit, node);
+        it->is_outermost &= !d || !it->region;
+        if (!d || it->region || !strstr(d->text, "parallel"))
             continue;
         it->region = node;
         it->above = openmp_read(it->an->memory, unit, d);
-        return;
     }
 }
 
@@ -98,28 +101,37 @@ static bool may_call_loops(const team_loop *it, const ir_node *node) {
     return false;
 }
 
-/* Is it the only loop that the region's team shares? */
-static bool is_alone(const team_loop *it) {
+/* Has a compiled directive of the region, other than the loop's, the word? */
+static bool region_says(const team_loop *it, const char *word) {
     const ir_unit *unit = it->an->unit;
     const uint32_t own = loop_text_begin(unit, it->loop);
-    if (!it->region || may_call_loops(it, it->region))
-        return false;
     for (unsigned i = loop_text_first_directive(unit, it->region->range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < it->region->range.end;
          i++) {
         const ir_directive *d = &unit->directives[i];
-        if (!d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && strstr(d->text, "for") &&
+        if (!d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && strstr(d->text, word) &&
             (d->range.begin < own || d->range.begin >= it->loop->range.begin))
-            return false;
+            return true;
     }
-    return !text_pragma_macro(it->an->memory, unit, it->region->range);
+    return text_pragma_macro(it->an->memory, unit, it->region->range) != NULL;
 }
 
-static bool has_static_schedule(const fixed_blocks *blocks) {
-    for (unsigned i = 0; i < blocks->directive.item_count; i++)
-        if (blocks->directive.items[i].kind == OPENMP_SCHEDULE)
-            return strstr(blocks->directive.items[i].text, "static") != NULL;
-    return false;
+/* Is it the only loop that the region's team shares? */
+static bool is_alone(const team_loop *it) {
+    return it->region && !may_call_loops(it, it->region) && !region_says(it, "for");
+}
+
+typedef enum schedule { SCHEDULE_NOT_GIVEN, SCHEDULE_STATIC, SCHEDULE_BY_TURNS } schedule;
+
+/* `runtime` may be any. */
+static schedule schedule_of(const fixed_blocks *blocks) {
+    for (unsigned i = 0; i < blocks->directive.item_count; i++) {
+        const openmp_item *item = &blocks->directive.items[i];
+        if (item->kind == OPENMP_SCHEDULE)
+            return strstr(item->text, "dynamic") || strstr(item->text, "guided") ? SCHEDULE_BY_TURNS
+                                                                                 : SCHEDULE_STATIC;
+    }
+    return SCHEDULE_NOT_GIVEN;
 }
 
 /* ---- the verdict --------------------------------------------------------------------------- */
@@ -133,9 +145,19 @@ static bool is_cancelled_somewhere(const ir_unit *unit) {
     return false;
 }
 
-const char *team_loop_obstacle(const analyser *an, const ir_function *function, const ir_node *loop,
-                               const fixed_blocks *blocks) {
-    team_loop it = {.an = an, .function = function, .loop = loop, .blocks = blocks};
+/* Are the function's variables shared by the region, without being named? */
+static bool shares_frame(const team_loop *it) {
+    for (unsigned i = 0; i < it->above.item_count; i++)
+        if (strcmp(it->above.items[i].word, "default") == 0 &&
+            !strstr(it->above.items[i].text, "shared"))
+            return false;
+    return it->region && it->is_outermost;
+}
+
+const char *team_of_loop(const analyser *an, const ir_function *function, const ir_node *loop,
+                         fixed_blocks *blocks) {
+    team_loop it = {
+        .an = an, .function = function, .loop = loop, .blocks = blocks, .is_outermost = true};
     find_region(&it);
     if (it.above.kept)
         return arena_format(an->memory, "its region has %s", it.above.kept);
@@ -145,8 +167,12 @@ const char *team_loop_obstacle(const analyser *an, const ir_function *function, 
         if (is_private(&it, blocks->scalars[i].variable))
             return arena_format(an->memory, "'%s' is not shared by the team",
                                 blocks->scalars[i].variable->name);
-    const char *own =
-        has_static_schedule(blocks) && !is_alone(&it) ? kept_by_thread(&it, loop) : NULL;
+    blocks->team.shares_frame = shares_frame(&it);
+    const schedule given = schedule_of(blocks);
+    blocks->team.may_be_early =
+        given != SCHEDULE_BY_TURNS &&
+        (!it.region || may_call_loops(&it, it.region) || region_says(&it, "nowait"));
+    const char *own = given == SCHEDULE_STATIC && !is_alone(&it) ? kept_by_thread(&it, loop) : NULL;
     return own ? arena_format(an->memory,
                               "by 'schedule(static)' each thread may keep values of its "
                               "iterations in '%s' for another loop",

@@ -13,8 +13,8 @@
 #include "analysis/base/openmp_loop.h"
 #include "analysis/loop/loop_analysis.h"
 
-/** The reason why its directive stays as it is; NULL: there is none. */
-const char *team_loop_obstacle(const analyser *an, const ir_function *function, const ir_node *loop,
-                               const fixed_blocks *blocks);
+/** The reason why its directive stays as it is; NULL: there is none, and blocks->team is set. */
+const char *team_of_loop(const analyser *an, const ir_function *function, const ir_node *loop,
+                         fixed_blocks *blocks);
 
 #endif
