@@ -15,14 +15,19 @@ static int s[N];
 static double w[N], h[M];
 static pthread_key_t key;
 
-static void leave_slowly(void *unused) {
-    (void)unused;
-    nanosleep(&(struct timespec){0, 30000000}, 0);
+static void leave_slowly(void *how) {
+    nanosleep(how, 0);
 }
 
-static void come(void) {
+static void come(struct timespec *how) {
 #pragma omp parallel num_threads(MORE)
-    pthread_setspecific(key, &key);
+    pthread_setspecific(key, how);
+}
+
+/* Those that a region without loops of ours dismisses are known to nobody. */
+static void go(void) {
+#pragma omp parallel num_threads(2)
+    pthread_setspecific(key, 0);
 }
 
 static void add(int n) {
@@ -39,7 +44,10 @@ int main(void) {
     case_subscripts(s, N, M);
     case_values(w, N);
     for (int round = 0; round < 4; round++) {
-        come();
+        static struct timespec slow = {0, 30000000}, slower = {0, 60000000};
+        come(round < 3 ? &slow : &slower);
+        if (round == 3)
+            go();
         add(N - round);
         CASE_PRINT(h);
     }

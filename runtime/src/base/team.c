@@ -344,13 +344,14 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* The same as count_others, when those that are leaving have left. */
-static int count_others_that_stay(void) {
+/* The same as count_others, when those that are leaving have left: members, which are known, and
+ * for `patience` seconds any others. */
+static int count_others_that_stay(double patience) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
-    const double deadline = redcc_seconds() + 1;
+    const double begin = redcc_seconds(), deadline = begin + 1;
     for (int wait = 0;; wait++) {
-        const bool may_change = is_one_leaving();
+        const bool may_change = is_one_leaving() || redcc_seconds() < begin + patience;
         const int others = count_others();
         if (others <= 0 || !may_change || redcc_seconds() > deadline)
             return others;
@@ -369,6 +370,16 @@ static void note_all(int others) {
     redcc_region_run(may_be_more && all > usual ? all : usual, be_noted, NULL);
 }
 
+/* The same. Threads that a region dismissed before they were noted look like any others. They are
+ * waited for, but in all executions together no longer than 0.5 seconds. */
+static int count_others_patiently(void) {
+    static double patience = 0.5;
+    const double begin = redcc_seconds();
+    const int others = count_others_that_stay(patience < 0.25 ? patience : 0.25);
+    patience -= redcc_seconds() - begin;
+    return others;
+}
+
 bool redcc_team_is_alone(void) {
     static int seen; /* so many others there were after a region: it is of no use again */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
@@ -376,11 +387,11 @@ bool redcc_team_is_alone(void) {
     (void)redcc_is_forked(); /* members are this process's */
     int others = count_others();
     if (others > 0 && others != seen)
-        others = count_others_that_stay();
+        others = count_others_that_stay(0);
     if (others <= 0 || others == seen)
         return others == 0;
     note_all(others);
-    seen = count_others_that_stay();
+    seen = count_others_patiently();
     return seen == 0;
 }
 
