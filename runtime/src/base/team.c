@@ -345,13 +345,13 @@ static bool is_one_leaving(void) {
 }
 
 /* The same as count_others, when those that are leaving have left: members, which are known, and
- * for `patience` seconds any others. */
-static int count_others_that_stay(double patience) {
+ * for `longest` seconds any others. */
+static int count_others_that_stay(double longest) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
     const double begin = redcc_seconds(), deadline = begin + 1;
     for (int wait = 0;; wait++) {
-        const bool may_change = is_one_leaving() || redcc_seconds() < begin + patience;
+        const bool may_change = is_one_leaving() || redcc_seconds() < begin + longest;
         const int others = count_others();
         if (others <= 0 || !may_change || redcc_seconds() > deadline)
             return others;
@@ -372,11 +372,11 @@ static void note_all(int others) {
 
 /* The same. Threads that a region dismissed before they were noted look like any others. They are
  * waited for, but in all executions together no longer than 0.5 seconds. */
-static int count_others_patiently(void) {
-    static double patience = 0.5;
+static int count_others_at_last(void) {
+    static double remaining = 0.5;
     const double begin = redcc_seconds();
-    const int others = count_others_that_stay(patience < 0.25 ? patience : 0.25);
-    patience -= redcc_seconds() - begin;
+    const int others = count_others_that_stay(remaining < 0.25 ? remaining : 0.25);
+    remaining -= redcc_seconds() - begin;
     return others;
 }
 
@@ -391,7 +391,7 @@ bool redcc_team_is_alone(void) {
     if (others <= 0 || others == seen)
         return others == 0;
     note_all(others);
-    seen = count_others_patiently();
+    seen = count_others_at_last();
     return seen == 0;
 }
 

@@ -43,9 +43,10 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
 /** Does the file have code that devices execute as well? It cannot use the runtime. */
 bool openmp_has_devices(const ir_unit *unit);
 
-/** Is a `parallel for` above this loop omitted that makes the variable private to the threads, so
- *  that it keeps its value from before the loop? For the counter this needs no clause. */
-bool openmp_keeps_value(arena *a, const ir_unit *unit, const ir_node *loop,
+/** Is a `parallel for` above this loop, with these directives, omitted that makes the variable
+ *  private to the threads, so that it keeps its value from before the loop? For the counter this
+ *  needs no clause. */
+bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable);
 
 /** The variable called `name` in the loop's scope, or NULL. */
