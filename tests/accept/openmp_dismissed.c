@@ -15,19 +15,14 @@ static int s[N];
 static double w[N], h[M];
 static pthread_key_t key;
 
-static void leave_slowly(void *how) {
-    nanosleep(how, 0);
+static void leave_slowly(void *unused) {
+    (void)unused;
+    nanosleep(&(struct timespec){0, 30000000}, 0);
 }
 
-static void come(struct timespec *how) {
-#pragma omp parallel num_threads(MORE)
-    pthread_setspecific(key, how);
-}
-
-/* Those that a region without loops of ours dismisses are known to nobody. */
-static void go(void) {
-#pragma omp parallel num_threads(2)
-    pthread_setspecific(key, 0);
+static void come(int threads) {
+#pragma omp parallel num_threads(threads)
+    pthread_setspecific(key, &key);
 }
 
 static void add(int n) {
@@ -44,10 +39,9 @@ int main(void) {
     case_subscripts(s, N, M);
     case_values(w, N);
     for (int round = 0; round < 4; round++) {
-        static struct timespec slow = {0, 30000000}, slower = {0, 60000000};
-        come(round < 3 ? &slow : &slower);
-        if (round == 3)
-            go();
+        come(MORE);
+        if (round % 2 == 0) /* dismissed before any loop knows of them */
+            come(2);
         add(N - round);
         CASE_PRINT(h);
     }

@@ -98,8 +98,9 @@ static void operators(int n) {
     int all = 1, any = 0;
     bool is_any = false;
     signed char low = 100;
+    int above = N;
     real single = 0.5f;
-#pragma omp parallel for reduction(min : least, low) reduction(max : most) reduction(* : times) \
+#pragma omp parallel for reduction(min : least, low, above) reduction(max : most) reduction(* : times) \
     reduction(- : count) reduction(| : bits) reduction(& : common) reduction(^ : odd) \
     reduction(&& : all) reduction(|| : any, is_any) reduction(+ : single) /* in three lines */
     for (int i = 0; i < n; i++) { // EXPECT: transformed
@@ -115,6 +116,7 @@ static void operators(int n) {
         any = any || k[i] == 3;
         is_any = is_any || k[i] > N;
         low = (signed char)(k[i] - 50 < low ? k[i] % 50 - 50 : low);
+        above = k[i] + 7 < above ? k[i] + 7 : above;
         single += (real)w[i];
     }
     case_print("least", &least, sizeof least);
@@ -128,6 +130,7 @@ static void operators(int n) {
     case_print("any", &any, sizeof any);
     case_print("is_any", &is_any, sizeof is_any);
     case_print("low", &low, sizeof low);
+    case_print("above", &above, sizeof above);
     case_print("single", &single, sizeof single);
 }
 
@@ -158,6 +161,9 @@ static int counters(int n) {
 #pragma omp parallel for reduction(+ : sum)
     for (long from = n; from < 4; from++) // EXPECT: transformed
         sum += 1e9;
+#pragma omp parallel for reduction(+ : sum)
+    for (int once = n; once <= n; once++) // EXPECT: transformed
+        sum += 3;
     case_print("sum", &sum, sizeof sum);
     case_print("last", &last, sizeof last);
     case_print("outside", &outside, sizeof outside);

@@ -23,7 +23,7 @@ apt purge redcc libredcc-rt1 libredcc-rt-dev
 apt install /source/redcc_*.deb /source/libredcc-rt1_*.deb /source/libredcc-rt-dev_*.deb /source/redcc-examples_*.deb
 apt install --no-install-recommends make cmake pkg-config jq man-db bash-completion clang-19 libomp-19-dev
 as_user bash "$here/use.sh" project
-as_user env PREFIX=/usr BLOCKS=21 DOCUMENT=/source/redcc/docs/tutorial.md bash "$here/../driver/document.sh"
+as_user env PREFIX=/usr DOCUMENT=/source/redcc/docs/tutorial.md bash "$here/../driver/document.sh"
 apt install --reinstall /source/redcc_*.deb
 
 echo "packages: removed"

@@ -7,6 +7,7 @@
 static double w[1000], h[10];
 static int last_of_file;
 int omp_get_thread_num(void);
+double of_another_file(int i);
 #pragma omp threadprivate(last_of_file)
 
 double by_region(int n) {
@@ -44,6 +45,11 @@ double clauses(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse existing-openmp
         sum += w[i];
         h[0] += sum;
+    }
+#pragma omp parallel for reduction(+ : sum, h[ : 10])
+    for (int i = 0; i < n; i++) { // EXPECT: refuse impure-call
+        sum += w[i];
+        h[i % 10] += of_another_file(i);
     }
 #pragma omp parallel for SUM
     for (int i = 0; i < n; i++) // EXPECT: nothing

@@ -344,16 +344,16 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* The same as count_others, when those that are leaving have left: members, which are known, and
- * for `longest` seconds any others. */
-static int count_others_that_stay(double longest) {
+/* The same as count_others, after waiting for members that are leaving, and `seconds` for others:
+ * threads that OpenMP made for the program's regions alone may be leaving, too. */
+static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
-    const double begin = redcc_seconds(), deadline = begin + 1;
+    const double begin = redcc_seconds();
     for (int wait = 0;; wait++) {
-        const bool may_change = is_one_leaving() || redcc_seconds() < begin + longest;
+        const bool may_change = is_one_leaving();
         const int others = count_others();
-        if (others <= 0 || !may_change || redcc_seconds() > deadline)
+        if (others <= 0 || redcc_seconds() - begin > (may_change ? 1 : seconds))
             return others;
         if (wait < MOST_YIELDS)
             redcc_system_yield();
@@ -370,18 +370,9 @@ static void note_all(int others) {
     redcc_region_run(may_be_more && all > usual ? all : usual, be_noted, NULL);
 }
 
-/* The same. Threads that a region dismissed before they were noted look like any others. They are
- * waited for, but in all executions together no longer than 0.5 seconds. */
-static int count_others_at_last(void) {
-    static double remaining = 0.5;
-    const double begin = redcc_seconds();
-    const int others = count_others_that_stay(remaining < 0.25 ? remaining : 0.25);
-    remaining -= redcc_seconds() - begin;
-    return others;
-}
-
 bool redcc_team_is_alone(void) {
     static int seen; /* so many others there were after a region: it is of no use again */
+    static double longest_wait = 0.25; /* halved after each time it was of no use */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
@@ -391,7 +382,9 @@ bool redcc_team_is_alone(void) {
     if (others <= 0 || others == seen)
         return others == 0;
     note_all(others);
-    seen = count_others_at_last();
+    seen = count_others_that_stay(longest_wait);
+    if (seen > 0)
+        longest_wait /= 2;
     return seen == 0;
 }
 
