@@ -54,6 +54,20 @@ void by_number(int n) {
     of_file = sum;
 }
 
+/* the number is known from another region */
+void by_known_number(int n) {
+    double sum = 0;
+#pragma omp parallel
+    {
+        double mine[1000];
+#pragma omp for schedule(static, 5) reduction(+ : sum)
+        for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+            sum += mine[i] = w[i];
+        q[(int)of_thread] = mine[5 * (int)of_thread];
+    }
+    of_file = sum;
+}
+
 void orphan(int n, const double *x) {
 #pragma omp for schedule(static) reduction(+ : of_file)
     for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp

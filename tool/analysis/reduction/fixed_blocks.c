@@ -178,6 +178,21 @@ static bool has_explicit_schedule(const fixed_blocks *blocks) {
     return false;
 }
 
+/* Does a group of conditional directives hold the function's beginning, but not the loop? In
+ * another compilation the function may begin otherwise, with other types. */
+static bool begins_under_condition(const search *s) {
+    const ir_unit *unit = s->an->unit;
+    int depth = 0;
+    for (unsigned i = loop_text_first_directive(unit, s->function->range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < s->loop->range.begin; i++) {
+        depth += unit->directives[i].kind == IR_DIRECTIVE_IF;
+        depth -= unit->directives[i].kind == IR_DIRECTIVE_ENDIF;
+        if (depth < 0)
+            return true;
+    }
+    return false;
+}
+
 static void check_body(search *s, const fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     if (has_directive_named(s, "cancel") || has_directive_named(s, "ordered") ||
@@ -189,6 +204,8 @@ static void check_body(search *s, const fixed_blocks *blocks) {
         calls_named(blocks->directive.construct == OPENMP_FOR ? s->function->body : s->loop,
                     "omp_get_thread_num"))
         obstacle(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
+    if (begins_under_condition(s))
+        obstacle(s, "'%s' has several beginnings", s->function->name);
     if (openmp_has_devices(unit))
         obstacle(s, "%s", "code for devices in the file");
     if (is_shared_inline(s->function, unit->source))

@@ -88,12 +88,15 @@ static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     return found;
 }
 
-/* Does it use a function, outside of the loop, that may distribute iterations as well? */
+/* Does it use a function, outside of the loop, that may distribute iterations as well? Or something
+ * by which a thread may know its number? */
 static bool may_call_loops(const team_loop *it, const ir_node *node) {
     if (node == it->loop)
         return false;
     if (node->kind == IR_FUNCTION && strncmp(node->function->name, "omp_", 4) != 0 &&
         !library_find(it->an->unit, node->function))
+        return true;
+    if (node->kind == IR_VARIABLE && node->variable->storage == IR_THREAD_LOCAL)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (may_call_loops(it, node->children[i]))
