@@ -67,6 +67,17 @@ static void with_clauses(void) {
         at = t;
 } // BINNED: 61
 
+/* It would be each thread's own. */
+static double factor[2] = {2, 3};
+#pragma omp threadprivate(factor)
+static double c[M];
+
+static void by_factor(void) {
+    for (int t = 0; t < N; t++) // EXPECT: transformed
+        c[s[t]] += w[t] * factor[t & 1];
+    factor[0]++;
+}
+
 int main(void) {
     case_values(w, N);
     case_subscripts(s, N, M);
@@ -76,11 +87,13 @@ int main(void) {
         chosen();
         in_a_region();
         with_clauses();
+        by_factor();
     }
     CASE_PRINT(h);
     CASE_PRINT(g);
     CASE_PRINT(f);
     CASE_PRINT(e);
     CASE_PRINT(d);
+    CASE_PRINT(c);
     return 0;
 }

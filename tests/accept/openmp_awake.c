@@ -66,6 +66,17 @@ static void with_clauses(void) {
         at = t;
 }
 
+/* It is each thread's own. */
+static int factor[2] = {2, 3};
+#pragma omp threadprivate(factor)
+static int c[M];
+
+static void by_factor(void) {
+    for (int t = 0; t < N; t++) // EXPECT: transformed
+        c[s[t]] += w[t] * factor[t & 1];
+    factor[0]++;
+}
+
 int main(void) {
     case_subscripts(w, N, 1000);
     case_subscripts(s, N, M);
@@ -75,11 +86,13 @@ int main(void) {
         chosen();
         in_a_region();
         with_clauses();
+        by_factor();
     }
     CASE_PRINT(h);
     CASE_PRINT(g);
     CASE_PRINT(f);
     CASE_PRINT(e);
     CASE_PRINT(d);
+    CASE_PRINT(c);
     return 0;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Pragmas in a header of the program's own: each thread of the loop would see another array,
-// another function may run than the one that is seen here. covers: row 13 FLAGS: -w
+// another function may run than the one that is seen here. covers: row 13
+// FLAGS: -w -fopenmp
 #include "header_pragmas.h"
 
 double maybe_other(double x) {

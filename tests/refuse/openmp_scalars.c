@@ -112,3 +112,16 @@ inline double shared_inline(int n) {
         sum += w[i];
     return sum;
 }
+
+#ifndef TWICE
+double begun(int n) {
+    double sum = 0;
+#else
+double begun(long n) {
+    float sum = 1;
+#endif
+#pragma omp parallel for reduction(+ : sum)
+    for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+        sum += w[i] * 5;
+    return sum;
+}

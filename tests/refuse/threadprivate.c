@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Variables that a pragma makes thread-local: each thread of the loop would see its own.
 // covers: row 13
-// FLAGS: -w
+// FLAGS: -w -fopenmp
 static double of_thread;
 #pragma omp threadprivate(of_thread)
 

@@ -131,7 +131,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->loop = j->loop;
     facts->function = j->function;
     facts->counted = j->counted;
-    facts->variables.openmp = openmp_of_loop(j->an->memory, j->an->unit, j->loop);
+    facts->variables.openmp = j->an->openmp;
     finish_arrays(j, facts);
     if (j->why.id != REASON_NONE)
         return facts;
@@ -189,7 +189,7 @@ static header_result check_header(const loop_analysis *j) {
         return (header_result){.why = analysis_reason(j, found.why, found.node, found.name)};
     header_result result = {.counted = found.loop};
     const ir_variable *bound = found.loop.bound_variable;
-    if (bound && variable_is_live_after(j->an->facts, j->loop, bound))
+    if (bound && variable_is_live_after(j->an->facts, j->an->openmp, j->loop, bound))
         result.why = analysis_reason(j, REASON_LAST_VALUE, j->loop->children[0], bound->name);
     return result;
 }
@@ -262,11 +262,12 @@ static bool add_slice(loop_analysis *j) {
     return goes_on(j, result.why);
 }
 
-/* Adds the properties of this loop, and the user's assertions about it. */
+/* Adds the properties of this loop, its OpenMP directives, and the user's assertions about it. */
 static analyser *analyser_for(const analyser *an, const ir_node *loop) {
     analyser *own = ARENA_NEW(an->memory, analyser);
     *own = *an;
     own->rules.loop = loop;
+    own->openmp = openmp_of_loop(an->memory, an->unit, loop);
     own->rules.assume_noalias |= pragma_above(an->pragmas, loop, PRAGMA_INDEPENDENT) != NULL;
     return own;
 }
@@ -383,17 +384,19 @@ static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
                           .facts = finish_facts(j)};
 }
 
-loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
+loop_verdict verdict_regular(const analyser *whole, ir_function *function, ir_node *loop,
                              const ir_node *update) {
     assert(ir_contains(loop, update));
+    const analyser *an = analyser_for(whole, loop);
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const array_list arrays = arrays_of_kind(&j, CONFLICT_REGULAR);
     const char *name = arrays.count ? arrays.items[0].array.name : "?";
     return refused(&j, analysis_reason(&j, REASON_REGULAR_NEST, update, name), CONFLICT_REGULAR);
 }
 
-loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
+loop_verdict verdict_ignored(const analyser *whole, ir_function *function, ir_node *loop,
                              const user_pragma *pragma) {
+    const analyser *an = analyser_for(whole, loop);
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const char *text = arena_format(an->memory, "redcc %s", pragma->text);
     return refused(&j, analysis_reason(&j, REASON_IGNORED, loop, text), CONFLICT_SHARED);

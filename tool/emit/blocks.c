@@ -7,6 +7,7 @@
 #include "analysis/base/openmp_loop.h"
 #include "emit/as_compiled.h"
 #include "emit/macro_names.h"
+#include "emit/team_parts.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
@@ -99,13 +100,24 @@ static void write_site(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
+/** Is its team that of a region around it? */
+static bool is_of_team(const loop_text *loop) {
+    return blocks_of(loop)->directive.construct == OPENMP_FOR;
+}
+
+static int most_blocks(const loop_text *loop) {
+    return blocks_of(loop)->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED;
+}
+
 static void write_parts(loop_text *loop, writer *out) {
-    const fixed_blocks *blocks = blocks_of(loop);
+    if (is_of_team(loop)) {
+        write_team_parts(loop, out, most_blocks(loop));
+        return;
+    }
     writer_line(out, "struct {");
-    for (unsigned i = 0; i < blocks->scalar_count; i++)
+    for (unsigned i = 0; i < blocks_of(loop)->scalar_count; i++)
         writer_line(out, "    __typeof__(%s) redcc__%u;", value_of(loop, i), i);
-    writer_line(out, "} redcc__parts[%d];",
-                blocks->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED);
+    writer_line(out, "} redcc__parts[%d];", most_blocks(loop));
 }
 
 /** The trip count, and the number of blocks. */
@@ -129,21 +141,27 @@ static void write_counts(loop_text *loop, writer *out) {
         writer_line(out, "const int redcc__in_order = REDCC_IN_ORDER(redcc__site);");
     writer_line(out, "const redcc_int redcc__blocks = redcc__in_order ? redcc__trip > 0");
     writer_line(out, "    : REDCC_BLOCKS_%s(redcc__trip, %d);",
-                loop->facts->has_short_iterations ? "SHORT" : "LONG",
-                blocks_of(loop)->is_balanced ? MOST_BLOCKS : MOST_BLOCKS_UNBALANCED);
+                loop->facts->has_short_iterations ? "SHORT" : "LONG", most_blocks(loop));
     writer_line(out, "redcc_int redcc__block;");
 }
 
 /** The directive, of the blocks. */
 static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
-    buffer_text(&out->out, "#pragma omp parallel for schedule(");
-    buffer_text(&out->out, blocks->is_balanced ? "static)" : "dynamic)");
+    if (is_of_team(loop))
+        write_team_begin(loop, out);
+    buffer_format(&out->out, "#pragma omp %s schedule(%s)",
+                  is_of_team(loop) ? "for nowait" : "parallel for",
+                  blocks->is_balanced ? "static" : "dynamic");
     for (unsigned i = 0; i < blocks->directive.item_count; i++) {
         const openmp_item *item = &blocks->directive.items[i];
         if (item->kind != OPENMP_REDUCTION && item->kind != OPENMP_SCHEDULE &&
-            item->kind != OPENMP_COLLAPSE_ONE)
+            item->kind != OPENMP_COLLAPSE_ONE && item->kind != OPENMP_NOWAIT)
             buffer_format(&out->out, " %s(%s)", item->word, item->text);
+    }
+    if (is_of_team(loop)) {
+        buffer_byte(&out->out, '\n');
+        return;
     }
     buffer_text(&out->out, " \\\n    shared(redcc__parts, redcc__lower, redcc__bound, redcc__trip, "
                            "redcc__blocks, redcc__in_order");
@@ -167,12 +185,12 @@ static void write_block(loop_text *loop, writer *out) {
     writer_line(out, "        : (%s)REDCC_BLOCK_BEGIN(redcc__block + 1, %lld, %d);", type,
                 (long long)counted->step, is_inclusive(counted));
     for (unsigned i = 0; i < blocks->scalar_count; i++) {
-        writer_line(out, "__typeof__(redcc__parts[0].redcc__%u) redcc__%u =", i, i);
+        writer_line(out, "__typeof__(%s) redcc__%u =", value_of(loop, i), i);
         writer_line(out, "    redcc__in_order ? %s : (%s);", value_of(loop, i),
                     neutral_value(loop->arena, &blocks->scalars[i]));
     }
     for (unsigned i = 0; i < blocks->scalar_count; i++)
-        writer_line(out, "__typeof__(redcc__parts[0].redcc__%u) %s = redcc__%u;", i,
+        writer_line(out, "__typeof__(redcc__%u) %s = redcc__%u;", i,
                     origin_declarator(loop->arena, blocks->scalars[i].variable), i);
     const bool is_declared = counted->counter_is_declared_in_header;
     if (!is_declared && !blocks->keeps_counter)
@@ -226,8 +244,12 @@ static void write_tail(loop_text *loop, writer *out, uint32_t end) {
     for (unsigned i = 0; i < blocks->scalar_count; i++)
         writer_line(out, "redcc__parts[redcc__block].redcc__%u = %s;", i, value_of(loop, i));
     out->depth = 1;
+    if (is_of_team(loop))
+        writer_line(out, "    redcc__mine++;");
     writer_line(out, "}");
     writer_line(out, "REDCC_QUIET_BEGIN");
+    if (is_of_team(loop))
+        writer_line(out, "if (REDCC_IS_LAST(redcc__all_ended, redcc__mine, redcc__blocks))");
     writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");
     for (unsigned i = 0; i < blocks->scalar_count; i++) {
         const char *part = arena_format(loop->arena, "redcc__parts[redcc__block].redcc__%u", i);
@@ -237,6 +259,8 @@ static void write_tail(loop_text *loop, writer *out, uint32_t end) {
                     combination(loop->arena, &blocks->scalars[i], sum, part));
     }
     writer_line(out, "}");
+    if (is_of_team(loop))
+        buffer_text(&out->out, "#pragma omp barrier\n");
     writer_line(out, "REDCC_QUIET_END");
     out->depth = 0;
     writer_line(out, "}");
@@ -244,12 +268,16 @@ static void write_tail(loop_text *loop, writer *out, uint32_t end) {
                   loop_line_directive(loop, end - 1), loop_column_blanks(loop, end));
 }
 
-bool write_blocks(loop_text loop, loop_piece *head, loop_piece *tail, reason *why) {
+bool write_blocks(loop_text loop, loop_piece *front, loop_piece *head, loop_piece *tail,
+                  reason *why) {
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
     head->replaced = (ir_range){loop_text_begin(loop.whole, whole), blocks_of(&loop)->header.end};
     write_head(&loop, &out, head->replaced);
     head->text = writer_text(loop.arena, &out);
+    *front = (loop_piece){0};
+    if (is_of_team(&loop) && has_frame_parts(&loop))
+        *front = frame_parts(&loop, most_blocks(&loop));
     const uint32_t end = syntax_statement_end(loop.unit->source, whole);
     tail->replaced = (ir_range){end, end};
     write_tail(&loop, &out, end);

@@ -5,7 +5,6 @@
 #include "emit/base/names.h"
 #include "emit/bins/bins.h"
 #include "emit/call.h"
-#include "emit/sections.h"
 #include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "ir/ir_syntax.h"
@@ -179,7 +178,8 @@ static bool leaves_out(const loop_plan *plan) {
 
 /** Tiles need no trial, and sections no order. */
 static bool begins(loop_text *loop) {
-    return loop->plan->execution.may_begin && !loop->outline.tile_call && !is_sectioned(loop);
+    return loop->plan->execution.may_begin && !loop->outline.tile_call &&
+           !loop->plan->execution.sections;
 }
 
 static const char *flags_text(loop_text *loop) {
@@ -208,7 +208,7 @@ static const char *flags_text(loop_text *loop) {
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},
                  {loop->facts->variables.openmp != NULL, "REDCC_TEAM"},
-                 {is_sectioned(loop), "REDCC_SECTIONED"},
+                 {loop->plan->execution.sections != NULL, "REDCC_SECTIONED"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
@@ -227,7 +227,8 @@ static void write_loop_object(loop_text *loop, writer *out) {
     writer_line(out, "static redcc_site %s = {", outlined_name(loop, "site"));
     out->depth++;
     writer_line(out, "{{__FILE__, %u, %s, %s,", place.line,
-                text_quoted(loop->arena, loop->facts->function->name), orders[order_of_loop(loop)]);
+                text_quoted(loop->arena, loop->facts->function->name),
+                orders[loop->plan->execution.order]);
     writer_line(out, "  %s,", flags_text(loop));
     writer_line(out, "  %u, %s,", loop->facts->array_count, outlined_name(loop, "arrays"));
     writer_line(out, "  %u, %s,", loop->plan->source_count,

@@ -374,8 +374,8 @@ static void add_blocks(const file_text *f, unsigned number, loop_list *loops) {
                              .unit = f->whole,
                              .facts = verdict->facts,
                              .options = f->options};
-    loop_piece head, tail;
-    if (!write_blocks(start, &head, &tail, &f->obstacles[number]))
+    loop_piece front, head, tail;
+    if (!write_blocks(start, &front, &head, &tail, &f->obstacles[number]))
         return;
     const ir_range all = {head.replaced.begin, tail.replaced.end};
     if (overlaps_another(loops, all)) {
@@ -383,6 +383,8 @@ static void add_blocks(const file_text *f, unsigned number, loop_list *loops) {
                                         .range = verdict->loop->range};
         return;
     }
+    if (front.text)
+        insert(f->arena, loops, unmark(f->arena, f->whole, &front, number));
     insert(f->arena, loops, unmark(f->arena, f->whole, &head, number));
     insert(f->arena, loops, unmark(f->arena, f->whole, &tail, number));
 }

@@ -5,7 +5,6 @@
 
 #include "analysis/base/openmp_loop.h"
 #include "emit/base/names.h"
-#include "emit/sections.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
 
@@ -13,14 +12,7 @@ static const ir_variable *variable_of(const loop_text *loop, const char *name) {
     return openmp_variable(loop->unit, loop->facts->loop, loop->facts->function, name);
 }
 
-/* The expression of a clause, its names marked. */
-static const char *expression_of(loop_text *loop, openmp_clause_kind kind) {
-    const openmp_loop *openmp = loop->facts->variables.openmp;
-    const char *whole = NULL;
-    for (unsigned i = 0; i < openmp->item_count && !whole; i++)
-        whole = openmp->items[i].kind == kind ? openmp->items[i].text : NULL;
-    if (!whole)
-        return NULL;
+const char *clause_expression(const loop_text *loop, const char *whole) {
     buffer out = {0};
     size_t length;
     const char *text = whole;
@@ -38,6 +30,15 @@ static const char *expression_of(loop_text *loop, openmp_clause_kind kind) {
     return buffer_take(loop->arena, &out);
 }
 
+/* The expression of a clause; NULL: there is none of the kind. */
+static const char *expression_of(const loop_text *loop, openmp_clause_kind kind) {
+    const openmp_loop *openmp = loop->facts->variables.openmp;
+    for (unsigned i = 0; i < openmp->item_count; i++)
+        if (openmp->items[i].kind == kind)
+            return clause_expression(loop, openmp->items[i].text);
+    return NULL;
+}
+
 void declare_replaces(loop_text *loop, writer *out) {
     if (loop->facts->variables.openmp)
         writer_line(out, "const int redcc__replaces = REDCC_REPLACES(%s, %d);",
@@ -47,7 +48,7 @@ void declare_replaces(loop_text *loop, writer *out) {
 const char *replaced_condition(loop_text *loop) {
     if (!loop->facts->variables.openmp)
         return "";
-    const char *condition = is_sectioned(loop) ? NULL : expression_of(loop, OPENMP_IF);
+    const char *condition = loop->plan->execution.sections ? NULL : expression_of(loop, OPENMP_IF);
     return condition ? arena_format(loop->arena, "redcc__replaces && (%s) && ", condition)
                      : "redcc__replaces && ";
 }
@@ -57,7 +58,7 @@ void write_team(loop_text *loop, writer *out) {
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
     /* The order of a loop with sections may not depend on a condition, which may ask for threads.
      */
-    const char *condition = is_sectioned(loop) ? expression_of(loop, OPENMP_IF) : NULL;
+    const char *condition = loop->plan->execution.sections ? expression_of(loop, OPENMP_IF) : NULL;
     if (condition)
         threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");
     if (threads)

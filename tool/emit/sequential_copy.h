@@ -12,6 +12,9 @@ void declare_replaces(loop_text *loop, writer *out);
 /** "... && ": a further condition for running in parallel; "" for a loop without directives. */
 const char *replaced_condition(loop_text *loop);
 
+/** The expression of a clause, its names marked. */
+const char *clause_expression(const loop_text *loop, const char *whole);
+
 /** Sets how many threads a clause asks for. */
 void write_team(loop_text *loop, writer *out);
 

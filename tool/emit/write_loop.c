@@ -129,7 +129,7 @@ static void open_block(loop_text *loop, writer *out) {
         begin_as_compiled(loop, &out->out);
         buffer_text(&out->out, "#ifdef redcc__as_compiled\n");
     }
-    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[order_of_loop(loop)],
+    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->plan->execution.order],
                 heading(loop));
     buffer_text(&out->out, has_branches(loop) ? "#endif\n" : "");
     write_no_lanes(loop, out);

@@ -186,7 +186,8 @@ static void mark_names_after(converter *c, const char *text, const char *word,
 
 static void mark_names_in(converter *c, const char *text) {
     mark_names_after(c, text, "weak", mark_weak);
-    mark_names_after(c, text, "threadprivate", mark_thread_local);
+    if (c->unit->dialect.has_openmp)
+        mark_names_after(c, text, "threadprivate", mark_thread_local);
 }
 
 void mark_names_in_pragmas(converter *c) {

@@ -228,6 +228,7 @@ static void convert_unit(converter *c) {
 static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang,
                         const parse_flags *flags) {
     ir_unit *unit = ARENA_NEW(a, ir_unit);
+    unit->dialect.has_openmp = flags->has_openmp; /* pragmas mean something */
     unit->arena = a;
     unit->source = src;
     unit->dialect.strict_aliasing = true;
@@ -303,7 +304,6 @@ static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     unit->dialect.is_c89 = chosen->is_c89;
     unit->dialect.is_sanitized = chosen->is_sanitized;
     unit->dialect.math_errno = chosen->math_errno;
-    unit->dialect.has_openmp = chosen->has_openmp;
 }
 
 static void run(void *data) {

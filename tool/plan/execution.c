@@ -133,5 +133,6 @@ void plan_execution(loop_plan *plan) {
         .needs_whole = needs_whole,
         .may_begin = !needs_whole && may_begin_in_order(facts),
         .is_over_blocks = is_over_blocks(plan),
-        .work = work_of_iteration(plan)};
+        .work = work_of_iteration(plan),
+        .order = plan->options->order};
 }

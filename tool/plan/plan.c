@@ -18,6 +18,7 @@
 #include "plan/prefetch.h"
 #include "plan/read_ahead.h"
 #include "plan/rewritable.h"
+#include "plan/sections.h"
 #include "plan/sources.h"
 #include "plan/stand_in.h"
 #include "plan/tiles.h"
@@ -47,6 +48,9 @@ static void plan_form(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     plan_stand_ins(plan);
     plan_execution(plan);
+    plan->execution.sections = plan_sections(plan);
+    if (plan->execution.sections && plan->execution.order == ORDER_SERIAL)
+        plan->execution.order = ORDER_FIXED;
     const char *obstacle = plan_outline(plan);
     if (obstacle)
         plan_obstacle(plan, facts->loop->range, "%s", obstacle);

@@ -30,6 +30,12 @@ typedef enum dependence_precheck {
 } dependence_precheck;
 
 /** Permissions of the runtime for the loop (execution.h). */
+/** What an OpenMP clause says of one array, in elements of what its name means: expressions of
+ *  variables and numbers. */
+typedef struct array_section {
+    const char *lower, *length;
+} array_section;
+
 typedef struct execution_plan {
     bool keeps_plan;            /* its plan may be kept; its key: */
     unsigned key_count;         /* words, including the trip count */
@@ -39,8 +45,10 @@ typedef struct execution_plan {
                        * keeps until its end: the first update needs the guard of all */
     bool may_begin;   /* the first iterations may be executed in order before anything is known, and
                        * the remaining ones as a separate loop */
-    bool is_over_blocks; /* its inspection is short, however heavy iterations are */
-    int64_t work;        /* operations of an iteration (work.h) */
+    bool is_over_blocks;           /* its inspection is short, however heavy iterations are */
+    int64_t work;                  /* operations of an iteration (work.h) */
+    const array_section *sections; /* of each array (sections.h); NULL: it has none */
+    result_order order;            /* that the loop keeps */
 } execution_plan;
 
 /** base[subscript]: both are variables of the loop's function. */

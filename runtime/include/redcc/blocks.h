@@ -42,6 +42,13 @@ REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc
     return number * (trip / blocks) + (number < longer ? number : longer);
 }
 
+/** Has the team now ended all blocks, by the calling thread's? One thread is told so, once; then
+ *  none are ended, for the loop's next execution. */
+#define REDCC_IS_LAST(redcc_ended, redcc_mine, redcc_blocks)                                       \
+    ((redcc_mine) > 0 &&                                                                           \
+     __atomic_add_fetch(redcc_ended, redcc_mine, __ATOMIC_ACQ_REL) == (redcc_blocks) &&            \
+     ((*(redcc_ended) = 0), 1))
+
 /** Does REDCC_ORDER ask for the bits of the sequential loop? */
 #define REDCC_IN_ORDER(redcc_site) (redcc_run && redcc_is_in_order(&(redcc_site)))
 REDCC_INLINE int redcc_is_in_order(redcc_site *site) {

@@ -216,9 +216,23 @@ const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *l
     return NULL;
 }
 
+/* Would variables of the file be the threads' own, with OpenMP? */
+static bool has_threads_variables(const ir_unit *unit) {
+    static const char word[] = "threadprivate";
+    for (unsigned i = 0; i < unit->directive_count; i++)
+        if (unit->directives[i].text && strstr(unit->directives[i].text, word))
+            return true;
+    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
+        if (strstr(unit->text.header_pragmas[i], word))
+            return true;
+    return false;
+}
+
 bool function_sleeps(const ir_unit *unit, const ir_function *function) {
     if (unit->dialect.has_openmp || !function->is_in_main_file)
         return false;
+    if (has_threads_variables(unit))
+        return true;
     for (unsigned i = loop_text_first_directive(unit, function->range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < function->range.end; i++)
         if (directive_is_openmp(&unit->directives[i]))

@@ -48,7 +48,8 @@ bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
  *  part of the loop's text; NULL: none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** Are there OpenMP directives in the function's text, in a compilation without OpenMP? */
+/** Are there OpenMP directives in the function's text, or any that make variables of the file the
+ *  threads' own, in a compilation without OpenMP? */
 bool function_sleeps(const ir_unit *unit, const ir_function *function);
 
 /** Does the loop's translation hold only for compilations that agree with this one about OpenMP?

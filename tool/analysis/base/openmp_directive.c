@@ -170,7 +170,7 @@ static void read_expression(reader *r, openmp_clause_kind kind, const char *word
     add(r, (openmp_item){kind, REDUCTION_NONE, inside, NULL, word});
 }
 
-/* Clauses of `parallel for` and `for`. */
+/* Clauses of `parallel`, `for`, and `parallel for`. */
 static const struct {
     const char *word;
     openmp_clause_kind kind;
@@ -187,7 +187,10 @@ static const struct {
                     {"copyin", OPENMP_OF_REGION},
                     {"allocate", OPENMP_OF_REGION}};
 
-static openmp_clause_kind kind_of_loop_clause(const char *word, const char *inside) {
+static openmp_clause_kind kind_of_loop_clause(openmp_construct construct, const char *word,
+                                              const char *inside) {
+    if (construct == OPENMP_FOR && !inside && strcmp(word, "nowait") == 0)
+        return OPENMP_NOWAIT;
     for (size_t i = 0; inside && i < sizeof loop_clauses / sizeof *loop_clauses; i++)
         if (strcmp(loop_clauses[i].word, word) == 0)
             return loop_clauses[i].kind;
@@ -252,7 +255,7 @@ static void read_clauses(reader *r, openmp_construct construct, const char *at) 
         read_clause(r,
                     construct == OPENMP_ATOMIC || construct == OPENMP_CRITICAL
                         ? kind_of_lock_clause(word, inside)
-                        : kind_of_loop_clause(word, inside),
+                        : kind_of_loop_clause(construct, word, inside),
                     word, inside);
     }
 }
@@ -323,10 +326,12 @@ static const char *with_numbers(arena *a, const ir_unit *unit, const char *text,
 /* The construct; *rest: its clauses. */
 static openmp_construct construct_of(const char *text, const char **rest) {
     const char *at = after(text, "parallel");
-    at = at ? after(at, "for") : NULL;
-    if (at) {
-        *rest = at;
+    if (at && (*rest = after(at, "for")))
         return OPENMP_PARALLEL_FOR;
+    if (at && !after(at, "sections") && !after(at, "master") && !after(at, "masked") &&
+        !after(at, "loop") && !after(at, "workshare")) {
+        *rest = at;
+        return OPENMP_PARALLEL;
     }
     if ((*rest = after(text, "for")))
         return OPENMP_FOR;

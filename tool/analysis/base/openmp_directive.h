@@ -8,6 +8,7 @@
 typedef enum openmp_construct {
     OPENMP_PARALLEL_FOR, /* parallel for */
     OPENMP_FOR,          /* for, by the team of a region around it */
+    OPENMP_PARALLEL,     /* such a region */
     OPENMP_ATOMIC,       /* atomic [update] */
     OPENMP_CRITICAL,
     OPENMP_OTHER
@@ -24,6 +25,7 @@ typedef enum openmp_clause_kind {
     OPENMP_SHARING,      /* shared, default */
     OPENMP_OF_REGION,    /* proc_bind, copyin, allocate: of the threads, not of the loop */
     OPENMP_COLLAPSE_ONE, /* collapse(1) */
+    OPENMP_NOWAIT,       /* of `for` */
     OPENMP_OTHER_CLAUSE  /* what only the directive itself can do */
 } openmp_clause_kind;
 

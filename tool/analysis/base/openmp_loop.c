@@ -44,7 +44,12 @@ static const char *only_by_directive(arena *a, const openmp_directive *read) {
 static void take_above(arena *a, openmp_loop *result, const openmp_directive *read,
                        const ir_directive *d) {
     if (read->construct != OPENMP_PARALLEL_FOR)
-        result->kept = with_text(a, "the construct, which is no 'parallel for'", d);
+        result->kept = with_text(a,
+                                 read->construct == OPENMP_FOR
+                                     ? "the threads of the region around it execute it: end the "
+                                       "region before it and write 'parallel for'"
+                                     : "the construct, which is no 'parallel for'",
+                                 d);
     result->items = read->items;
     result->item_count = read->item_count;
 }
@@ -90,7 +95,7 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         const char *kept = read.kept ? read.kept : only_by_directive(a, &read);
         if (is_above)
             take_above(a, result, &read, d);
-        else if (read.construct <= OPENMP_FOR)
+        else if (read.construct <= OPENMP_PARALLEL)
             result->kept = with_text(a, "a region in the loop", d);
         result->has_locks |= !is_above;
         if (kept)
@@ -150,10 +155,9 @@ static bool is_counter(const ir_node *loop, const ir_variable *variable) {
     return first && first->kind == IR_VARIABLE && first->variable == variable;
 }
 
-bool openmp_keeps_value(arena *a, const ir_unit *unit, const ir_node *loop,
+bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable) {
-    const openmp_loop *above = unit->dialect.replaces_openmp ? openmp_of_loop(a, unit, loop) : NULL;
-    if (!above || above->kept)
+    if (!unit->dialect.replaces_openmp || !above || above->kept)
         return false;
     bool keeps = is_counter(loop, variable);
     for (unsigned i = 0; i < above->item_count; i++) {

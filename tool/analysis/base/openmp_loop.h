@@ -20,13 +20,21 @@ typedef struct blocked_scalar {
     const char *operator; /* the clause's operator */
 } blocked_scalar;
 
+/** What is known of the team of `omp for`: reduction/team_loop.h. */
+typedef struct team_facts {
+    bool shares_frame; /* a variable of the function's outermost block is one for all its threads */
+    bool may_be_early; /* threads may come to the loop while others are in one before it */
+} team_facts;
+
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
 typedef struct fixed_blocks {
     ir_range header; /* `for ( ... )` */
+    const ir_variable *counter;
     unsigned scalar_count;
     const blocked_scalar *scalars;
     openmp_directive directive;
     bool keeps_counter; /* a clause names the counter, and determines its final value */
+    team_facts team;    /* of OPENMP_FOR */
     bool is_balanced;   /* iterations take the same time, according to `schedule` */
 } fixed_blocks;
 
@@ -36,10 +44,10 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
 /** Does the file have code that devices execute as well, which cannot use the runtime? */
 bool openmp_has_devices(const ir_unit *unit);
 
-/** Does the variable have the same value after the loop as before, because a `parallel for` makes
- *  it private to the threads? The loop executed without the directive must then restore it. The
- *  counter is private without a clause. */
-bool openmp_keeps_value(arena *a, const ir_unit *unit, const ir_node *loop,
+/** Does the variable have the same value after the loop as before, because a `parallel for` above
+ *  it, with these directives, makes it private to the threads? The loop executed without the
+ *  directive must then restore it. The counter is private without a clause. */
+bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable);
 
 /** The variable called `name` in the loop's scope, or NULL. */

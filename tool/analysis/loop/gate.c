@@ -81,7 +81,7 @@ static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
     const bool is_replaced = unit->dialect.replaces_openmp;
-    const openmp_loop *openmp = is_replaced ? openmp_of_loop(j->an->memory, unit, j->loop) : NULL;
+    const openmp_loop *openmp = is_replaced ? j->an->openmp : NULL;
     if (above && !directive_is_asleep(unit, above) &&
         (!openmp || above->is_skipped || above->range.begin < text_begin))
         return openmp_reason(j, above);

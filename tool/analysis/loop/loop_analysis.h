@@ -5,6 +5,7 @@
 
 #include "analysis/base/counted.h"
 #include "analysis/base/facts.h"
+#include "analysis/base/openmp_loop.h"
 #include "analysis/base/unit_text.h"
 #include "analysis/memory/access.h"
 #include "analysis/memory/alias.h"
@@ -19,6 +20,7 @@ typedef struct analyser {
     alias_rules rules;
     unit_text *text;
     const user_pragmas *pragmas;
+    const openmp_loop *openmp; /* of the loop that it is for */
     bool keeps_own; /* elements of an iteration's own may be stored to after all iterations */
 } analyser;
 

@@ -98,7 +98,8 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
         return false;
     /* If the header does not set it, a later execution of the loop continues with the value. */
     item.is_step_wanted =
-        !start || (!start->is_declared && variable_is_live_after(j->an->facts, j->loop, variable));
+        !start || (!start->is_declared &&
+                   variable_is_live_after(j->an->facts, j->an->openmp, j->loop, variable));
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }

@@ -11,7 +11,6 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
-#include "analysis/base/openmp_loop.h"
 
 /* Paths of control through a piece of the program up to the first use of the variable. A path that
  * first writes all of it, or ends the function, does not count. */
@@ -207,12 +206,12 @@ static ways ways_behind(const search *s, const ir_node *node, ways all) {
     return all;
 }
 
-bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
+bool variable_is_live_after(variable_facts *facts, const openmp_loop *openmp, const ir_node *loop,
                             const ir_variable *variable) {
     assert(ir_is_loop(loop));
     const search s = {variable, loop};
     const ir_unit *unit = variable_facts_unit(facts);
-    if (variable->function && openmp_keeps_value(unit->arena, unit, loop, variable))
+    if (variable->function && openmp_keeps_value(unit, openmp, loop, variable))
         return false;
     if (!variable->function || (text_openmp_in(unit->arena, unit, variable->function) &&
                                 !function_sleeps(unit, variable->function)))

@@ -3,10 +3,12 @@
 #ifndef ANALYSIS_LIVE_H
 #define ANALYSIS_LIVE_H
 
+#include "analysis/base/openmp_loop.h"
 #include "analysis/memory/variable_facts.h"
 
-/** May the value of a local variable at the end of `loop` be read later? True if unknown. */
-bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
+/** May the value of a local variable at the end of `loop`, with these directives, be read later?
+ *  True if unknown. */
+bool variable_is_live_after(variable_facts *facts, const openmp_loop *openmp, const ir_node *loop,
                             const ir_variable *variable);
 
 #endif

@@ -35,7 +35,7 @@ static bool check_last_value(loop_analysis *j, private_variable *item) {
         return true;
     if (variable_escapes(j->an->facts, variable))
         return analysis_refuse(j, REASON_ESCAPES, j->loop, variable->name);
-    if (!variable_is_live_after(j->an->facts, j->loop, variable))
+    if (!variable_is_live_after(j->an->facts, j->an->openmp, j->loop, variable))
         return true;
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
     item->is_live_after = result.assigned_at_end;
@@ -101,7 +101,7 @@ static bool capture(ir_node *node, void *context) {
 static bool is_counter_live_after(const loop_analysis *j) {
     return !j->counted.counter_is_declared_in_header &&
            (j->counted.counter->address_taken ||
-            variable_is_live_after(j->an->facts, j->loop, j->counted.counter));
+            variable_is_live_after(j->an->facts, j->an->openmp, j->loop, j->counted.counter));
 }
 
 private_check check_privates(const loop_analysis *j) {

@@ -8,6 +8,7 @@
 #include "analysis/base/openmp_loop.h"
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
+#include "analysis/reduction/team_loop.h"
 #include "ir/ir_syntax.h"
 
 typedef struct search {
@@ -125,6 +126,7 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     const counted_result found = counted_recognise_analysed(s->loop);
     const counted_loop *counted = &found.loop;
+    blocks->counter = counted->counter;
     blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
     if (!found.is_counted || s->loop->kind != IR_FOR || counted->stride || counted->ahead ||
         counted->start_count > 0 || counted->bound_variable || counted->ends_below ||
@@ -177,6 +179,21 @@ static bool has_explicit_schedule(const fixed_blocks *blocks) {
     return false;
 }
 
+/* Does a group of conditional directives hold the function's beginning, but not the loop? In
+ * another compilation the function may begin otherwise, with other types. */
+static bool begins_under_condition(const search *s) {
+    const ir_unit *unit = s->an->unit;
+    int depth = 0;
+    for (unsigned i = loop_text_first_directive(unit, s->function->range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < s->loop->range.begin; i++) {
+        depth += unit->directives[i].kind == IR_DIRECTIVE_IF;
+        depth -= unit->directives[i].kind == IR_DIRECTIVE_ENDIF;
+        if (depth < 0)
+            return true;
+    }
+    return false;
+}
+
 static void check_body(search *s, const fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     if (has_directive_named(s, "cancel") || has_directive_named(s, "ordered") ||
@@ -185,8 +202,11 @@ static void check_body(search *s, const fixed_blocks *blocks) {
     if (text_pragma_macro(s->an->memory, unit, s->loop->range))
         obstacle(s, "%s", "a macro in the loop that may make a directive");
     if (blocks->is_balanced && has_explicit_schedule(blocks) &&
-        calls_named(s->loop, "omp_get_thread_num"))
+        calls_named(blocks->directive.construct == OPENMP_FOR ? s->function->body : s->loop,
+                    "omp_get_thread_num"))
         obstacle(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
+    if (begins_under_condition(s))
+        obstacle(s, "'%s' has several beginnings", s->function->name);
     if (openmp_has_devices(unit))
         obstacle(s, "%s", "code for devices in the file");
     if (is_shared_inline(s->function, unit->source))
@@ -236,11 +256,13 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
         s.why = unread ? "a directive that is not written as one" : blocks->directive.kept;
     else if (count > 1)
         s.why = "several directives above the loop";
-    else if (blocks->directive.construct != OPENMP_PARALLEL_FOR)
-        s.why = "the construct, which is no 'parallel for'";
+    else if (blocks->directive.construct > OPENMP_FOR)
+        s.why = "the construct, which is no 'parallel for' or 'for'";
     const counted_loop counted = check_header(&s, blocks);
     check_names(&s, blocks, &counted);
     check_body(&s, blocks);
+    if (!s.why && blocks->directive.construct == OPENMP_FOR)
+        s.why = team_of_loop(an, function, loop, blocks);
     *verdict = (loop_verdict){.kind = s.why ? VERDICT_REFUSE : VERDICT_BLOCKS,
                               .loop = loop,
                               .function = function,

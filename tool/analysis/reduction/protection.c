@@ -222,9 +222,7 @@ static const char *check_locks(const loop_analysis *j, bool *protects) {
 }
 
 reason check_protection(const loop_analysis *j) {
-    const openmp_loop *openmp = j->an->unit->dialect.replaces_openmp
-                                    ? openmp_of_loop(j->an->memory, j->an->unit, j->loop)
-                                    : NULL;
+    const openmp_loop *openmp = j->an->unit->dialect.replaces_openmp ? j->an->openmp : NULL;
     if (!openmp)
         return (reason){0};
     bool protects = false;

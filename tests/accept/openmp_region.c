@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Compiled with OpenMP: scalars that `for` reduces, inside of a region, by the team that is there: in fixed blocks.
+// covers: row 55
+// CFLAGS: -fopenmp
+// FLAGS: -fopenmp
+// SEQUENTIAL: its directives add up in any order
+// FIXED: blocks
+#include "case.h"
+
+enum { N = 20000, NEAR = 7 };
+static double x[N], b[N], r[N], p[N], q[N], w[N];
+static double rho, product, of_file, thread_own[8];
+#pragma omp threadprivate(thread_own)
+static int k[N];
+
+/* a solver by conjugate gradients, all of it in one region */
+static void solve(int n, int steps) {
+    int j;
+    double alpha, beta, before;
+    rho = 0;
+#pragma omp parallel default(shared) private(j, alpha, beta, before)
+    {
+#pragma omp for nowait
+        for (j = 0; j < n; j++)
+            x[j] = 0, r[j] = p[j] = b[j];
+        /* it reads what the loop above wrote, by other threads as well */
+#pragma omp for reduction(+ : rho)
+        for (j = 0; j < n; j++) // EXPECT: transformed
+            rho += r[n - 1 - j] * r[n - 1 - j];
+        for (int step = 0; step < steps; step++) {
+            before = rho;
+#pragma omp barrier
+#pragma omp single
+            rho = product = 0;
+#pragma omp for
+            for (j = 0; j < n; j++) {
+                q[j] = 9 * p[j];
+                for (int at = -NEAR; at <= NEAR; at += NEAR)
+                    if (j + at >= 0 && j + at < n)
+                        q[j] -= 0.75 * p[j + at];
+            }
+#pragma omp for reduction(+ : product)
+            for (j = 0; j < n; j++) // EXPECT: transformed
+                product += p[j] * q[j];
+            alpha = before / product;
+#pragma omp for reduction(+ : rho) schedule(guided)
+            for (j = 0; j < n; j++) { // EXPECT: transformed
+                x[j] += alpha * p[j];
+                r[j] -= alpha * q[j];
+                rho += r[j] * r[j];
+            }
+            beta = rho / before;
+#pragma omp for
+            for (j = 0; j < n; j++)
+                p[j] = r[j] + beta * p[j];
+        }
+    }
+    case_print("rho", &rho, sizeof rho);
+}
+
+/* below a function that others call, in a region or not */
+static void orphan(int n, const double *restrict u) {
+#pragma omp for reduction(+ : of_file)
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        of_file += u[i] * w[i];
+}
+
+/* with `nowait`, again and again; the loop behind reads what this one wrote, by the same thread */
+static double hasty(int n, int rounds) {
+    double first = 0, second = 1, least = 1e300;
+    static double sum;
+    sum = 0;
+#pragma omp parallel
+    for (int round = 0; round < rounds; round++) {
+#pragma omp for nowait reduction(+ : first) reduction(min : least)
+        for (int i = 0; i < n; i++) { // EXPECT: transformed
+            q[i] = w[i] + round;
+            first += q[i];
+            least = least < q[i] ? least : q[i];
+        }
+#pragma omp for
+        for (int i = 0; i < n; i++)
+            p[i] = q[i] * 0.5;
+#pragma omp for nowait reduction(- : second) schedule(dynamic, 3)
+        for (int i = n - 1; i > 2; i -= 3) // EXPECT: transformed
+            second -= p[i] * 0.5;
+#pragma omp for reduction(+ : sum)
+        for (int i = 3; i <= n - 1; i++) // EXPECT: transformed
+            sum += p[i];
+    }
+    return first + second * 3 + least * 1e3 + sum * 1e-3;
+}
+
+/* clauses, and variables that a thread has for itself: no other loop of the region meets them */
+static double clauses(int n) {
+    double sum = 0, mine = 0, last = 0, counts[4] = {0};
+    int i = 0, from = 3;
+#pragma omp parallel private(mine)
+    {
+        double bins[4] = {0};
+#pragma omp for schedule(static) reduction(+ : sum) firstprivate(from) lastprivate(last, i)
+        for (i = 1; i < n; i += 2) { // EXPECT: transformed
+            mine = w[i] + from;
+            thread_own[i & 7] = mine;
+            bins[k[i] & 3]++;
+            last = thread_own[i & 7];
+            sum += last * mine;
+        }
+#pragma omp critical
+        for (int c = 0; c < 4; c++)
+            counts[c] += bins[c];
+    }
+    case_print("counts", counts, sizeof counts);
+    case_print("last", &last, sizeof last);
+    case_print("i", &i, sizeof i);
+    return sum;
+}
+
+/* a team for each thread of a team; a region under a condition */
+static double nested(int n) {
+    double sums[4] = {0}, sum = 0;
+#pragma omp parallel for
+    for (int part = 0; part < 4; part++) {
+        double mine = 0;
+#pragma omp parallel num_threads(2) if (part != 1)
+        {
+#pragma omp for reduction(+ : mine)
+            for (int i = 0; i < n; i++) // EXPECT: transformed
+                mine += w[i] * part;
+        }
+        sums[part] = mine;
+    }
+    for (int part = 0; part < 4; part++)
+        sum += sums[part];
+    return sum;
+}
+
+int main(void) {
+    case_values(b, N);
+    case_values(w, N);
+    case_subscripts(k, N, N);
+    if (!getenv("CASE_INTEGERS")) // its quotients are none
+        solve(N, 25);
+    CASE_PRINT(x);
+    of_file = 0.25;
+    for (int round = 0; round < 3; round++) {
+#pragma omp parallel
+        orphan(N - round, b);
+        orphan(N / 2, b);
+    }
+    case_print("of_file", &of_file, sizeof of_file);
+    double sums[] = {hasty(N, 20), hasty(1, 3), hasty(0, 2), clauses(N), clauses(6), nested(N)};
+    CASE_PRINT(sums);
+    return 0;
+}

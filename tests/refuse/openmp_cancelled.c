@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Compiled with OpenMP: threads that leave a cancelled region do not come to the barriers of its loops. */
+// covers: row 55
+// FLAGS: -fopenmp
+static double w[1000], of_file;
+
+void cancels(int n) {
+#pragma omp parallel
+    {
+        if (n < 0) {
+#pragma omp cancel parallel
+        }
+#pragma omp for reduction(+ : of_file)
+        for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+            of_file += w[i];
+    }
+}

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/reduction/team_loop.h"
+
+#include <string.h>
+
+#include "analysis/base/expression.h"
+#include "analysis/base/library.h"
+#include "analysis/base/loop_text.h"
+
+typedef struct team_loop {
+    const analyser *an;
+    const ir_function *function;
+    const ir_node *loop;
+    const fixed_blocks *blocks;
+    const ir_node *region;  /* the statement below `parallel`; NULL: in a caller */
+    openmp_directive above; /* `parallel` */
+    bool is_outermost;
+} team_loop;
+
+/* ---- the region ---------------------------------------------------------------------------- */
+
+/* The last compiled OpenMP directive directly above the statement. */
+static const ir_directive *directive_above(const ir_unit *unit, const ir_node *statement) {
+    const ir_directive *last = NULL;
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, statement));
+         i < unit->directive_count && unit->directives[i].range.begin < statement->range.begin;
+         i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (!d->is_skipped && directive_is_openmp_pragma(d))
+            last = d;
+    }
+    return last;
+}
+
+/* The innermost `parallel`, and whether it is the function's only directive around the loop. */
+static void find_region(team_loop *it) {
+    const ir_unit *unit = it->an->unit;
+    for (const ir_node *node = it->loop->parent; node && node != it->function->body;
+         node = node->parent) {
+        const ir_directive *d = directive_above(unit, node);
+        it->is_outermost &= !d || !it->region;
+        if (!d || it->region || !strstr(d->text, "parallel"))
+            continue;
+        it->region = node;
+        it->above = openmp_read(it->an->memory, unit, d);
+    }
+}
+
+static bool is_in(ir_range inner, ir_range outer) {
+    return inner.begin >= outer.begin && inner.end <= outer.end;
+}
+
+/* Does each thread have its own? */
+static bool is_private(const team_loop *it, const ir_variable *variable) {
+    if (variable->storage == IR_THREAD_LOCAL)
+        return true;
+    for (unsigned i = 0; i < it->above.item_count; i++)
+        if ((it->above.items[i].kind <= OPENMP_LASTPRIVATE ||
+             it->above.items[i].kind == OPENMP_REDUCTION) &&
+            openmp_variable(it->an->unit, it->region, it->function, it->above.items[i].text) ==
+                variable)
+            return true;
+    return variable_is_automatic(variable) &&
+           (!it->region || is_in(variable->range, it->region->range));
+}
+
+/* ---- what a static schedule promises ------------------------------------------------------- */
+
+/* Is it a copy of the loop's own, or declared in it? */
+static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
+    for (unsigned i = 0; i < it->blocks->directive.item_count; i++)
+        if (it->blocks->directive.items[i].kind <= OPENMP_REDUCTION &&
+            openmp_variable(it->an->unit, it->loop, it->function,
+                            it->blocks->directive.items[i].text) == variable)
+            return true;
+    return variable == it->blocks->counter ||
+           (variable->function == it->function && is_in(variable->range, it->loop->range));
+}
+
+/* A variable of the thread's own in which it may keep something from one loop to the next. */
+static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && is_private(it, node->variable) &&
+        !is_of_loop(it, node->variable))
+        return node->variable->name;
+    const char *found = NULL;
+    for (unsigned i = 0; i < node->child_count && !found; i++)
+        found = kept_by_thread(it, node->children[i]);
+    return found;
+}
+
+/* Does it use a function, outside of the loop, that may distribute iterations as well? Or something
+ * by which a thread may know its number? */
+static bool may_call_loops(const team_loop *it, const ir_node *node) {
+    if (node == it->loop)
+        return false;
+    if (node->kind == IR_FUNCTION && strncmp(node->function->name, "omp_", 4) != 0 &&
+        !library_find(it->an->unit, node->function))
+        return true;
+    if (node->kind == IR_VARIABLE && node->variable->storage == IR_THREAD_LOCAL)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (may_call_loops(it, node->children[i]))
+            return true;
+    return false;
+}
+
+/* Has a compiled directive of the region, other than the loop's, the word? */
+static bool region_says(const team_loop *it, const char *word) {
+    const ir_unit *unit = it->an->unit;
+    const uint32_t own = loop_text_begin(unit, it->loop);
+    for (unsigned i = loop_text_first_directive(unit, it->region->range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < it->region->range.end;
+         i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (!d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && strstr(d->text, word) &&
+            (d->range.begin < own || d->range.begin >= it->loop->range.begin))
+            return true;
+    }
+    return text_pragma_macro(it->an->memory, unit, it->region->range) != NULL;
+}
+
+/* Is it the only loop that the region's team shares? */
+static bool is_alone(const team_loop *it) {
+    return it->region && !may_call_loops(it, it->region) && !region_says(it, "for");
+}
+
+typedef enum schedule { SCHEDULE_NOT_GIVEN, SCHEDULE_STATIC, SCHEDULE_BY_TURNS } schedule;
+
+/* `runtime` may be any. */
+static schedule schedule_of(const fixed_blocks *blocks) {
+    for (unsigned i = 0; i < blocks->directive.item_count; i++) {
+        const openmp_item *item = &blocks->directive.items[i];
+        if (item->kind == OPENMP_SCHEDULE)
+            return strstr(item->text, "dynamic") || strstr(item->text, "guided") ? SCHEDULE_BY_TURNS
+                                                                                 : SCHEDULE_STATIC;
+    }
+    return SCHEDULE_NOT_GIVEN;
+}
+
+/* ---- the verdict --------------------------------------------------------------------------- */
+
+/* Threads that leave a cancelled region do not come to its barriers. */
+static bool is_cancelled_somewhere(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->directive_count; i++)
+        if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
+            strstr(unit->directives[i].text, "cancel"))
+            return true;
+    return false;
+}
+
+/* Are the function's variables shared by the region, without being named? */
+static bool shares_frame(const team_loop *it) {
+    for (unsigned i = 0; i < it->above.item_count; i++)
+        if (strcmp(it->above.items[i].word, "default") == 0 &&
+            !strstr(it->above.items[i].text, "shared"))
+            return false;
+    return it->region && it->is_outermost;
+}
+
+const char *team_of_loop(const analyser *an, const ir_function *function, const ir_node *loop,
+                         fixed_blocks *blocks) {
+    team_loop it = {
+        .an = an, .function = function, .loop = loop, .blocks = blocks, .is_outermost = true};
+    find_region(&it);
+    if (it.above.kept)
+        return arena_format(an->memory, "its region has %s", it.above.kept);
+    if (is_cancelled_somewhere(an->unit))
+        return "'cancel' in the file";
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        if (is_private(&it, blocks->scalars[i].variable))
+            return arena_format(an->memory, "'%s' is not shared by the team",
+                                blocks->scalars[i].variable->name);
+    blocks->team.shares_frame = shares_frame(&it);
+    const schedule given = schedule_of(blocks);
+    blocks->team.may_be_early =
+        given != SCHEDULE_BY_TURNS &&
+        (!it.region || may_call_loops(&it, it.region) || region_says(&it, "nowait"));
+    const char *own = given == SCHEDULE_STATIC && !is_alone(&it) ? kept_by_thread(&it, loop) : NULL;
+    return own ? arena_format(an->memory,
+                              "by 'schedule(static)' each thread may keep values of its "
+                              "iterations in '%s' for another loop",
+                              own)
+               : NULL;
+}

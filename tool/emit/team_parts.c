@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/team_parts.h"
+
+#include "analysis/base/openmp_loop.h"
+#include "emit/macro_names.h"
+#include "emit/text/origin.h"
+
+/* The type of which the scalar is, or a typedef of it; NULL: it has no such name. */
+static const char *plain_type(arena *a, const ir_type *type) {
+    if (type->kind == IR_BOOLEAN)
+        return "_Bool";
+    if (type->kind == IR_INTEGER && type->size <= 8)
+        return arena_format(a, "__%sINT%d_TYPE__", type->is_signed ? "" : "U", 8 * (int)type->size);
+    return type->kind != IR_FLOATING ? NULL
+           : type->size == 4         ? "float"
+           : type->size == 8         ? "double"
+                                     : "long double";
+}
+
+/* One of a file's, by the loop's place. */
+static unsigned number_of(const loop_text *loop) {
+    return loop->facts->loop->range.begin;
+}
+
+bool has_frame_parts(const loop_text *loop) {
+    const fixed_blocks *blocks = loop->facts->variables.blocks;
+    const ir_node *body = loop->facts->function->body;
+    bool has = blocks->team.shares_frame && !(body->flags & IR_FROM_MACRO) &&
+               loop->unit->source->text[body->range.begin] == '{';
+    for (unsigned i = 0; i < blocks->scalar_count; i++)
+        has &= plain_type(loop->arena, blocks->scalars[i].variable->type) != NULL;
+    return has;
+}
+
+loop_piece frame_parts(loop_text *loop, int blocks) {
+    const fixed_blocks *facts = loop->facts->variables.blocks;
+    const uint32_t at = loop->facts->function->body->range.begin + 1;
+    writer out = {0};
+    buffer_text(&out.out, "\n#ifdef REDCC_RUNTIME_H\n");
+    writer_line(&out, "REDCC_QUIET_BEGIN");
+    writer_line(&out, "struct {");
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        writer_line(&out, "    %s redcc__%u;",
+                    plain_type(loop->arena, facts->scalars[i].variable->type), i);
+    writer_line(&out, "} redcc__parts_%u[%d];", number_of(loop), blocks);
+    writer_line(&out, "redcc_int redcc__ended_%u = 0;", number_of(loop));
+    writer_line(&out, "REDCC_QUIET_END");
+    buffer_format(&out.out, "#endif\n%s\n%s", loop_line_directive(loop, at - 1),
+                  loop_column_blanks(loop, at));
+    check_macro_names(loop, &out.out);
+    return (loop_piece){writer_text(loop->arena, &out), {at, at}};
+}
+
+void write_team_parts(loop_text *loop, writer *out, int blocks) {
+    const fixed_blocks *facts = loop->facts->variables.blocks;
+    if (has_frame_parts(loop)) {
+        writer_line(out, "__typeof__(redcc__parts_%u[0]) *const redcc__parts = redcc__parts_%u;",
+                    number_of(loop), number_of(loop));
+        writer_line(out, "redcc_int *const redcc__all_ended = &redcc__ended_%u, redcc__mine = 0;",
+                    number_of(loop));
+        return;
+    }
+    writer_line(out, "struct {");
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        writer_line(out, "    __typeof__(%s) redcc__%u;",
+                    origin_variable(loop->arena, facts->scalars[i].variable), i);
+    writer_line(out, "} redcc__own[%d], *redcc__parts;", blocks);
+    writer_line(out, "redcc_int redcc__ended = 0, *redcc__all_ended, redcc__mine = 0;");
+}
+
+void write_team_begin(const loop_text *loop, writer *out) {
+    if (!has_frame_parts(loop))
+        buffer_text(&out->out,
+                    "#pragma omp single copyprivate(redcc__parts, redcc__all_ended)\n"
+                    "    redcc__parts = redcc__own, redcc__all_ended = &redcc__ended;\n");
+    else if (loop->facts->variables.blocks->team.may_be_early)
+        buffer_text(&out->out, "#pragma omp barrier\n");
+}
