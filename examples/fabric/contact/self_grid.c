@@ -268,10 +268,9 @@ static int meet_here(const self_collision *s, const self_entry *a, const self_en
     return 1;
 }
 
-/* The pairs of some buckets. 0, or -1: out of memory. */
-static int find_in(const self_collision *s, const self_search *by, int bucket, int end, double size,
-                   self_pairs *to) {
-    to->count = 0;
+/* Adds the pairs of some buckets. 0, or -1: out of memory. */
+static int add_buckets(const self_collision *s, const self_search *by, int bucket, int end,
+                       double size, self_pairs *to) {
     for (; bucket < end; bucket++)
         for (int i = s->grid.start[bucket]; i < s->grid.start[bucket + 1]; i++)
             for (int j = i + 1; j < s->grid.start[bucket + 1]; j++) {
@@ -285,6 +284,17 @@ static int find_in(const self_collision *s, const self_search *by, int bucket, i
                     return -1;
             }
     return 0;
+}
+
+/* The pairs of a part's buckets; its list is the thread's own meanwhile: neighbours in the array
+ * share cache lines. 0, or -1: out of memory. */
+static int find_part(self_collision *s, const self_search *by, int part, int buckets, double size) {
+    self_pairs own = s->grid.part[part];
+    own.count = 0;
+    const int status = add_buckets(s, by, self_part_start(buckets, part),
+                                   self_part_start(buckets, part + 1), size, &own);
+    s->grid.part[part] = own;
+    return status;
 }
 
 /* All parts, one behind the other. 0, or -1: out of memory. */
@@ -316,7 +326,6 @@ int self_grid_find(self_collision *s, double h, const double (*x)[3], const doub
         return -1;
 #pragma omp parallel for schedule(dynamic) reduction(| : failed)
     for (int part = 0; part < SELF_PARTS; part++)
-        failed |= find_in(s, &by, self_part_start(buckets, part),
-                          self_part_start(buckets, part + 1), size, &s->grid.part[part]) != 0;
+        failed |= find_part(s, &by, part, buckets, size) != 0;
     return failed ? -1 : join(s);
 }
