@@ -407,6 +407,44 @@ static void systems_are_sums_of_elements(void **state) {
     cloth_free(&m);
 }
 
+/* Takes the first crossing of edge 3 4 and ends the search. */
+static int take_crossing(void *to, const barrier *b, const barrier_crossing *found) {
+    (void)b;
+    if (found->edge[0] + found->edge[1] != 7)
+        return 0;
+    *(barrier_crossing *)to = *found;
+    return 1;
+}
+
+/* An edge goes through a triangle, one end 1 mm beyond its plane and the other 5 mm. */
+static void crossings_know_the_nearer_end(void **state) {
+    static const double material[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {3, 0}, {2, 1}};
+    static const int triangle[2][3] = {{0, 1, 2}, {3, 4, 5}};
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        char error[256];
+        double mass[6] = {1, 1, 1, 1, 1, 1};
+        mesh m = cloth_of(6, material, 2, triangle);
+        scene s = cloth_scene();
+        barrier b;
+        barrier_crossing found = {.nearer = -1};
+        s.self_collision.gap = 0.01;
+        assert_int_equal(barrier_init(&b, &m, &s, mass, error), 0);
+        const double above[3] = {0.2, 0.2, turned ? 0.005 : 0.001};
+        const double below[3] = {0.2, 0.2, turned ? -0.001 : -0.005}, far[3] = {2, 2, 0.1};
+        memcpy(b.x, m.position, sizeof(double[6][3]));
+        memcpy(b.x[3], above, sizeof above);
+        memcpy(b.x[4], below, sizeof below);
+        memcpy(b.x[5], far, sizeof far);
+        assert_int_equal(barrier_visit_crossings(&b, take_crossing, &found), 1);
+        assert_near(found.depth, 1e-3, 1e-12);
+        assert_near(b.x[found.edge[found.nearer]][2], turned ? -1e-3 : 1e-3, 1e-12);
+        assert_near(found.normal[2], turned ? -1 : 1, 1e-12);
+        barrier_free(&b);
+        cloth_free(&m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nearest_points),
@@ -417,6 +455,7 @@ int main(void) {
         cmocka_unit_test(gradients_are_those_of_the_energy),
         cmocka_unit_test(kept_candidates_miss_no_pair),
         cmocka_unit_test(pairs_on_the_way_are_listed),
+        cmocka_unit_test(crossings_know_the_nearer_end),
         cmocka_unit_test(systems_are_sums_of_elements),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
