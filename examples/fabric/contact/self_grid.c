@@ -299,13 +299,13 @@ static int find_part(self_collision *s, const self_search *by, int part, int buc
 
 /* All parts, one behind the other. 0, or -1: out of memory. */
 static int join(self_collision *s) {
-    int first[SELF_PARTS + 1] = {0};
+    long first[SELF_PARTS + 1] = {0};
     for (int part = 0; part < SELF_PARTS; part++)
         first[part + 1] = first[part] + s->grid.part[part].count;
     s->pair_count = 0;
     if (array_grow(&s->pair, &s->pair_room, first[SELF_PARTS], sizeof *s->pair) != 0)
         return -1;
-    s->pair_count = first[SELF_PARTS];
+    s->pair_count = (int)first[SELF_PARTS];
 #pragma omp parallel for schedule(static)
     for (int part = 0; part < SELF_PARTS; part++) {
         const self_pairs *from = &s->grid.part[part];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* More scenes with `contact: barrier`: what a tailor's table has on it. */
+/* More scenes with `contact: barrier`: layers, a seam, piles; and the account of energy. */
 #include "barrier_scene.h"
 
 #include <stdio.h>
@@ -19,8 +19,8 @@ static mesh two_halves(double apart) {
     return barrier_layers(2, 5, 0.04, 0.05, 0, 0.16 + apart);
 }
 
-/* A seam that is not joined: the start touches, and is refused, with features and remedy; joined
- * or a little apart it runs. */
+/* A seam that is not joined: the start touches, and is refused, with features and remedy; a
+ * little apart or untangled it runs. */
 static void seam(void **state) {
     (void)state;
     collider bodies[1] = {barrier_ground};
