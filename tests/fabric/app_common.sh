@@ -36,7 +36,8 @@ holds() {
 }
 
 # interrupt SIGNAL COMMAND...: sends the signal once the command has written a line to its standard
-# output, whose first line then is in first; gives the command's exit status.
+# output, whose first line then is in first, and the CPU seconds used until then in used; gives the
+# command's exit status.
 interrupt() {
   local signal=$1 running
   shift
@@ -46,6 +47,7 @@ interrupt() {
   running=$!
   exec 3<told
   read -r first <&3
+  used=$(awk -v a="$(getconf CLK_TCK)" '{print ($14 + $15) / a}' /proc/$running/stat)
   kill -"$signal" $running
   cat <&3 >/dev/null
   exec 3<&-

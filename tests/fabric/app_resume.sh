@@ -119,6 +119,18 @@ expect 0 "" "$program" run --resume signalled --progress none
 expect 0 "" "$program" "${run[@]}" -o unsignalled --steps 300
 same_results signalled unsignalled
 
+# With a barrier Ctrl-C waits for no step: that under way is undone, within a second.
+times >begun
+interrupt INT "$program" run poles -o large --set mesh.vertices=8000 --set mesh.boundary=350 \
+  --frames 0 --progress json 2>large.said
+status=$?
+times >ended
+holds "a run with a barrier is interrupted as well" test $status -eq 130
+holds "its step is undone" grep -q "ended after step 1 of 70; to go on" large.said
+late=$(awk -F'[ms ]' -v used="$used" 'FNR == 2 {sum = 60 * $1 + $2 + 60 * $4 + $5 - sum}
+  END {print sum - used}' begun ended)
+holds "that takes no second, but $late s" awk -v late="$late" 'BEGIN {exit !(late > -0.1 && late < 1)}'
+
 # A folder's name that a shell would take apart is quoted.
 expect 0 "to go on: $(basename "$program") run --resume 'two words'" \
   "$program" "${run[@]}" -o "two words" --stop-after 1

@@ -11,7 +11,7 @@ target_link_libraries(fabric_physics_tests PUBLIC fabric_flags PkgConfig::CMOCKA
                       PRIVATE redcc_warnings)
 
 # A cloth with its scene and simulation: for whole steps, and for hard.cmake.
-add_library(fabric_stage STATIC hard/stage.c hard/crossings.c)
+add_library(fabric_stage STATIC hard/stage.c hard/crossings.c hard/barrier_scene.c)
 target_include_directories(fabric_stage PUBLIC hard)
 target_link_libraries(fabric_stage PUBLIC fabric_physics_tests fabric_physics
                       PRIVATE redcc_warnings)

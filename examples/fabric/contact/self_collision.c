@@ -130,7 +130,7 @@ static void look_through(self_collision *s, double h, const double (*x)[3], cons
         for (int i = 0; i < s->mesh->vertex_count; i++)
             if (memcmp(v[i], turns->v[i], sizeof v[i]) != 0)
                 turns->vertex[i] = turns->now;
-#pragma omp for schedule(dynamic, 64)
+#pragma omp for schedule(static)
         for (int n = 0; n < s->pair_count; n++) {
             if (is_quiet(s, n))
                 continue;
@@ -203,7 +203,7 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
     s->left = 1;
     if (self_grid_find(s, h, x, v, s->gap) != 0)
         return -1;
-#pragma omp parallel for schedule(dynamic, 64) reduction(+ : passing)
+#pragma omp parallel for schedule(static) reduction(+ : passing)
     for (int n = 0; n < s->pair_count; n++)
         passing += self_collision_passes(s, &s->pair[n], h, x, v);
     s->left = passing;

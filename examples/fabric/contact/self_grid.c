@@ -268,10 +268,9 @@ static int meet_here(const self_collision *s, const self_entry *a, const self_en
     return 1;
 }
 
-/* The pairs of some buckets. 0, or -1: out of memory. */
-static int find_in(const self_collision *s, const self_search *by, int bucket, int end, double size,
-                   self_pairs *to) {
-    to->count = 0;
+/* Adds the pairs of some buckets. 0, or -1: out of memory. */
+static int add_buckets(const self_collision *s, const self_search *by, int bucket, int end,
+                       double size, self_pairs *to) {
     for (; bucket < end; bucket++)
         for (int i = s->grid.start[bucket]; i < s->grid.start[bucket + 1]; i++)
             for (int j = i + 1; j < s->grid.start[bucket + 1]; j++) {
@@ -287,18 +286,31 @@ static int find_in(const self_collision *s, const self_search *by, int bucket, i
     return 0;
 }
 
+/* The pairs of a part's buckets. The thread fills a list of its own: neighbours in the array share
+ * cache lines. 0, or -1: out of memory. */
+static int find_part(self_collision *s, const self_search *by, int part, int buckets, double size) {
+    self_pairs own = s->grid.part[part];
+    own.count = 0;
+    const int status = add_buckets(s, by, self_part_start(buckets, part),
+                                   self_part_start(buckets, part + 1), size, &own);
+    s->grid.part[part] = own;
+    return status;
+}
+
 /* Joins the parts' pairs, in order. 0, or -1: out of memory. */
 static int join(self_collision *s) {
-    long count = 0;
+    long first[SELF_PARTS + 1] = {0};
     for (int part = 0; part < SELF_PARTS; part++)
-        count += s->grid.part[part].count;
-    if (array_grow(&s->pair, &s->pair_room, count, sizeof *s->pair) != 0)
+        first[part + 1] = first[part] + s->grid.part[part].count;
+    s->pair_count = 0;
+    if (array_grow(&s->pair, &s->pair_room, first[SELF_PARTS], sizeof *s->pair) != 0)
         return -1;
+    s->pair_count = (int)first[SELF_PARTS];
+#pragma omp parallel for schedule(static)
     for (int part = 0; part < SELF_PARTS; part++) {
         const self_pairs *from = &s->grid.part[part];
         if (from->count > 0)
-            memcpy(s->pair + s->pair_count, from->pair, (size_t)from->count * sizeof *from->pair);
-        s->pair_count += from->count;
+            memcpy(s->pair + first[part], from->pair, (size_t)from->count * sizeof *from->pair);
     }
     return 0;
 }
@@ -316,7 +328,6 @@ int self_grid_find(self_collision *s, double h, const double (*x)[3], const doub
         return -1;
 #pragma omp parallel for schedule(dynamic) reduction(| : failed)
     for (int part = 0; part < SELF_PARTS; part++)
-        failed |= find_in(s, &by, self_part_start(buckets, part),
-                          self_part_start(buckets, part + 1), size, &s->grid.part[part]) != 0;
+        failed |= find_part(s, &by, part, buckets, size) != 0;
     return failed ? -1 : join(s);
 }

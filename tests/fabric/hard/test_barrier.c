@@ -3,159 +3,49 @@
  * Scenes with `contact: barrier`: nothing passes in any frame, bodies included, as a comparison of
  * everything with everything sees it; or the start is refused, with features and a remedy.
  */
-#include "stage.h"
+#include "barrier_scene.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "base/vector.h"
-#include "contact/shape.h"
-#include "crossings.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/surface.h"
 #include "step/barrier_step.h"
 
-static const collider ground = {
-    .kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.004};
-
-static scene scene_of(int colliders, collider *list) {
-    scene s = cloth_scene();
-    s.contact.method = CONTACT_BARRIER;
-    s.time.step = 0.02;
-    s.solution.tolerance = 1e-3;
-    s.material.bend = 1e-4;
-    s.surroundings.drag = 0.2;
-    s.monitor.energy = 1e-3;
-    s.self_collision.gap = 0.004;
-    s.self_collision.friction = 0.3;
-    s.collider_count = colliders;
-    s.colliders = list;
-    return s;
-}
-
-/* Copies of one sheet, each moved by `aside` along x and `apart` along z against the one before. */
-static mesh layers(int count, int columns, double spacing, double low, double apart, double aside) {
-    const mesh one = cloth_sheet(columns, columns, spacing, 0.2, 3);
-    const int vertices = one.vertex_count, triangles = one.triangle_count;
-    double(*material)[2] = calloc((size_t)(vertices * count), sizeof *material);
-    int(*triangle)[3] = calloc((size_t)(triangles * count), sizeof *triangle);
-    for (int n = 0; n < count; n++) {
-        memcpy(material[n * vertices], one.material, (size_t)vertices * sizeof *material);
-        for (int t = 0; t < triangles; t++)
-            for (int p = 0; p < 3; p++)
-                triangle[n * triangles + t][p] = one.triangle[t][p] + n * vertices;
-    }
-    mesh all = cloth_of(vertices * count, (const double(*)[2])material, triangles * count,
-                        (const int(*)[3])triangle);
-    for (int i = 0; i < all.vertex_count; i++) {
-        all.position[i][0] += aside * (i / vertices);
-        all.position[i][2] = low + apart * (i / vertices);
-    }
-    mesh gone = one;
-    cloth_free(&gone);
-    free(material);
-    free(triangle);
-    return all;
-}
-
-/* What passes now: cloth through cloth, through each body, and vertices below planes. */
-static int passing(const stage *on) {
-    int count = crossings(on);
-    for (int n = 0; n < on->s.collider_count; n++) {
-        const collider *k = &on->s.colliders[n];
-        const double time = simulation_time(on->sim), middle[3] = {0};
-        double at[3];
-        mesh body;
-        vector_add_scaled(k->position, time, k->velocity, at);
-        for (int i = 0; k->kind == COLLIDER_PLANE && i < on->m.vertex_count; i++) {
-            double from[3];
-            vector_subtract(simulation_positions(on->sim)[i], at, from);
-            count += vector_dot(from, k->axis) <= 0;
-        }
-        if (k->kind == COLLIDER_PLANE)
-            continue;
-        assert_int_equal(solid_mesh(k, middle, 1, &body), 0);
-        count += crossings_with(on, &body, at);
-        mesh_free(&body);
-    }
-    return count;
-}
-
-/* Runs the scene to its end; the stage's mesh goes with it. Returns CPU seconds. */
-static double run(const char *name, stage *on, int steps) {
-    int crossed = 0;
-    if (!on->sim)
-        stage_begin(on);
-    double simulated = 0;
-    for (int n = 0; n < steps; n++) {
-        const clock_t begun = clock();
-        stage_run(on, 1);
-        simulated += (double)(clock() - begun) / CLOCKS_PER_SEC;
-        crossed += passing(on);
-        if (getenv("TRACE"))
-            printf("  %s %d: newton %ld cg %ld rejected %ld, %d crossings, %.2f s\n", name, n,
-                   simulation_counts(on->sim).newton_iterations,
-                   simulation_counts(on->sim).iterations, simulation_counts(on->sim).rejected,
-                   crossed, simulated);
-    }
-    printf("%-18s %4d vertices, %3d steps (%ld rejected), %4ld systems, %d crossings, %.2f s\n",
-           name, on->m.vertex_count, steps, simulation_counts(on->sim).rejected,
-           simulation_counts(on->sim).newton_iterations, crossed, simulated);
-    assert_int_equal(crossed, 0);
-    stage_assert_finite(on);
-    const run_faults faults = simulation_faults(on->sim);
-    assert_int_equal(simulation_counts(on->sim).rejected, 0);
-    assert_int_equal(faults.passing + faults.penetration + faults.not_solved, 0);
-    return simulated;
-}
-
-static void run_and_end(const char *name, mesh m, scene s, int steps) {
-    stage on = stage_of(m, s);
-    run(name, &on, steps);
-    stage_end(&on);
-}
-
 static void two_layers(void **state) {
     (void)state;
-    collider floor_only[1] = {ground};
-    run_and_end("two layers", layers(2, 7, 0.05, 0.012, 0.012, 0.013), scene_of(1, floor_only), 30);
+    collider floor_only[1] = {barrier_ground};
+    barrier_run("two layers", barrier_layers(2, 7, 0.05, 0.012, 0.012, 0.013),
+                barrier_scene(1, floor_only), 30);
 }
 
 /* Aligned vertex over vertex, edge over edge: all edges of two layers are parallel. */
 static void aligned_layers_on_a_ball(void **state) {
     (void)state;
-    collider bodies[2] = {ground,
+    collider bodies[2] = {barrier_ground,
                           {.kind = COLLIDER_SPHERE,
                            .position = {0.12, 0.13, 0.06},
                            .size = {0.04},
                            .friction = 0.3,
                            .gap = 0.004}};
-    run_and_end("aligned, ball", layers(2, 7, 0.04, 0.11, 0.006, 0), scene_of(2, bodies), 25);
+    barrier_run("aligned, ball", barrier_layers(2, 7, 0.04, 0.11, 0.006, 0),
+                barrier_scene(2, bodies), 25);
 }
 
 /* 3 mm apart, and to be kept 4 mm apart: they draw apart. */
 static void close_layers(void **state) {
     (void)state;
-    collider floor_only[1] = {ground};
-    run_and_end("close", layers(2, 7, 0.04, 0.01, 0.003, 0), scene_of(1, floor_only), 20);
-}
-
-static collider pole(double radius) {
-    return (collider){.kind = COLLIDER_CYLINDER,
-                      .position = {0.123, 0.137, 0},
-                      .axis = {0, 0, 1},
-                      .size = {radius, 0.2},
-                      .friction = 0.3,
-                      .gap = 0.004};
+    collider floor_only[1] = {barrier_ground};
+    barrier_run("close", barrier_layers(2, 7, 0.04, 0.01, 0.003, 0), barrier_scene(1, floor_only),
+                20);
 }
 
 /* A pole between the vertices of a coarse sheet. */
 static void thin_pole(void **state) {
     (void)state;
-    collider bodies[2] = {ground, pole(0.005)};
-    run_and_end("pole", layers(1, 7, 0.04, 0.22, 0, 0), scene_of(2, bodies), 30);
+    collider bodies[2] = {barrier_ground, barrier_pole(0.005)};
+    barrier_run("pole", barrier_layers(1, 7, 0.04, 0.22, 0, 0), barrier_scene(2, bodies), 30);
 }
 
 static surface *surface_of(mesh *m) {
@@ -186,14 +76,14 @@ static surface *spikes(int count, double radius, double height) {
 static void spikes_and_cone(void **state) {
     (void)state;
     for (int many = 0; many < 2; many++) {
-        collider bodies[2] = {ground,
+        collider bodies[2] = {barrier_ground,
                               {.kind = COLLIDER_MESH,
                                .position = {many ? 0.063 : 0.123, 0.127, 0},
                                .surface = spikes(many ? 3 : 1, many ? 0.01 : 0.05, 0.1),
                                .friction = 0.3,
                                .gap = 0.004}};
-        run_and_end(many ? "spikes" : "cone, open", layers(1, 7, 0.04, 0.11, 0, 0),
-                    scene_of(2, bodies), 30);
+        barrier_run(many ? "spikes" : "cone, open", barrier_layers(1, 7, 0.04, 0.11, 0, 0),
+                    barrier_scene(2, bodies), 30);
         surface_free(bodies[1].surface);
     }
 }
@@ -208,9 +98,9 @@ static void fast_rod(void **state) {
                     .size = {0.002, 0.2},
                     .friction = 0.3,
                     .gap = 0.004};
-    scene s = scene_of(1, &rod);
+    scene s = barrier_scene(1, &rod);
     s.surroundings.gravity[2] = 0;
-    run_and_end("fast rod", layers(1, 7, 0.04, 0, 0, 0), s, 12);
+    barrier_run("fast rod", barrier_layers(1, 7, 0.04, 0, 0, 0), s, 12);
 }
 
 /* A sheet with another that stands on its middle row: edges of three triangles. */
@@ -246,7 +136,7 @@ static mesh t_junction(int columns, double spacing) {
 
 static void garment_with_a_t_junction(void **state) {
     (void)state;
-    collider bodies[2] = {ground,
+    collider bodies[2] = {barrier_ground,
                           {.kind = COLLIDER_SPHERE,
                            .position = {0.12, 0.1, 0.05},
                            .size = {0.04},
@@ -255,7 +145,7 @@ static void garment_with_a_t_junction(void **state) {
     mesh m = t_junction(7, 0.04);
     for (int i = 0; i < m.vertex_count; i++)
         m.position[i][2] += 0.1;
-    run_and_end("T-junction", m, scene_of(2, bodies), 30);
+    barrier_run("T-junction", m, barrier_scene(2, bodies), 30);
 }
 
 /* A tube, the front and back of a shirt 1 cm apart, falls over a pole. */
@@ -286,14 +176,14 @@ static mesh flat_tube(int around, int rings, double width, double length) {
 
 static void shirt(void **state) {
     (void)state;
-    collider bodies[2] = {ground, pole(0.01)};
+    collider bodies[2] = {barrier_ground, barrier_pole(0.01)};
     bodies[1].position[0] = bodies[1].position[1] = 0.01;
     bodies[1].position[2] = -0.11;
-    run_and_end("shirt", flat_tube(14, 7, 0.24, 0.24), scene_of(2, bodies), 25);
+    barrier_run("shirt", flat_tube(14, 7, 0.24, 0.24), barrier_scene(2, bodies), 25);
 }
 
 static mesh crossed_layers(void) {
-    mesh m = layers(2, 4, 0.04, 0.02, 0, 0);
+    mesh m = barrier_layers(2, 4, 0.04, 0.02, 0, 0);
     for (int i = m.vertex_count / 2; i < m.vertex_count; i++) {
         m.position[i][2] = 0.02 + 0.3 * (m.position[i][0] - 0.05);
         m.position[i][1] += 0.003;
@@ -301,33 +191,26 @@ static mesh crossed_layers(void) {
     return m;
 }
 
-/* Where the start is refused, and what is said of it. */
-static void refused(const char *name, mesh m, scene s, const char *expected) {
-    char error[256] = "";
-    simulation *sim = simulation_new(&m, &s, error);
-    printf("%-18s %s\n", name, error);
-    assert_null(sim);
-    assert_non_null(strstr(error, expected));
-    cloth_free(&m);
-}
-
 static void bad_starts_are_named(void **state) {
     (void)state;
-    collider bodies[1] = {ground};
-    refused("crossed", crossed_layers(), scene_of(0, NULL), "mm through triangle");
-    refused("coincident", layers(2, 4, 0.04, 0.02, 0, 0), scene_of(0, NULL), "touching");
-    refused("below the floor", layers(1, 4, 0.04, -0.001, 0, 0), scene_of(1, bodies),
-            "lies 1 mm in colliders.0");
-    collider thin[1] = {pole(0.001)};
+    collider bodies[1] = {barrier_ground};
+    barrier_refused("crossed", crossed_layers(), barrier_scene(0, NULL), "mm through triangle");
+    barrier_refused("coincident", barrier_layers(2, 4, 0.04, 0.02, 0, 0), barrier_scene(0, NULL),
+                    "touching");
+    barrier_refused("below the floor", barrier_layers(1, 4, 0.04, -0.001, 0, 0),
+                    barrier_scene(1, bodies), "lies 1 mm in colliders.0");
+    collider thin[1] = {barrier_pole(0.001)};
     thin[0].position[0] = thin[0].position[1] = 0.05;
-    refused("around a pole", layers(1, 4, 0.04, 0, 0, 0), scene_of(1, thin), "of colliders.0");
+    barrier_refused("around a pole", barrier_layers(1, 4, 0.04, 0, 0, 0), barrier_scene(1, thin),
+                    "of colliders.0");
     bodies[0].until = 1;
-    refused("until", layers(1, 4, 0.04, 0.1, 0, 0), scene_of(1, bodies), "no until");
+    barrier_refused("until", barrier_layers(1, 4, 0.04, 0.1, 0, 0), barrier_scene(1, bodies),
+                    "no until");
 }
 
 /* The first layer lies on the second, but for a corner. */
 static mesh layers_but_for_a_corner(void) {
-    mesh m = layers(2, 5, 0.04, 0.02, -0.002, 0.001);
+    mesh m = barrier_layers(2, 5, 0.04, 0.02, -0.002, 0.001);
     m.position[0][2] -= 0.005;
     return m;
 }
@@ -355,26 +238,26 @@ static double mean_height(const stage *on, int from, int count) {
 /* With contact.untangle the same starts run; layers keep the order that most of them has. */
 static void overlapping_starts_are_untangled(void **state) {
     (void)state;
-    collider floor_only[1] = {ground}, bodies[2] = {ground,
-                                                    {.kind = COLLIDER_SPHERE,
-                                                     .position = {0.06, 0.06, 0.04},
-                                                     .size = {0.05},
-                                                     .friction = 0.3,
-                                                     .gap = 0.004}};
+    collider floor_only[1] = {barrier_ground}, bodies[2] = {barrier_ground,
+                                                            {.kind = COLLIDER_SPHERE,
+                                                             .position = {0.06, 0.06, 0.04},
+                                                             .size = {0.05},
+                                                             .friction = 0.3,
+                                                             .gap = 0.004}};
     struct {
         const char *name;
         mesh m;
         int colliders;
     } starts[] = {{"crossed", crossed_layers(), 1},
-                  {"coincident", layers(2, 5, 0.04, 0.02, 0, 0), 1},
+                  {"coincident", barrier_layers(2, 5, 0.04, 0.02, 0, 0), 1},
                   {"reversed", layers_but_for_a_corner(), 1},
-                  {"five coincident", layers(5, 5, 0.04, 0.02, 0, 0), 1},
-                  {"below the floor", layers(1, 5, 0.04, -0.001, 0, 0), 1},
-                  {"in a ball", layers(2, 5, 0.04, 0.07, 0.0002, 0.001), 2},
+                  {"five coincident", barrier_layers(5, 5, 0.04, 0.02, 0, 0), 1},
+                  {"below the floor", barrier_layers(1, 5, 0.04, -0.001, 0, 0), 1},
+                  {"in a ball", barrier_layers(2, 5, 0.04, 0.07, 0.0002, 0.001), 2},
                   {"shirt", crossed_shirt(0), 1},
                   {"shirt, shifted", crossed_shirt(0.007), 1}};
     for (size_t k = 0; k < sizeof starts / sizeof *starts; k++) {
-        scene s = scene_of(starts[k].colliders, starts[k].colliders > 1 ? bodies : floor_only);
+        scene s = barrier_scene(starts[k].colliders, starts[k].colliders > 1 ? bodies : floor_only);
         pin corner = {.by = PIN_NEAREST};
         memcpy(corner.nearest, starts[k].m.position[0], sizeof corner.nearest);
         s.contact.untangle = 1;
@@ -383,7 +266,7 @@ static void overlapping_starts_are_untangled(void **state) {
         stage on = stage_of(starts[k].m, s);
         const int layer = k == 1 || k == 2 ? on.m.vertex_count / 2 : 0;
         stage_begin(&on);
-        assert_int_equal(passing(&on), 0);
+        assert_int_equal(barrier_passing(&on), 0);
         if (s.pin_count > 0)
             assert_memory_equal(simulation_positions(on.sim)[0], corner.nearest,
                                 sizeof corner.nearest);
@@ -391,7 +274,7 @@ static void overlapping_starts_are_untangled(void **state) {
             const double first = mean_height(&on, 0, layer), then = mean_height(&on, layer, layer);
             assert_below(1e-3, k == 1 ? then - first : first - then);
         }
-        run(starts[k].name, &on, 12);
+        barrier_run_stage(starts[k].name, &on, 12);
         stage_end(&on);
     }
 }
@@ -399,7 +282,7 @@ static void overlapping_starts_are_untangled(void **state) {
 /* A plate comes down onto a sheet on a floor and goes on: there is no room, and that is said. */
 static void squeezed(void **state) {
     (void)state;
-    collider bodies[2] = {ground,
+    collider bodies[2] = {barrier_ground,
                           {.kind = COLLIDER_BOX,
                            .position = {0.08, 0.08, 0.03},
                            .velocity = {0, 0, -0.1},
@@ -407,11 +290,11 @@ static void squeezed(void **state) {
                            .friction = 0.3,
                            .gap = 0.004}};
     char error[256] = "";
-    stage on = stage_of(layers(1, 5, 0.04, 0.006, 0, 0), scene_of(2, bodies));
+    stage on = stage_of(barrier_layers(1, 5, 0.04, 0.006, 0, 0), barrier_scene(2, bodies));
     stage_begin(&on);
     int steps = 0, crossed = 0;
     for (; steps < 40 && simulation_step(on.sim, error) == 0; steps++)
-        crossed += passing(&on);
+        crossed += barrier_passing(&on);
     printf("%-18s after %d steps: %s\n", "squeezed", steps, error);
     assert_in_range(steps, 8, 10);
     assert_int_equal(crossed, 0);
@@ -427,7 +310,7 @@ static void work_is_linear_in_contacts(void **state) {
     static const char *const names[counts] = {"pairs looked at", "near", "touching", "blocks"};
     double count[3][counts];
     for (int k = 0; k < 3; k++) {
-        stage on = stage_of(layers(3 << k, 5, 0.04, 0.1, 0.003, 0), scene_of(0, NULL));
+        stage on = stage_of(barrier_layers(3 << k, 5, 0.04, 0.1, 0.003, 0), barrier_scene(0, NULL));
         stage_begin(&on);
         const barrier *b = &on.sim->barrier->contact;
         count[k][looked_at] = b->search.pair_count;
@@ -456,10 +339,10 @@ static void directions_are_conjugate(void **state) {
                            .size = {0.12},
                            .friction = 0.3,
                            .gap = 0.008}};
-    scene s = scene_of(1, bodies);
+    scene s = barrier_scene(1, bodies);
     s.material.stretch = 400;
     s.material.shear = 80;
-    stage on = stage_of(layers(1, 13, 0.04, 0.33, 0, 0), s);
+    stage on = stage_of(barrier_layers(1, 13, 0.04, 0.33, 0, 0), s);
     stage_begin(&on);
     stage_run(&on, 20);
     const long systems = simulation_counts(on.sim).newton_iterations;
@@ -471,9 +354,9 @@ static void directions_are_conjugate(void **state) {
 
 static void sixteen_layers(void **state) {
     (void)state;
-    collider floor_only[1] = {ground};
-    stage on = stage_of(layers(16, 7, 0.05, 0.012, 0.012, 0), scene_of(1, floor_only));
-    assert_below(run("sixteen layers", &on, 60), 60);
+    collider floor_only[1] = {barrier_ground};
+    stage on = stage_of(barrier_layers(16, 7, 0.05, 0.012, 0.012, 0), barrier_scene(1, floor_only));
+    assert_below(barrier_run_stage("sixteen layers", &on, 60), 60);
     stage_end(&on);
 }
 

@@ -6,7 +6,7 @@
 #include "base/vector.h"
 #include "check.h"
 #include "cloth.h"
-#include "contact/barrier.h"
+#include "contact/barrier_system.h"
 
 /* The least distance of two features by looking at many points of both. */
 static double sampled_distance(int is_edges, const double x[4][3]) {
@@ -297,6 +297,154 @@ static void kept_candidates_miss_no_pair(void **state) {
     cloth_free(&m);
 }
 
+/* A sheet folded in two, the halves 6 mm apart: many pairs of edges are nearly parallel. */
+static mesh folded_sheet(void) {
+    mesh m = cloth_sheet(6, 6, 0.04, 0.2, 3);
+    for (int i = 0; i < m.vertex_count; i++) {
+        const double x = m.position[i][0];
+        m.position[i][0] = x < 0.1 ? x : 0.2 - x + 1e-4;
+        m.position[i][2] = x < 0.1 ? 0 : 0.006;
+    }
+    return m;
+}
+
+/* What is near at the end of the way is listed where it begins. */
+static void pairs_on_the_way_are_listed(void **state) {
+    unsigned seed = 21;
+    char error[256];
+    double mass[36];
+    mesh m = folded_sheet();
+    scene s = cloth_scene();
+    barrier from, to;
+    int new_ones = 0;
+    (void)state;
+    s.self_collision.gap = 0.004;
+    for (int i = 0; i < 36; i++)
+        mass[i] = 1e-3;
+    assert_int_equal(barrier_init(&from, &m, &s, mass, error), 0);
+    assert_int_equal(barrier_init(&to, &m, &s, mass, error), 0);
+    for (int n = 0; n < 20; n++) {
+        for (int i = 0; i < 36; i++)
+            for (int a = 0; a < 3; a++) {
+                from.x[i][a] = m.position[i][a];
+                from.way[i][a] = 0.008 * random_number(&seed);
+                to.x[i][a] = from.x[i][a] + from.way[i][a];
+            }
+        assert_int_equal(barrier_find_pairs(&from, read_only(from.x), read_only(from.way)), 0);
+        assert_int_equal(barrier_find_pairs(&to, read_only(to.x), NULL), 0);
+        qsort(from.list.pair, (size_t)from.list.pairs, sizeof *from.list.pair, by_bytes);
+        for (int k = 0; k < to.list.pairs; k++)
+            assert_non_null(bsearch(&to.list.pair[k], from.list.pair, (size_t)from.list.pairs,
+                                    sizeof *from.list.pair, by_bytes));
+        new_ones += to.list.pairs;
+        assert_int_equal(barrier_find_pairs(&from, read_only(from.x), NULL), 0);
+        new_ones -= from.list.pairs;
+    }
+    assert_true(new_ones > 20);
+    barrier_free(&from);
+    barrier_free(&to);
+    cloth_free(&m);
+}
+
+/* The matrix of the system times y, and the right side, are the sums over the elements. */
+static void systems_are_sums_of_elements(void **state) {
+    enum { vertices = 36 };
+    const double h = 0.01;
+    unsigned seed = 9;
+    char error[256];
+    double mass[vertices], y[vertices][3], expected[vertices][3] = {{0}},
+                                           found[vertices][3] = {{0}};
+    mesh m = folded_sheet();
+    scene s = cloth_scene();
+    barrier b;
+    barrier_system made;
+    linear_system cloth;
+    (void)state;
+    s.self_collision.gap = 0.01;
+    for (int i = 0; i < vertices; i++)
+        mass[i] = 1e-3;
+    const double none[vertices] = {0};
+    const element_list triangles[1] = {{m.triangle_count, 3, &m.triangle[0][0]}};
+    assert_int_equal(system_init(&cloth, vertices, 1, triangles), 0);
+    system_reset(&cloth, none, none, h);
+    assert_int_equal(barrier_init(&b, &m, &s, mass, error), 0);
+    assert_int_equal(barrier_system_init(&made, &cloth.A, vertices), 0);
+    for (int i = 0; i < vertices; i++)
+        for (int a = 0; a < 3; a++) {
+            b.x[i][a] = b.begin[i][a] = m.position[i][a] + 1e-3 * random_number(&seed);
+            y[i][a] = random_number(&seed);
+        }
+    assert_int_equal(barrier_find_pairs(&b, read_only(b.x), NULL), 0);
+    assert_int_equal(barrier_find_contacts(&b, read_only(b.x)), 0);
+    assert_int_equal(barrier_make_elements(&b, h, read_only(b.x)), 0);
+    int lower = 0;
+    for (int n = 0; n < b.list.elements; n++) {
+        const barrier_element *e = &b.list.element[n];
+        for (int p = 0, k = 0; p < 4; p++)
+            for (int q = p; q < 4; q++, k++) {
+                const int i = e->vertex[p], j = e->vertex[q];
+                lower += i > j;
+                for (int r = 0; r < 3; r++)
+                    for (int c = 0; c < 3; c++) {
+                        expected[i][r] += h * h * e->block[k][r][c] * y[j][c];
+                        if (p != q)
+                            expected[j][c] += h * h * e->block[k][r][c] * y[i][r];
+                    }
+            }
+    }
+    assert_int_equal(barrier_system_make(&made, &b, h, &cloth), 0);
+    half_product(&made.all.A, read_only(y), found);
+    assert_true(b.list.elements > 50 && lower > 50);
+    double scale = 0;
+    for (int i = 0; i < vertices; i++)
+        scale = fmax(scale, vector_length(expected[i]));
+    for (int i = 0; i < vertices; i++)
+        for (int a = 0; a < 3; a++)
+            assert_near(found[i][a], expected[i][a], 1e-12 * scale);
+    barrier_system_free(&made);
+    barrier_free(&b);
+    system_free(&cloth);
+    cloth_free(&m);
+}
+
+/* Takes the first crossing of edge 3 4 and ends the search. */
+static int take_crossing(void *to, const barrier *b, const barrier_crossing *found) {
+    (void)b;
+    if (found->edge[0] + found->edge[1] != 7)
+        return 0;
+    *(barrier_crossing *)to = *found;
+    return 1;
+}
+
+/* An edge goes through a triangle, one end 1 mm beyond its plane and the other 5 mm. */
+static void crossings_know_the_nearer_end(void **state) {
+    static const double material[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {3, 0}, {2, 1}};
+    static const int triangle[2][3] = {{0, 1, 2}, {3, 4, 5}};
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        char error[256];
+        double mass[6] = {1, 1, 1, 1, 1, 1};
+        mesh m = cloth_of(6, material, 2, triangle);
+        scene s = cloth_scene();
+        barrier b;
+        barrier_crossing found = {.nearer = -1};
+        s.self_collision.gap = 0.01;
+        assert_int_equal(barrier_init(&b, &m, &s, mass, error), 0);
+        const double above[3] = {0.2, 0.2, turned ? 0.005 : 0.001};
+        const double below[3] = {0.2, 0.2, turned ? -0.001 : -0.005}, far[3] = {2, 2, 0.1};
+        memcpy(b.x, m.position, sizeof(double[6][3]));
+        memcpy(b.x[3], above, sizeof above);
+        memcpy(b.x[4], below, sizeof below);
+        memcpy(b.x[5], far, sizeof far);
+        assert_int_equal(barrier_visit_crossings(&b, take_crossing, &found), 1);
+        assert_near(found.depth, 1e-3, 1e-12);
+        assert_near(b.x[found.edge[found.nearer]][2], turned ? -1e-3 : 1e-3, 1e-12);
+        assert_near(found.normal[2], turned ? -1 : 1, 1e-12);
+        barrier_free(&b);
+        cloth_free(&m);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nearest_points),
@@ -306,6 +454,9 @@ int main(void) {
         cmocka_unit_test(parallel_edges_do_not_push),
         cmocka_unit_test(gradients_are_those_of_the_energy),
         cmocka_unit_test(kept_candidates_miss_no_pair),
+        cmocka_unit_test(pairs_on_the_way_are_listed),
+        cmocka_unit_test(crossings_know_the_nearer_end),
+        cmocka_unit_test(systems_are_sums_of_elements),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
