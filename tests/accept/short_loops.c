@@ -47,6 +47,17 @@ static void in_macros(int n) {
     }
 }
 
+#define NEXT(c) c++
+static void steps_in_macros(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        for (int c = 0; c < CORNERS; NEXT(c))
+            force[corner[t][c]][3] += value[t][c];
+        int p;
+        for (p = 0; p < 4; /* one on */ p += 1)
+            force[corner[t][2]][p] -= value[t][p];
+    }
+}
+
 static void without_braces(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         if (kind[t] % 3 == 0)
@@ -95,6 +106,7 @@ int main(void) {
         beside_pragmas(N);
         with_attribute(N);
         in_macros(N);
+        steps_in_macros(N);
         without_braces(N);
         left_early(N);
     }

@@ -405,6 +405,13 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
 
+/** In the step of such a loop in the body: only plain iterations are unrolled. */
+#define REDCC_ROLLED(redcc_counter)                                                                \
+    __extension__({                                                                                \
+        if (redcc__checked)                                                                        \
+            __asm__("" : "+r"(redcc_counter));                                                     \
+    })
+
 /* ---- all of it ----------------------------------------------------------------------------- */
 
 /** A thread joins the region and inspects the blocks that the runtime hands out. */
