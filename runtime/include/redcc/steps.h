@@ -214,29 +214,26 @@ static __inline__ int redcc_meets(const char *first, redcc_size size, const void
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/** The same for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
-static __inline__ int redcc_row_meets(const char *first, redcc_size size, const void *base,
-                                      redcc_int row, redcc_size bytes) {
-    const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
-    const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
-    const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
-    const __PTRDIFF_TYPE__ low = from / step - (from % step < 0); /* the first row not before; */
-    const __PTRDIFF_TYPE__ end = to / step + (to % step > 0);     /* one behind */
-    return (redcc_size)row - (redcc_size)low < (size ? (redcc_size)(end - low) : 0);
+/* Both questions of REDCC_SELECT. A function: for each touch of each loop it is slow to compile. */
+static __attribute__((__noinline__, __unused__)) void
+redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
+                   const void *address, redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    if (bytes > 0)
+        redcc_probe_first(probe, window, address);
+    if (window->map && bytes > 0) {
+        redcc_probe_mapped(probe, window, address, bytes);
+        return;
+    }
+    probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
+    probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
 }
 
 REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                                     const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     if (probe->selects) {
-        if (bytes > 0)
-            redcc_probe_first(probe, window, address);
-        if (window->map && bytes > 0) {
-            redcc_probe_mapped(probe, window, address, bytes);
-            return;
-        }
-        probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
-        probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
+        redcc_select_touch(probe, worker, array, address, bytes);
         return;
     }
     probe->inside = 1;
@@ -247,13 +244,12 @@ REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *
                                         redcc_u32 array, const void *base, redcc_int row,
                                         redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
-    redcc_probe_first(probe, window, (const char *)base + row * (redcc_int)bytes);
-    if (probe->selects && window->map) {
-        redcc_probe_mapped(probe, window, (const char *)base + row * (redcc_int)bytes, bytes);
+    if (probe->selects) {
+        redcc_select_touch(probe, worker, array, (const char *)base + row * (redcc_int)bytes,
+                           bytes);
         return;
     }
-    probe->inside |=
-        !probe->selects || redcc_row_meets(window->first, window->size, base, row, bytes);
+    probe->inside = 1;
     probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
 }
 
