@@ -30,11 +30,20 @@ REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size i
     return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
+/* A function: written out at each update it is slow to compile. The fields are passed by value, so
+ * that compilers keep the owner's in registers where it has no map. */
+static __attribute__((__noinline__, __unused__)) int
+redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
+                   redcc_word reciprocal, unsigned self) {
+    return map[redcc_quotient(into, unit, reciprocal)] == self;
+}
+
 /** Does the thread own the byte at `address`? Does not ask the hook. */
 REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     return into < owner->size &&
-           (!owner->map || owner->map[redcc_unit_number(owner, into)] == owner->self);
+           (!owner->map ||
+            redcc_is_mapped_to(owner->map, into, owner->unit, owner->reciprocal, owner->self));
 }
 
 /* A range of several units, or one that leaves the map. */
