@@ -48,8 +48,13 @@ static void in_macros(int n) {
 }
 
 #define NEXT(c) c++
+#define AND_ON                                                                                     \
+    ;                                                                                              \
+    c++
 static void steps_in_macros(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
+        for (int c = 0; c < 4 AND_ON)
+            force[corner[t][1]][c] -= value[t][c] * 0.25;
         for (int c = 0; c < CORNERS; NEXT(c))
             force[corner[t][c]][3] += value[t][c];
         int p;
