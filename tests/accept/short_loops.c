@@ -47,6 +47,22 @@ static void in_macros(int n) {
     }
 }
 
+#define NEXT(c) c++
+#define AND_ON                                                                                     \
+    ;                                                                                              \
+    c++
+static void steps_in_macros(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        for (int c = 0; c < 4 AND_ON)
+            force[corner[t][1]][c] -= value[t][c] * 0.25;
+        for (int c = 0; c < CORNERS; NEXT(c))
+            force[corner[t][c]][3] += value[t][c];
+        int p;
+        for (p = 0; p < 4; /* one on */ p += 1)
+            force[corner[t][2]][p] -= value[t][p];
+    }
+}
+
 static void without_braces(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         if (kind[t] % 3 == 0)
@@ -95,6 +111,7 @@ int main(void) {
         beside_pragmas(N);
         with_attribute(N);
         in_macros(N);
+        steps_in_macros(N);
         without_braces(N);
         left_early(N);
     }

@@ -303,6 +303,8 @@ static void write_body(loop_text *loop, writer *out) {
                 outlined_name(loop, "body"), kind, count,
                 counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->outline.body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+    if (loop->lanes.is_wanted)
+        writer_line(out, "    REDCC_TOLD_OF_LANES");
     buffer_text(&out->out, text);
     writer_line(out, "}");
     if (!names_by_address(loop))

@@ -285,10 +285,17 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
     return redcc_has(owner, address) ||
            (owner->hook && redcc_ask_hook(worker, owner->hook, address));
 }
+/* The same for long iterations. */
+static __attribute__((__noinline__, __unused__)) int
+redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
+    return redcc_asks(worker, owner, address);
+}
 
 /** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
-    if (!redcc__checked || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+    if (!redcc__checked ||                                                                         \
+        (redcc__by_calls ? redcc_asks_by_call(redcc__worker, redcc__own_##redcc_i, redcc_at)       \
+                         : redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at)))
 
 /** Begins an iteration of an inner loop: in the owner-checked form it is skipped if the thread owns
  *  no row that it would update. */
@@ -404,6 +411,13 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
 #define REDCC_UNROLLED _Pragma("GCC unroll 16")
 #define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
+
+/** In the step of such a loop in the body: only plain iterations are unrolled. */
+#define REDCC_ROLLED(redcc_counter)                                                                \
+    __extension__({                                                                                \
+        if (redcc__checked)                                                                        \
+            __asm__("" : "+r"(redcc_counter));                                                     \
+    })
 
 /* ---- all of it ----------------------------------------------------------------------------- */
 

@@ -20,8 +20,8 @@
 #define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
 #define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told, redcc__by_calls
 
-/** For long iterations (lanes.h): compiled once for all uses, recording addresses by calls. Other
- *  slices record them inline. */
+/** For long iterations (lanes.h): compiled once for all uses, recording and comparing addresses by
+ *  calls. Other slices compare them inline. */
 #define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
 #define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
 enum { redcc__by_calls = 0 };
@@ -108,12 +108,10 @@ REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, re
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
-    else if (by_calls)
-        redcc_tell_touch(probe, worker, array, address, bytes);
-    else if (probe)
+    else if (probe && !by_calls)
         redcc_probe_touch(probe, worker, array, address, bytes);
     else
-        redcc_touch(worker, array, address, bytes);
+        redcc_tell_touch(probe, worker, array, address, bytes);
 }
 
 REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
@@ -138,12 +136,10 @@ REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
-    else if (by_calls)
-        redcc_tell_touch(probe, worker, array, address, bytes);
-    else if (probe)
+    else if (probe && !by_calls)
         redcc_probe_touch_row(probe, worker, array, base, row, bytes);
     else
-        redcc_touch(worker, array, address, bytes);
+        redcc_tell_touch(probe, worker, array, address, bytes);
 }
 
 REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,

@@ -30,11 +30,20 @@ REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size i
     return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
+/* A function: written out at each update it is slow to compile. The fields are passed by value, so
+ * that compilers keep the owner's in registers where it has no map. */
+static __attribute__((__noinline__, __unused__)) int
+redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
+                   redcc_word reciprocal, unsigned self) {
+    return map[redcc_quotient(into, unit, reciprocal)] == self;
+}
+
 /** Does the thread own the byte at `address`? Does not ask the hook. */
 REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     return into < owner->size &&
-           (!owner->map || owner->map[redcc_unit_number(owner, into)] == owner->self);
+           (!owner->map ||
+            redcc_is_mapped_to(owner->map, into, owner->unit, owner->reciprocal, owner->self));
 }
 
 /* A range of several units, or one that leaves the map. */
@@ -214,29 +223,26 @@ static __inline__ int redcc_meets(const char *first, redcc_size size, const void
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/** The same for row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
-static __inline__ int redcc_row_meets(const char *first, redcc_size size, const void *base,
-                                      redcc_int row, redcc_size bytes) {
-    const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
-    const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
-    const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
-    const __PTRDIFF_TYPE__ low = from / step - (from % step < 0); /* the first row not before; */
-    const __PTRDIFF_TYPE__ end = to / step + (to % step > 0);     /* one past the last */
-    return (redcc_size)row - (redcc_size)low < (size ? (redcc_size)(end - low) : 0);
+/* Both questions of REDCC_SELECT. A function: for each touch of each loop it is slow to compile. */
+static __attribute__((__noinline__, __unused__)) void
+redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
+                   const void *address, redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    if (bytes > 0)
+        redcc_probe_first(probe, window, address);
+    if (window->map && bytes > 0) {
+        redcc_probe_mapped(probe, window, address, bytes);
+        return;
+    }
+    probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
+    probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
 }
 
 REDCC_INLINE void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                                     const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     if (probe->selects) {
-        if (bytes > 0)
-            redcc_probe_first(probe, window, address);
-        if (window->map && bytes > 0) {
-            redcc_probe_mapped(probe, window, address, bytes);
-            return;
-        }
-        probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
-        probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
+        redcc_select_touch(probe, worker, array, address, bytes);
         return;
     }
     probe->inside = 1;
@@ -247,13 +253,12 @@ REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *
                                         redcc_u32 array, const void *base, redcc_int row,
                                         redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
-    redcc_probe_first(probe, window, (const char *)base + row * (redcc_int)bytes);
-    if (probe->selects && window->map) {
-        redcc_probe_mapped(probe, window, (const char *)base + row * (redcc_int)bytes, bytes);
+    if (probe->selects) {
+        redcc_select_touch(probe, worker, array, (const char *)base + row * (redcc_int)bytes,
+                           bytes);
         return;
     }
-    probe->inside |=
-        !probe->selects || redcc_row_meets(window->first, window->size, base, row, bytes);
+    probe->inside = 1;
     probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
 }
 

@@ -230,8 +230,3 @@ location location_of(variable_facts *facts, const ir_node *lvalue, const ir_node
     question q = {facts, scope};
     return lvalue_location(&q, lvalue, 0);
 }
-
-location location_pointed(variable_facts *facts, const ir_node *pointer, const ir_node *scope) {
-    question q = {facts, scope};
-    return pointed_location(&q, pointer, 0);
-}

@@ -35,7 +35,4 @@ typedef struct location {
  *  determine the memory, but `base` stays the pointer itself. */
 location location_of(variable_facts *facts, const ir_node *lvalue, const ir_node *scope);
 
-/** The target of a pointer's value. */
-location location_pointed(variable_facts *facts, const ir_node *pointer, const ir_node *scope);
-
 #endif

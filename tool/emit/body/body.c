@@ -27,6 +27,7 @@
 #include "emit/text/print.h"
 #include "ir/ir_syntax.h"
 #include "plan/inner_iterations.h"
+#include "plan/lanes.h"
 #include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/place.h"
@@ -225,8 +226,7 @@ static void replace_name(body_copy *copy, const ir_node *node, const char *name)
         replace_bytes(copy, node->range.begin, node->range.end, name);
 }
 
-/* ---- owner checks
- * -------------------------------------------------------------------------------- */
+/* ---- owner checks -------------------------------------------------------------------------- */
 
 static void choose_noted(body_copy *copy, const ir_node *node) {
     if (conditional_live_out_of(copy->loop->facts, node) >= 0)
@@ -278,10 +278,30 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
+/** Only plain iterations, or tiles, unroll a loop with updates: the other forms are slow to
+ * compile. Its step then hides the counter's value from the compiler. */
+static void keep_others_rolled(body_copy *copy, const ir_node *node) {
+    const ir_node *step = node->children[2];
+    const char *const text = copy->loop->unit->source->text;
+    uint32_t at = step->range.begin;
+    if (copy->loop->tiles || step->kind == IR_EMPTY || step->children[0]->kind != IR_VARIABLE ||
+        !lane_has_update(copy->loop->facts, node))
+        return;
+    while (at > node->range.begin && strchr(" \t\r\n", text[at - 1]))
+        at--;
+    const char *counter =
+        text_operand(copy->loop->arena, step->children[0], local_name, copy->loop);
+    if (counter && at > node->range.begin && text[at - 1] == ';') /* else a macro's text */
+        edit_insert(copy->loop->arena, &copy->edits, step->range.begin,
+                    arena_format(copy->loop->arena, "REDCC_ROLLED(%s), ", counter));
+}
+
 static void unroll_loops(body_copy *copy, const ir_node *node) {
     if (is_unrolled_in_body(node) && !is_printed(copy, node) &&
-        takes_pragma(copy->loop->plan, node))
+        takes_pragma(copy->loop->plan, node)) {
         edit_insert(copy->loop->arena, &copy->edits, node->range.begin, "REDCC_UNROLLED ");
+        keep_others_rolled(copy, node);
+    }
     for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
         unroll_loops(copy, node->children[i]);
 }
