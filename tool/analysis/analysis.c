@@ -50,6 +50,12 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
     return all;
 }
 
+/* Is the body in the main file, or in a header of the program's? */
+static bool is_of_program(const ir_function *function) {
+    return function->body && (function->is_in_main_file ||
+                              (!function->is_from_system && !function->linkage.import));
+}
+
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {
     static const analysis_options no_options;
     const user_pragmas pragmas = pragmas_of_unit(a, unit);
@@ -69,7 +75,7 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
                    .pragmas = &pragmas};
     loop_search loops = {.an = &an};
     for (unsigned i = 0; i < unit->function_count; i++)
-        if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
+        if (is_of_program(unit->functions[i]))
             check_loops(&loops, unit->functions[i]);
     for (unsigned i = 0; i < loops.verdicts.count; i++)
         note_pragmas(&an, &loops.verdicts.items[i]);

@@ -158,6 +158,10 @@ void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word, unseen_word and names_optimize. */
 void find_compiler_words(converter *c);
 
+/** Is the function's body in a header of the program's, used, and may it have a loop? */
+bool is_wanted_of_header(converter *c, CXCursor definition);
+/** Adds a loop that is in such a header to the unit's header_loops. */
+void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor);
 /** Sets the unit's header_pragmas. */
 void find_header_pragmas(converter *c);
 /** Sets the result's files, in the arena. */
@@ -174,6 +178,8 @@ void mark_functions_with_errors(converter *c);
 struct reference_table *references_new(converter *c);
 /** The declaration of this cursor; the same for all declarations of one object. */
 const ir_declared *declared_of(converter *c, CXCursor declaration);
+/** The header's name as it was found; NULL for the main file. */
+const char *name_of_file(converter *c, CXFile file);
 /** Adds the names in a function's body to the unit's references. */
 void note_references(converter *c, CXCursor body);
 /** Sets the unit's references. */

@@ -112,14 +112,15 @@ static bool is_assembler(CXCursor cursor) {
     return is_found;
 }
 
-/* Functions of the main file; those of headers follow when they are used. */
+/* Functions of the main file; those of headers follow when they are used, but some of them may be
+ * used by other files. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
     note_name(c, cursor);
     c->has_assembler |= is_assembler(cursor);
     if (clang_getCursorKind(cursor) == CXCursor_FunctionDecl && clang_isCursorDefinition(cursor) &&
-        is_in_main_file(c, clang_getCursorLocation(cursor)))
+        (is_in_main_file(c, clang_getCursorLocation(cursor)) || is_wanted_of_header(c, cursor)))
         convert_function(c, cursor);
     return CXChildVisit_Continue;
 }
@@ -236,6 +237,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->text.macros_before = map_new(a);
     unit->text.names = map_new(a);
     unit->text.inner_names = map_new(a);
+    unit->text.header_loops = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,

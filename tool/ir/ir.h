@@ -369,6 +369,8 @@ typedef struct ir_text {
                        * none */
     map *inner_names; /* each name that a function's body declares as an enumerator, type or tag ->
                        * not NULL. NULL: none */
+    map *header_loops; /* each loop whose text is in a header of the program's (a pointer to its
+                        * node) -> its ir_position. NULL: none */
 } ir_text;
 
 typedef struct ir_unit {
