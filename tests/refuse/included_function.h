@@ -1,3 +1,4 @@
+#pragma once
 static inline void deeper(int n, const int *restrict s, double *restrict h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse in-header
         h[s[t]]++;

@@ -269,20 +269,22 @@ static bool seems_to_include_source(const char *text) {
     return false;
 }
 
-/* Loops of C sources that this one includes (a unity build) are not analysed: the translator writes
- * one file. The compiler lists these sources. */
+/* C sources that this one includes (a unity build) are not translated, unless the text has them in
+ * place. The compiler lists these sources. */
 static void name_included_sources(session *s, translation *t) {
     const char *text = s->show ? NULL : file_read(s->memory, t->file, NULL);
     if (!text || !seems_to_include_source(text) || (t->read.count == 0 && !list_files(s, t)))
         return;
-    for (unsigned i = 1; i < t->read.count; i++) {
-        const char *name = t->read.items[i];
+    const char *written = file_read(s->memory, t->text, NULL);
+    const word_list left = dependencies_included(s->memory, &t->read, written ? written : "");
+    for (unsigned i = 1; i < left.count; i++) {
+        const char *name = left.items[i];
         const char *dot = strrchr(path_base(name), '.');
         if (dot && strcmp(dot, ".c") == 0)
             session_leave_alone(s, name,
                                 arena_format(s->memory,
-                                             "'%s' includes it, and only the file that the command "
-                                             "names is translated",
+                                             "'%s' includes it, and its text cannot stand in the "
+                                             "place of the #include",
                                              t->source->text));
     }
 }
@@ -417,8 +419,10 @@ bool translation_read_same(session *s, const translation *t) {
     word_list read = {0};
     if (s->show)
         return true;
+    const char *text = file_read(s->memory, t->text, NULL);
+    const word_list listed = dependencies_included(s->memory, &t->read, text ? text : "");
     return dependencies_read(s->memory, temporary(s, t, "translated.d"), &read) &&
-           dependencies_equal(s->memory, &t->read, t->source->text, &read,
+           dependencies_equal(s->memory, &listed, t->source->text, &read,
                               t->is_input ? t->source->text : t->text);
 }
 

@@ -54,6 +54,12 @@ struct compiler_facts {
     map *parsers_own; /* then: names of clang's macros that the compiler does not define */
 };
 
+/** What is found in the program's own headers. */
+struct header_facts {
+    VECTOR(const char *) pragmas;
+    VECTOR(ir_inclusion) inclusions;
+};
+
 typedef struct converter {
     arena *arena;
     arena *scratch; /* for lists of cursors; of the body being converted */
@@ -70,7 +76,7 @@ typedef struct converter {
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
     VECTOR(function_body) pending; /* bodies to convert */
-    VECTOR(const char *) header_pragmas;
+    struct header_facts headers;
     ir_function *function; /* being converted */
     unsigned depth;
     cursor_list collected; /* a stack: children of the cursors being visited */
@@ -162,6 +168,8 @@ void find_compiler_words(converter *c);
 bool is_wanted_of_header(converter *c, CXCursor definition);
 /** Adds a loop that is in such a header to the unit's header_loops. */
 void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor);
+/** Adds an #include directive to the inclusions if it names a header of the program's. */
+void note_inclusion(converter *c, CXCursor directive);
 /** Sets the unit's header_pragmas. */
 void find_header_pragmas(converter *c);
 /** Sets the result's files, in the arena. */

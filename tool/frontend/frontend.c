@@ -96,6 +96,8 @@ static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXC
         note_expansion(c, cursor);
     else if (kind == CXCursor_MacroDefinition)
         note_macro(c, cursor);
+    else if (kind == CXCursor_InclusionDirective)
+        note_inclusion(c, cursor);
     return CXChildVisit_Continue;
 }
 
@@ -208,6 +210,8 @@ static void convert_unit(converter *c) {
     CXCursor unit = clang_getTranslationUnitCursor(c->clang);
     clang_visitChildren(unit, visit_macro, c);
     c->expansions.are_known = true;
+    c->unit->text.inclusion_count = c->headers.inclusions.count;
+    c->unit->text.inclusions = c->headers.inclusions.items;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
     for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are found */

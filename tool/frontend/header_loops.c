@@ -62,3 +62,16 @@ void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor) {
     *kept = at;
     *map_at(c->unit->text.header_loops, &loop, sizeof loop) = kept;
 }
+
+void note_inclusion(converter *c, CXCursor directive) {
+    CXFile file = clang_getIncludedFile(directive), by;
+    ir_inclusion found = {0};
+    if (file == NULL ||
+        clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+        return;
+    clang_getExpansionLocation(clang_getCursorLocation(directive), &by, NULL, NULL, &found.offset);
+    found.is_in_main_file = by != NULL && clang_File_isEqual(by, c->main_file);
+    found.file = name_of_file(c, file);
+    if (found.file != NULL)
+        VECTOR_PUSH(c->arena, &c->headers.inclusions, found);
+}

@@ -17,10 +17,10 @@
 
 enum { IN_HEADERS_KEPT = 128 };
 
-/* A refused loop of a header, which other commands report as well. */
+/* A loop of a header, which other commands report as well. */
 typedef struct loop_in_header {
     uint64_t place; /* a hash of its file, line and column */
-    reason_id why;
+    reason_id why;  /* REASON_NONE: it is transformed */
 } loop_in_header;
 
 /* The result of one command; if it leaves several files alone, the last one's reason. */
@@ -111,10 +111,10 @@ static uint64_t place_of(const char *file, const json_t *loop) {
     return place;
 }
 
-static void count_refused(const json_t *loop, reason_id why, command_outcome *outcome) {
+static void count_loop(const json_t *loop, reason_id why, command_outcome *outcome) {
     const char *file = json_string_value(json_object_get(loop, "file"));
     if (!file || outcome->in_header_count == IN_HEADERS_KEPT)
-        outcome->refused[why]++;
+        ++*(why == REASON_NONE ? &outcome->transformed : &outcome->refused[why]);
     else
         outcome->in_headers[outcome->in_header_count++] =
             (loop_in_header){place_of(file, loop), why};
@@ -127,9 +127,8 @@ static void count_loops(const json_t *loops, command_outcome *outcome) {
         const char *verdict = json_string_value(json_object_get(loop, "verdict"));
         const reason_id why = reason_of_slug(
             json_string_value(json_object_get(json_object_get(loop, "reason"), "slug")));
-        outcome->transformed += verdict && strcmp(verdict, "transformed") == 0;
-        if (why != REASON_NONE)
-            count_refused(loop, why, outcome);
+        if (why != REASON_NONE || (verdict && strcmp(verdict, "transformed") == 0))
+            count_loop(loop, why, outcome);
     }
 }
 
@@ -190,7 +189,9 @@ static void add_in_headers(counting *c, const command_outcome *outcome) {
     for (unsigned i = 0; i < outcome->in_header_count; i++) {
         const loop_in_header *loop = &outcome->in_headers[i];
         void **known = map_at(c->in_headers, &loop->place, sizeof loop->place);
-        c->counts->refused[loop->why] += *known == NULL;
+        if (*known == NULL)
+            ++*(loop->why == REASON_NONE ? &c->counts->transformed
+                                         : &c->counts->refused[loop->why]);
         *known = c;
     }
 }
