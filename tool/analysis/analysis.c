@@ -52,8 +52,8 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
 
 /* Is the body in the main file, or in a header of the program's? */
 static bool is_of_program(const ir_function *function) {
-    return function->body && (function->is_in_main_file ||
-                              (!function->is_from_system && !function->linkage.import));
+    return function->body &&
+           (function->is_in_main_file || (!function->is_from_system && !function->linkage.import));
 }
 
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {

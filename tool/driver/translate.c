@@ -59,9 +59,10 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* this process handles its failure */
-    words_add(a, &words,
-              t->predefined ? arena_format(a, "--predefined=%s", t->predefined)
-                            : "--compiler=known"); /* translate_for_compiler decides */
+    /* translate_for_compiler decides */
+    words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
+    if (t->predefined)
+        words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));
     if (t->report) {
         words_add(a, &words, "--report=json");
         words_add(a, &words, arena_format(a, "--report-file=%s", t->report));

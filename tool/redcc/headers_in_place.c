@@ -11,8 +11,7 @@
 
 /* A header and the directive that includes it. */
 typedef struct header_use {
-    const char *line_name; /* as gcc finds it; NULL: it does not fit */
-    const source *file;
+    const source *file; /* NULL: it does not fit */
     ir_range directive; /* without the line's end */
 } header_use;
 
@@ -21,6 +20,12 @@ static bool has_name(const string_list *list, const char *name) {
         if (strcmp(list->items[i], name) == 0)
             return true;
     return false;
+}
+
+static const char *plain_name(const char *path) {
+    while (strncmp(path, "./", 2) == 0)
+        path += 2;
+    return path;
 }
 
 /* ---- the header's text --------------------------------------------------------------------- */
@@ -100,7 +105,8 @@ static bool text_fits(arena *a, const source *header, const source *around) {
         return false;
     unsigned count;
     const ir_directive *directives = directives_in(a, text, header->length, &count);
-    const bool is_beside = strcmp(path_folder(a, header->path), path_folder(a, around->path)) == 0;
+    const bool is_beside = strcmp(path_folder(a, plain_name(header->path)),
+                                  path_folder(a, plain_name(around->path))) == 0;
     for (unsigned i = 0; i < count; i++)
         if (!directive_fits(a, &directives[i], is_beside))
             return false;
@@ -132,12 +138,6 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
     return true;
 }
 
-static const char *plain_name(const char *path) {
-    while (strncmp(path, "./", 2) == 0)
-        path += 2;
-    return path;
-}
-
 /* A macro may tell how deep in inclusions it is. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
@@ -167,10 +167,11 @@ static header_use use_of(arena *a, const ir_unit *unit, const char *header) {
         !find_directive(unit, only->offset, &use.directive))
         return use;
     use.file = source_read(a, only->file, &wrong);
-    if (use.file && text_fits(a, use.file, unit->source) && !names_level(a, unit) &&
-        ends_with_declaration(unit->source->text, use.directive.begin, unit->directives,
-                              unit->directive_count))
-        use.line_name = *path_folder(a, unit->source->path) ? only->file : header;
+    if (!use.file || !text_fits(a, use.file, unit->source) || names_level(a, unit) ||
+        strpbrk(ir_position_of(unit, use.directive.begin).file, "\"\\\n") ||
+        !ends_with_declaration(unit->source->text, use.directive.begin, unit->directives,
+                               unit->directive_count))
+        use.file = NULL;
     return use;
 }
 
@@ -183,7 +184,7 @@ string_list headers_that_fit(arena *a, const ir_unit *unit, const analysis_resul
         if (!at || analysed->verdicts[i].why.id != REASON_IN_HEADER || has_name(&seen, at->file))
             continue;
         VECTOR_PUSH(a, &seen, at->file);
-        if (use_of(a, unit, at->file).line_name)
+        if (use_of(a, unit, at->file).file)
             VECTOR_PUSH(a, &found, at->file);
     }
     return found;
@@ -207,7 +208,15 @@ static void add_text(arena *a, buffer *out, const source *header) {
         buffer_byte(out, '\n');
 }
 
-const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers) {
+/* As the compiler calls it in __FILE__: clang calls x.h ./x.h in the current folder. */
+static const char *name_in_program(arena *a, const ir_unit *unit, const header_use *use,
+                                   bool as_clang) {
+    const bool is_here = !*path_folder(a, unit->source->path);
+    return is_here && !as_clang ? plain_name(use->file->path) : use->file->path;
+}
+
+const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers,
+                               bool as_clang) {
     const source *s = unit->source;
     buffer out = {0};
     uint32_t copied = 0;
@@ -217,9 +226,10 @@ const source *headers_in_place(arena *a, const ir_unit *unit, const string_list 
             continue;
         const header_use use = use_of(a, unit, name);
         const ir_position at = ir_position_of(unit, use.directive.begin);
-        assert(use.line_name && copied <= use.directive.begin);
+        assert(use.file && copied <= use.directive.begin);
         buffer_append(&out, s->text + copied, use.directive.begin - copied);
-        buffer_format(&out, "#line 1 \"%s\"%s\n", use.line_name, DEPENDENCY_IN_PLACE);
+        buffer_format(&out, "#line 1 \"%s\"%s\n", name_in_program(a, unit, &use, as_clang),
+                      DEPENDENCY_IN_PLACE);
         add_text(a, &out, use.file);
         buffer_format(&out, "#line %u \"%s\"", at.line + 1, at.file);
         copied = use.directive.end;

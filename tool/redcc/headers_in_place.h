@@ -11,8 +11,10 @@
  *  directly, and with a text that means the same there. */
 string_list headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
 
-/** The source with these headers in it. #line directives keep all places. */
-const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers);
+/** The source with these headers in it. #line directives keep all places; with as_clang headers
+ * have clang's names, else gcc's. */
+const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers,
+                               bool as_clang);
 
 /** Does a loop of the header run in parallel? `unit` is of a source with headers in it;
  * `obstacles`: for each verdict, without a message if it could be written; NULL: all could. */

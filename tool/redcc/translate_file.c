@@ -318,7 +318,7 @@ static analysed_file analyse_unit(const analysing *by, ir_unit *unit) {
     if (by->around && o->output)
         result.records = records_write(by->memory, unit, by->around);
     result.analysed = of_both_compilers(
-        by->memory, unit->source, by->flags, unit, o->knows_compiler,
+        by->memory, unit->source, by->flags, unit, o->compiler != COMPILER_ANY,
         analyse_with_imports(by->memory, unit, by->flags, by->around, &by->asked));
     return result;
 }
@@ -334,7 +334,7 @@ static string_list used_headers(arena *a, const analysed_file *file, const reaso
 /** A text with headers in it does not follow when they change: redcc-cc, which checks the compiler
  *  itself, translates anew. */
 static bool may_have_headers(const options *o) {
-    return !o->output || o->knows_compiler;
+    return !o->output || o->compiler != COMPILER_ANY;
 }
 
 /** The file with those headers in place that have a loop which can run in parallel; itself if there
@@ -342,10 +342,11 @@ static bool may_have_headers(const options *o) {
 static analysed_file with_headers(const analysing *by, analysed_file *file) {
     arena *a = by->memory;
     string_list headers = headers_that_fit(a, file->unit, &file->analysed);
+    const bool as_clang = by->options->compiler == COMPILER_CLANG;
     analysed_file first = {0};
     while (headers.count > 0) {
         const frontend_result parsed =
-            translate_file_parse(a, headers_in_place(a, file->unit, &headers), by->flags);
+            translate_file_parse(a, headers_in_place(a, file->unit, &headers, as_clang), by->flags);
         if (has_errors(&parsed))
             return *file;
         analysed_file found = analyse_unit(by, parsed.unit);
