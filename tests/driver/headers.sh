@@ -21,6 +21,11 @@ static inline void deposit(int n, const int *s, const double *e, double *h)
     for (int t = 0; t < n; t++)
         h[s[t]] += e[t];
 }
+static inline void not_used_here(int n, const int *s, double *h)
+{
+    for (int t = 0; t < n; t++)
+        h[s[t]] *= 2;
+}
 #endif
 END_OF_FILE
   cat >include/stays.h <<'END_OF_FILE'
