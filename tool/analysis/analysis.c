@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Analyses all loops of a unit, with the user's pragmas. */
-#define _GNU_SOURCE /* memmem */
 #include "analysis/analysis.h"
 
 #include <string.h>
@@ -54,10 +53,6 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
     return all;
 }
 
-static bool has_text(const char *begin, const char *end, const char *word) {
-    return memmem(begin, (size_t)(end - begin), word, strlen(word)) != NULL;
-}
-
 /* A static function that #line says is of another file, and that nothing names: it has no code. */
 static bool is_unused_of_header(const ir_unit *unit, const ir_function *function) {
     const source *s = unit->source;
@@ -65,8 +60,8 @@ static bool is_unused_of_header(const ir_unit *unit, const ir_function *function
     if (!s || !function->linkage.is_static || function->reference_count > 0 ||
         range.begin >= range.end || strcmp(ir_position_of(unit, range.begin).file, s->path) == 0)
         return false;
-    return !has_text(s->text, s->text + range.begin, function->name) &&
-           !has_text(s->text + range.end, s->text + s->length, function->name);
+    return !source_has_name(s->text, range.begin, function->name) &&
+           !source_has_name(s->text + range.end, s->length - range.end, function->name);
 }
 
 /* Is the body in the main file, or in a header of the program's? */

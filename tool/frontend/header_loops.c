@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Loops in the program's own headers: which functions there are looked at, and where their loops
  * are. What the compiler calls a system header is not the program's. */
-#define _GNU_SOURCE /* memmem */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -36,8 +35,8 @@ static bool may_loop(converter *c, CXCursor definition) {
 static bool is_named_in_main_file(const converter *c, CXCursor definition) {
     CXString spelling = clang_getCursorSpelling(definition);
     const char *name = clang_getCString(spelling);
-    const file_text file = {c->unit->source->text, c->unit->source->length};
-    const bool is_found = name != NULL && text_has(file, name);
+    const source *file = c->unit->source;
+    const bool is_found = name != NULL && source_has_name(file->text, file->length, name);
     clang_disposeString(spelling);
     return is_found;
 }
