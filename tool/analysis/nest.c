@@ -273,8 +273,6 @@ static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
 static int by_position(const void *a, const void *b) {
     const ir_node *x = ((const loop_verdict *)a)->loop;
     const ir_node *y = ((const loop_verdict *)b)->loop;
-    if (x->range.begin != y->range.begin)
-        return x->range.begin < y->range.begin ? -1 : 1;
     return x->id < y->id ? -1 : x->id > y->id;
 }
 

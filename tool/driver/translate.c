@@ -255,41 +255,6 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
 }
 
-/* Does the text appear to include a C source, #include "x.c"? */
-static bool seems_to_include_source(const char *text) {
-    for (const char *at = text; (at = strstr(at, ".c")); at++) {
-        if (at[2] != '"' && at[2] != '>')
-            continue;
-        const char *line = at;
-        while (line > text && line[-1] != '\n')
-            line--;
-        line += strspn(line, " \t");
-        if (*line == '#' || strncmp(line, "%:", 2) == 0)
-            return true;
-    }
-    return false;
-}
-
-/* C sources that this one includes (a unity build) are not translated, unless the text has them in
- * place. The compiler lists these sources. */
-static void name_included_sources(session *s, translation *t) {
-    const char *text = s->show ? NULL : file_read(s->memory, t->file, NULL);
-    if (!text || !seems_to_include_source(text) || (t->read.count == 0 && !list_files(s, t)))
-        return;
-    const char *written = file_read(s->memory, t->text, NULL);
-    const word_list left = dependencies_included(s->memory, &t->read, written ? written : "");
-    for (unsigned i = 1; i < left.count; i++) {
-        const char *name = left.items[i];
-        const char *dot = strrchr(path_base(name), '.');
-        if (dot && strcmp(dot, ".c") == 0)
-            session_leave_alone(s, name,
-                                arena_format(s->memory,
-                                             "'%s' includes it, and its text cannot stand in the "
-                                             "place of the #include",
-                                             t->source->text));
-    }
-}
-
 /* The output of the user's own --report. The translator writes one form: if the build's report is
  * needed as well, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
@@ -338,8 +303,6 @@ translation translate(session *s, const item *source, unsigned number) {
     cached_end(s, t.cached);
     if (result != OUTCOME_FAILED && wants_remarks(s))
         show_remarks(s, &t);
-    if (result != OUTCOME_FAILED)
-        name_included_sources(s, &t);
     if (why)
         session_leave_alone(s, source->text, why);
     if (why || result == OUTCOME_FAILED)
