@@ -74,9 +74,14 @@ done
 expect_match b/CMakeCache.txt 'CMAKE_C_COMPILER_AR:FILEPATH=.*gcc-ar'
 rm -rf b
 cmake -S . -B b -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_C_COMPILER=redcc-cc >log 2>&1
-expect_strict_error "includes it, and only the file" cmake --build b --clean-first
-cmake --build b >log 2>&1
+build_reported cmake --build b
+expect_equal "$case_name: a unity build" transformed "$(verdicts)"
 cp b/p p && expect_bits p
+cp other.c other.kept && echo 'const char *where(void) { return __FILE__; }' >>other.c
+build_reported cmake --build b
+expect_equal "$case_name: a unity build, and a source that says where it is" refused "$(verdicts)"
+cp b/p p && expect_bits p
+mv other.kept other.c
 echo 'find_package(redcc REQUIRED)
 redcc_target(half)' >>CMakeLists.txt # turns the unity build of its target off
 rm -rf b

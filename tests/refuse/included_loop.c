@@ -1,15 +1,24 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// A loop, and a function, that stand in another file: headers are not edited.
+// Loops that stand in other files, which cannot stand in this one: two include it, it says where it
+// is, or it is part of a function. A function that nothing uses has no code.
 // covers: row 66
 #include "included_function.h"
+#include "included_source.inc"
 
 void no_range(int n, const int *restrict s, double *restrict h) { // EXPECT: refuse no-range
     for (int t = 0; t < n; t++)
 #include "included_body.h"
 }
 
+void whole(int n, const int *restrict s, double *restrict h) {
+#include "included_whole.h"
+}
+
+static void (*const table[])(int, const int *restrict, double *restrict) = {in_a_table};
+
 void caller(int n, const int *restrict s, double *restrict h) {
     in_a_header(n, s, h);
+    table[n > 0](n, s, h);
     for (int t = 0; t < n; t *= 2) // EXPECT: refuse step
         h[s[t]]++;
 }

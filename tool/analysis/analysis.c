@@ -2,8 +2,11 @@
 /* Analyses all loops of a unit, with the user's pragmas. */
 #include "analysis/analysis.h"
 
+#include <string.h>
+
 #include "analysis/invariants.h"
 #include "analysis/nest.h"
+#include "ir/ir_position.h"
 
 typedef struct pragma_use {
     const user_pragma *pragma;
@@ -50,6 +53,25 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
     return all;
 }
 
+/* A static function that #line says is of another file, and that nothing names: it has no code. */
+static bool is_unused_of_header(const ir_unit *unit, const ir_function *function) {
+    const source *s = unit->source;
+    const ir_range range = function->range;
+    if (!s || !function->linkage.is_static || function->reference_count > 0 ||
+        range.begin >= range.end || strcmp(ir_position_of(unit, range.begin).file, s->path) == 0)
+        return false;
+    return !source_has_name(s->text, range.begin, function->name) &&
+           !source_has_name(s->text + range.end, s->length - range.end, function->name);
+}
+
+/* Is the body in the main file, or in a header of the program's? */
+static bool is_of_program(const ir_unit *unit, const ir_function *function) {
+    if (!function->body)
+        return false;
+    return function->is_in_main_file ? !is_unused_of_header(unit, function)
+                                     : !function->is_from_system && !function->linkage.import;
+}
+
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {
     static const analysis_options no_options;
     const user_pragmas pragmas = pragmas_of_unit(a, unit);
@@ -69,7 +91,7 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
                    .pragmas = &pragmas};
     loop_search loops = {.an = &an};
     for (unsigned i = 0; i < unit->function_count; i++)
-        if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
+        if (is_of_program(unit, unit->functions[i]))
             check_loops(&loops, unit->functions[i]);
     for (unsigned i = 0; i < loops.verdicts.count; i++)
         note_pragmas(&an, &loops.verdicts.items[i]);

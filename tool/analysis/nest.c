@@ -13,6 +13,7 @@
 #include "analysis/memory/update_group.h"
 #include "analysis/reduction/fixed_blocks.h"
 #include "analysis/verdict.h"
+#include "ir/ir_position.h"
 
 /* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
 static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
@@ -161,9 +162,20 @@ static bool has_inspected(const loop_search *s, unsigned from) {
     return false;
 }
 
+/* Does the loop belong to a system header? */
+static bool is_systems(const loop_search *s, const ir_node *loop) {
+    return !s->function->is_in_main_file && !ir_position_in_header(s->an->unit, loop);
+}
+
+static loop_verdict verdict_at(const loop_search *s, ir_node *loop) {
+    const ir_position *at = ir_position_in_header(s->an->unit, loop);
+    return at ? verdict_in_header(s->an, s->function, loop, at->file)
+              : verdict_of(s->an, s->function, loop);
+}
+
 /* Analyses the loops below `node`, outermost first; an accepted loop covers all inner ones. */
 static void search(loop_search *s, ir_node *node) {
-    if (!ir_is_loop(node)) {
+    if (!ir_is_loop(node) || is_systems(s, node)) {
         for (unsigned i = 0; i < node->child_count; i++)
             search(s, node->children[i]);
         return;
@@ -185,7 +197,7 @@ static void search(loop_search *s, ir_node *node) {
     } else if (!is_irregular) {
         add_not_a_reduction(s, node);
     } else if (is_candidate(s->an, node)) {
-        verdict = verdict_of(s->an, s->function, node);
+        verdict = verdict_at(s, node);
         if (is_inspected(&verdict)) {
             VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
             return;
@@ -251,7 +263,8 @@ static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
 /* Searches for loops whose OpenMP directive reduces scalars. */
 static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
     loop_verdict verdict;
-    if (ir_is_loop(node) && !is_in_written(s, from, node) && !holds_written(s, from, node) &&
+    if (ir_is_loop(node) && !ir_position_in_header(s->an->unit, node) &&
+        !is_in_written(s, from, node) && !holds_written(s, from, node) &&
         blocks_of_loop(s->an, s->function, node, &verdict))
         put_verdict(s, from, verdict);
     for (unsigned i = 0; i < node->child_count; i++)
@@ -261,8 +274,6 @@ static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
 static int by_position(const void *a, const void *b) {
     const ir_node *x = ((const loop_verdict *)a)->loop;
     const ir_node *y = ((const loop_verdict *)b)->loop;
-    if (x->range.begin != y->range.begin)
-        return x->range.begin < y->range.begin ? -1 : 1;
     return x->id < y->id ? -1 : x->id > y->id;
 }
 
@@ -271,7 +282,8 @@ void check_loops(loop_search *s, ir_function *function) {
     unsigned from = s->verdicts.count;
     s->function = function;
     search(s, function->body);
-    if (s->an->unit->dialect.replaces_openmp && !s->an->options->any_order)
+    if (function->is_in_main_file && s->an->unit->dialect.replaces_openmp &&
+        !s->an->options->any_order)
         search_blocks(s, from, function->body);
     if (s->verdicts.count > from)
         qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),

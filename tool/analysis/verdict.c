@@ -401,3 +401,9 @@ loop_verdict verdict_ignored(const analyser *whole, ir_function *function, ir_no
     const char *text = arena_format(an->memory, "redcc %s", pragma->text);
     return refused(&j, analysis_reason(&j, REASON_IGNORED, loop, text), CONFLICT_SHARED);
 }
+
+loop_verdict verdict_in_header(const analyser *an, ir_function *function, ir_node *loop,
+                               const char *header) {
+    loop_analysis j = {.an = an, .function = function, .loop = loop};
+    return refused(&j, analysis_reason(&j, REASON_IN_HEADER, loop, header), CONFLICT_SHARED);
+}

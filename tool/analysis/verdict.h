@@ -16,4 +16,8 @@ loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node 
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma);
 
+/** For a loop whose text is in a header. */
+loop_verdict verdict_in_header(const analyser *an, ir_function *function, ir_node *loop,
+                               const char *header);
+
 #endif

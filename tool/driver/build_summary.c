@@ -19,12 +19,32 @@ struct totals {
     json_int_t remade, never; /* of the parallel ones: with a plan for each execution; without
                                * parallel execution by default */
     json_t *refused;          /* reason's id and slug -> number of loops */
+    json_t *in_headers;       /* loops of headers that were counted */
     json_t *reasons;          /* reason why a file was left alone -> number of files */
 };
 
 static void count_one(json_t *counts, const char *text) {
     const json_int_t before = json_integer_value(json_object_get(counts, text));
     json_object_set_new(counts, text, json_integer(before + 1));
+}
+
+/* Was it counted? Each source that includes a header reports its loops. */
+static bool is_known(const struct totals *totals, const char *folder, const json_t *loop) {
+    const char *name = json_string_value(json_object_get(loop, "file"));
+    if (!name)
+        return false;
+    arena *a = arena_new();
+    const char *path = *name == '/' || !folder ? name : arena_format(a, "%s/%s", folder, name);
+    char *resolved = realpath(path, NULL);
+    const char *key = arena_format(a, "%s:%lld:%lld:%s", resolved ? resolved : path,
+                                   (long long)json_integer_value(json_object_get(loop, "line")),
+                                   (long long)json_integer_value(json_object_get(loop, "column")),
+                                   json_string_value(json_object_get(loop, "verdict")));
+    const bool is_found = json_object_get(totals->in_headers, key) != NULL;
+    json_object_set_new(totals->in_headers, key, json_true());
+    free(resolved);
+    arena_free(a);
+    return is_found;
 }
 
 static void add_loop(struct totals *totals, const json_t *loop, bool *translated) {
@@ -61,7 +81,8 @@ static bool add_file(struct totals *totals, const json_t *file) {
     size_t i;
     const json_t *loop;
     json_array_foreach(loops, i, loop) {
-        add_loop(totals, loop, &translated);
+        if (!is_known(totals, json_string_value(json_object_get(file, "directory")), loop))
+            add_loop(totals, loop, &translated);
     }
     totals->translated_files += translated;
     return true;
@@ -134,7 +155,8 @@ int build_report_summarise(const char *report, FILE *out) {
         fprintf(stderr, "redcc-cc: error: cannot read '%s': %s\n", report, strerror(errno));
         return 1;
     }
-    struct totals totals = {.refused = json_object(), .reasons = json_object()};
+    struct totals totals = {
+        .refused = json_object(), .reasons = json_object(), .in_headers = json_object()};
     const long wrong = add_lines(&totals, in);
     fclose(in);
     if (wrong)
@@ -146,5 +168,6 @@ int build_report_summarise(const char *report, FILE *out) {
         print_totals(&totals, out);
     json_decref(totals.refused);
     json_decref(totals.reasons);
+    json_decref(totals.in_headers);
     return wrong != 0;
 }

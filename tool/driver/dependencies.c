@@ -126,3 +126,29 @@ bool dependencies_mention(arena *a, const word_list *files, const char *word) {
     }
     return false;
 }
+
+/* The name in the #line directive that ends at `end`. */
+static const char *named_by_line(arena *a, const char *text, const char *end) {
+    static const char begins[] = "#line 1 \"";
+    const char *line = end;
+    while (line > text && line[-1] != '\n')
+        line--;
+    line += strspn(line, " \t");
+    if (strncmp(line, begins, sizeof begins - 1) != 0 || end[-1] != '"')
+        return NULL;
+    line += sizeof begins - 1;
+    return line < end ? without_dot_slash(arena_copy(a, line, (size_t)(end - 1 - line))) : NULL;
+}
+
+word_list dependencies_included(arena *a, const word_list *list, const char *text) {
+    word_list in_place = {0}, others = {0};
+    for (const char *at = text; (at = strstr(at, DEPENDENCY_IN_PLACE)); at++) {
+        const char *name = named_by_line(a, text, at);
+        if (name)
+            words_add(a, &in_place, name);
+    }
+    for (unsigned i = 0; i < list->count; i++)
+        if (!is_listed(&in_place, list->items[i]))
+            words_add(a, &others, list->items[i]);
+    return others;
+}

@@ -22,4 +22,11 @@ bool dependencies_equal(arena *a, const word_list *original, const char *path,
 /** Whether any of the files contains `word` as a whole word, or one of them cannot be read. */
 bool dependencies_mention(arena *a, const word_list *files, const char *word);
 
+/** What follows the #line directive at which a translated text has a header's text in place of its
+ *  #include directive. */
+#define DEPENDENCY_IN_PLACE " /* redcc: in place of its #include */"
+
+/** The headers of a list without those whose text the translated text has in place. */
+word_list dependencies_included(arena *a, const word_list *list, const char *text);
+
 #endif

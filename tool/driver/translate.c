@@ -59,9 +59,10 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* this process handles its failure */
-    words_add(a, &words,
-              t->predefined ? arena_format(a, "--predefined=%s", t->predefined)
-                            : "--compiler=known"); /* translate_for_compiler decides */
+    /* translate_for_compiler decides */
+    words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
+    if (t->predefined)
+        words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));
     if (t->report) {
         words_add(a, &words, "--report=json");
         words_add(a, &words, arena_format(a, "--report-file=%s", t->report));
@@ -254,39 +255,6 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
 }
 
-/* Does the text appear to include a C source, #include "x.c"? */
-static bool seems_to_include_source(const char *text) {
-    for (const char *at = text; (at = strstr(at, ".c")); at++) {
-        if (at[2] != '"' && at[2] != '>')
-            continue;
-        const char *line = at;
-        while (line > text && line[-1] != '\n')
-            line--;
-        line += strspn(line, " \t");
-        if (*line == '#' || strncmp(line, "%:", 2) == 0)
-            return true;
-    }
-    return false;
-}
-
-/* Loops of C sources that this one includes (a unity build) are not analysed: the translator writes
- * one file. The compiler lists these sources. */
-static void name_included_sources(session *s, translation *t) {
-    const char *text = s->show ? NULL : file_read(s->memory, t->file, NULL);
-    if (!text || !seems_to_include_source(text) || (t->read.count == 0 && !list_files(s, t)))
-        return;
-    for (unsigned i = 1; i < t->read.count; i++) {
-        const char *name = t->read.items[i];
-        const char *dot = strrchr(path_base(name), '.');
-        if (dot && strcmp(dot, ".c") == 0)
-            session_leave_alone(s, name,
-                                arena_format(s->memory,
-                                             "'%s' includes it, and only the file that the command "
-                                             "names is translated",
-                                             t->source->text));
-    }
-}
-
 /* The output of the user's own --report. The translator writes one form: if the build's report is
  * needed as well, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
@@ -335,8 +303,6 @@ translation translate(session *s, const item *source, unsigned number) {
     cached_end(s, t.cached);
     if (result != OUTCOME_FAILED && wants_remarks(s))
         show_remarks(s, &t);
-    if (result != OUTCOME_FAILED)
-        name_included_sources(s, &t);
     if (why)
         session_leave_alone(s, source->text, why);
     if (why || result == OUTCOME_FAILED)
@@ -417,8 +383,10 @@ bool translation_read_same(session *s, const translation *t) {
     word_list read = {0};
     if (s->show)
         return true;
+    const char *text = file_read(s->memory, t->text, NULL);
+    const word_list listed = dependencies_included(s->memory, &t->read, text ? text : "");
     return dependencies_read(s->memory, temporary(s, t, "translated.d"), &read) &&
-           dependencies_equal(s->memory, &t->read, t->source->text, &read,
+           dependencies_equal(s->memory, &listed, t->source->text, &read,
                               t->is_input ? t->source->text : t->text);
 }
 

@@ -54,6 +54,12 @@ struct compiler_facts {
     map *parsers_own; /* then: names of clang's macros that the compiler does not define */
 };
 
+/** What is found in the program's own headers. */
+struct header_facts {
+    VECTOR(const char *) pragmas;
+    VECTOR(ir_inclusion) inclusions;
+};
+
 typedef struct converter {
     arena *arena;
     arena *scratch; /* for lists of cursors; of the body being converted */
@@ -70,7 +76,7 @@ typedef struct converter {
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
     VECTOR(function_body) pending; /* bodies to convert */
-    VECTOR(const char *) header_pragmas;
+    struct header_facts headers;
     ir_function *function; /* being converted */
     unsigned depth;
     cursor_list collected; /* a stack: children of the cursors being visited */
@@ -158,6 +164,12 @@ void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word, unseen_word and names_optimize. */
 void find_compiler_words(converter *c);
 
+/** Is the function's body in a header of the program's, used, and may it have a loop? */
+bool is_wanted_of_header(converter *c, CXCursor definition);
+/** Adds a loop that is in such a header to the unit's header_loops. */
+void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor);
+/** Adds an #include directive to the inclusions if it names a header of the program's. */
+void note_inclusion(converter *c, CXCursor directive);
 /** Sets the unit's header_pragmas. */
 void find_header_pragmas(converter *c);
 /** Sets the result's files, in the arena. */
@@ -174,6 +186,8 @@ void mark_functions_with_errors(converter *c);
 struct reference_table *references_new(converter *c);
 /** The declaration of this cursor; the same for all declarations of one object. */
 const ir_declared *declared_of(converter *c, CXCursor declaration);
+/** The header's name as it was found; NULL for the main file. */
+const char *name_of_file(converter *c, CXFile file);
 /** Adds the names in a function's body to the unit's references. */
 void note_references(converter *c, CXCursor body);
 /** Sets the unit's references. */

@@ -96,6 +96,8 @@ static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXC
         note_expansion(c, cursor);
     else if (kind == CXCursor_MacroDefinition)
         note_macro(c, cursor);
+    else if (kind == CXCursor_InclusionDirective)
+        note_inclusion(c, cursor);
     return CXChildVisit_Continue;
 }
 
@@ -112,14 +114,15 @@ static bool is_assembler(CXCursor cursor) {
     return is_found;
 }
 
-/* Functions of the main file; those of headers follow when they are used. */
+/* Functions of the main file; those of headers follow when they are used, but some of them may be
+ * used by other files. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
     note_name(c, cursor);
     c->has_assembler |= is_assembler(cursor);
     if (clang_getCursorKind(cursor) == CXCursor_FunctionDecl && clang_isCursorDefinition(cursor) &&
-        is_in_main_file(c, clang_getCursorLocation(cursor)))
+        (is_in_main_file(c, clang_getCursorLocation(cursor)) || is_wanted_of_header(c, cursor)))
         convert_function(c, cursor);
     return CXChildVisit_Continue;
 }
@@ -207,6 +210,8 @@ static void convert_unit(converter *c) {
     CXCursor unit = clang_getTranslationUnitCursor(c->clang);
     clang_visitChildren(unit, visit_macro, c);
     c->expansions.are_known = true;
+    c->unit->text.inclusion_count = c->headers.inclusions.count;
+    c->unit->text.inclusions = c->headers.inclusions.items;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
     for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are found */
@@ -237,6 +242,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->text.macros_before = map_new(a);
     unit->text.names = map_new(a);
     unit->text.inner_names = map_new(a);
+    unit->text.header_loops = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,

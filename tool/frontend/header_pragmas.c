@@ -16,11 +16,11 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     for (unsigned i = 0; i < found.count; i++)
         if (found.items[i].kind == IR_DIRECTIVE_PRAGMA ||
             strstr(found.items[i].text, "_Pragma") != NULL)
-            VECTOR_PUSH(c->arena, &c->header_pragmas, found.items[i].text);
+            VECTOR_PUSH(c->arena, &c->headers.pragmas, found.items[i].text);
 }
 
 void find_header_pragmas(converter *c) {
     clang_getInclusions(c->clang, visit, c);
-    c->unit->text.header_pragma_count = c->header_pragmas.count;
-    c->unit->text.header_pragmas = c->header_pragmas.items;
+    c->unit->text.header_pragma_count = c->headers.pragmas.count;
+    c->unit->text.header_pragmas = c->headers.pragmas.items;
 }

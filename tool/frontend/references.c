@@ -25,7 +25,7 @@ struct reference_table *references_new(converter *c) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-static const char *name_of_file(converter *c, CXFile file) {
+const char *name_of_file(converter *c, CXFile file) {
     if (file == NULL)
         return "";
     if (clang_File_isEqual(file, c->main_file))

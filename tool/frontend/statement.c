@@ -444,6 +444,8 @@ ir_node *convert_statement(converter *c, CXCursor cursor) {
         return node;
     bool is_expression = clang_isExpression(clang_getCursorKind(cursor)) != 0;
     node = is_expression ? expression_statement(c, cursor) : convert_by_kind(c, cursor);
+    if (ir_is_loop(node))
+        note_header_loop(c, node, cursor);
     c->depth--;
     return node;
 }

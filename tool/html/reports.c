@@ -23,7 +23,9 @@ static double number_of(const json_t *object, const char *name) {
 
 /* ---- the build ------------------------------------------------------------------------------- */
 
-static report_file *file_of(reports *r, const char *name, const char *path) {
+static report_file *file_of(reports *r, const char *name, const char *folder) {
+    const char *path =
+        *name == '/' || !*folder ? name : arena_format(r->memory, "%s/%s", folder, name);
     for (unsigned i = 0; i < r->files.count; i++)
         if (strcmp(r->files.items[i]->path, path) == 0)
             return r->files.items[i];
@@ -60,14 +62,14 @@ static bool add_build(reports *r, const json_t *object) {
     size_t i;
     if (!json_is_array(loops) || !*name)
         return false;
-    report_file *file = file_of(
-        r, name, *name == '/' || !*folder ? name : arena_format(r->memory, "%s/%s", folder, name));
+    report_file *file = file_of(r, name, folder);
     if (json_is_string(json_object_get(object, "left_alone")))
         file->left_alone = json_word(object, "left_alone");
     json_array_foreach(loops, i, loop) {
         if (!json_is_object(loop) || !json_is_integer(json_object_get(loop, "line")))
             return false;
-        add_loop(r, file, loop);
+        const char *other = json_word(loop, "file"); /* a header */
+        add_loop(r, *other ? file_of(r, other, folder) : file, loop);
     }
     return true;
 }

@@ -339,6 +339,13 @@ typedef struct ir_dialect {
                                   * compilation. NULL: none */
 } ir_dialect;
 
+/** An #include directive of a header of the program's. */
+typedef struct ir_inclusion {
+    const char *file; /* as it was found */
+    bool is_in_main_file;
+    uint32_t offset; /* in the main file: of a byte of the directive's line */
+} ir_inclusion;
+
 /** Properties of the text of the file and its headers, in addition to the tree. Not in the text
  *  form. */
 typedef struct ir_text {
@@ -369,6 +376,10 @@ typedef struct ir_text {
                        * none */
     map *inner_names; /* each name that a function's body declares as an enumerator, type or tag ->
                        * not NULL. NULL: none */
+    map *header_loops; /* each loop whose text is in a header of the program's (a pointer to its
+                        * node) -> its ir_position. NULL: none */
+    unsigned inclusion_count; /* all, those of one header too, in order */
+    const ir_inclusion *inclusions;
 } ir_text;
 
 typedef struct ir_unit {

@@ -67,3 +67,8 @@ ir_position ir_position_of(const ir_unit *unit, uint32_t offset) {
     }
     return result;
 }
+
+const ir_position *ir_position_in_header(const ir_unit *unit, const ir_node *loop) {
+    assert(ir_is_loop(loop));
+    return unit->text.header_loops ? map_get(unit->text.header_loops, &loop, sizeof loop) : NULL;
+}

@@ -3,6 +3,7 @@
 #include "redcc/build_counts.h"
 
 #include <jansson.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,10 +15,20 @@
 #include "redcc/compile_commands.h"
 #include "redcc/workers.h"
 
+enum { IN_HEADERS_KEPT = 128 };
+
+/* A loop of a header, which other commands report as well. */
+typedef struct loop_in_header {
+    uint64_t place; /* a hash of its file, line and column */
+    reason_id why;  /* REASON_NONE: it is transformed */
+} loop_in_header;
+
 /* The result of one command; if several files were left alone, the reason for the last one. */
 typedef struct command_outcome {
     unsigned files, left, transformed, refused[REASON_COUNT];
     char why[256];
+    unsigned in_header_count;
+    loop_in_header in_headers[IN_HEADERS_KEPT]; /* further ones count in each command */
 } command_outcome;
 
 typedef struct counting {
@@ -26,6 +37,7 @@ typedef struct counting {
     const char *wrapper;
     compile_command_list commands;
     build_counts *counts;
+    map *in_headers; /* loops of headers that were counted, by their place */
 } counting;
 
 /* redcc-cc, in an installed tree or a build tree; NULL: missing. */
@@ -73,16 +85,50 @@ static word_list words_for(const counting *c, const compile_command *command) {
     return words;
 }
 
+static reason_id reason_of_slug(const char *slug) {
+    for (unsigned r = REASON_NONE + 1; slug && r < REASON_COUNT; r++)
+        if (strcmp(slug, reason_slug((reason_id)r)) == 0)
+            return (reason_id)r;
+    return REASON_NONE;
+}
+
+/* FNV-1a. */
+static uint64_t hash(uint64_t before, const void *bytes, size_t count) {
+    const unsigned char *at = bytes;
+    for (size_t i = 0; i < count; i++)
+        before = (before ^ at[i]) * 0x100000001b3;
+    return before;
+}
+
+/* The process is in the command's directory. */
+static uint64_t place_of(const char *file, const json_t *loop) {
+    const json_int_t at[2] = {json_integer_value(json_object_get(loop, "line")),
+                              json_integer_value(json_object_get(loop, "column"))};
+    char *resolved = realpath(file, NULL);
+    const char *path = resolved ? resolved : file;
+    const uint64_t place = hash(hash(0xcbf29ce484222325, path, strlen(path)), at, sizeof at);
+    free(resolved);
+    return place;
+}
+
+static void count_loop(const json_t *loop, reason_id why, command_outcome *outcome) {
+    const char *file = json_string_value(json_object_get(loop, "file"));
+    if (!file || outcome->in_header_count == IN_HEADERS_KEPT)
+        ++*(why == REASON_NONE ? &outcome->transformed : &outcome->refused[why]);
+    else
+        outcome->in_headers[outcome->in_header_count++] =
+            (loop_in_header){place_of(file, loop), why};
+}
+
 static void count_loops(const json_t *loops, command_outcome *outcome) {
     size_t i;
     const json_t *loop;
     json_array_foreach(loops, i, loop) {
         const char *verdict = json_string_value(json_object_get(loop, "verdict"));
-        const char *slug =
-            json_string_value(json_object_get(json_object_get(loop, "reason"), "slug"));
-        outcome->transformed += verdict && strcmp(verdict, "transformed") == 0;
-        for (unsigned r = REASON_NONE + 1; slug && r < REASON_COUNT; r++)
-            outcome->refused[r] += strcmp(slug, reason_slug((reason_id)r)) == 0;
+        const reason_id why = reason_of_slug(
+            json_string_value(json_object_get(json_object_get(loop, "reason"), "slug")));
+        if (why != REASON_NONE || (verdict && strcmp(verdict, "transformed") == 0))
+            count_loop(loop, why, outcome);
     }
 }
 
@@ -138,6 +184,18 @@ static void add_left(counting *c, const command_outcome *outcome) {
                 ((left_alone){arena_string(c->memory, why), outcome->left}));
 }
 
+/* Each once in the build. */
+static void add_in_headers(counting *c, const command_outcome *outcome) {
+    for (unsigned i = 0; i < outcome->in_header_count; i++) {
+        const loop_in_header *loop = &outcome->in_headers[i];
+        void **known = map_at(c->in_headers, &loop->place, sizeof loop->place);
+        if (*known == NULL)
+            ++*(loop->why == REASON_NONE ? &c->counts->transformed
+                                         : &c->counts->refused[loop->why]);
+        *known = c;
+    }
+}
+
 static void count_command(unsigned number, const void *result, int ended_by, void *context) {
     counting *c = context;
     const command_outcome *outcome = result;
@@ -149,12 +207,17 @@ static void count_command(unsigned number, const void *result, int ended_by, voi
     c->counts->transformed += outcome->transformed;
     for (unsigned i = 0; i < REASON_COUNT; i++)
         c->counts->refused[i] += outcome->refused[i];
+    add_in_headers(c, outcome);
     if (outcome->left > 0)
         add_left(c, outcome);
 }
 
 bool build_counts_take(arena *a, const options *o, build_counts *counts) {
-    counting c = {.memory = a, .options = o, .wrapper = find_wrapper(a), .counts = counts};
+    counting c = {.memory = a,
+                  .options = o,
+                  .wrapper = find_wrapper(a),
+                  .counts = counts,
+                  .in_headers = map_new(a)};
     if (!c.wrapper || compile_commands_of_c(a, o->database_folder, &c.commands))
         return false;
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);

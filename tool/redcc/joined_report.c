@@ -2,6 +2,7 @@
 #include "redcc/joined_report.h"
 
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "redcc/output.h"
@@ -41,18 +42,32 @@ static bool has_rule(const json_t *rules, const json_t *rule) {
     return false;
 }
 
+/* A loop of a header is a result of each file that includes it: the log has it once. */
+static void add_results(joined_report *joined, json_t *results) {
+    json_t *all = json_object_get(run_of(joined->log), "results");
+    for (size_t i = 0; i < json_array_size(results); i++) {
+        json_t *result = json_array_get(results, i);
+        char *text = json_dumps(result, JSON_COMPACT);
+        if (!json_object_get(joined->known, text) && all != results)
+            json_array_append(all, result);
+        json_object_set_new(joined->known, text, json_true());
+        free(text);
+    }
+}
+
 static void add_log(joined_report *joined, FILE *printed) {
     json_t *log = json_loadf(printed, 0, NULL);
     if (!joined->log) {
         joined->log = log;
+        joined->known = json_object();
+        add_results(joined, json_object_get(run_of(log), "results"));
         return;
     }
     json_t *rules = rules_of(joined->log), *more = rules_of(log);
     for (size_t i = 0; i < json_array_size(more); i++)
         if (!has_rule(rules, json_array_get(more, i)))
             json_array_append(rules, json_array_get(more, i));
-    json_array_extend(json_object_get(run_of(joined->log), "results"),
-                      json_object_get(run_of(log), "results"));
+    add_results(joined, json_object_get(run_of(log), "results"));
     json_decref(log);
 }
 
@@ -77,5 +92,6 @@ const char *joined_report_end(arena *a, joined_report *joined) {
     const char *wrong = output_write(a, joined->path, joined->text.data ? joined->text.data : "",
                                      joined->text.length);
     buffer_free(&joined->text);
+    json_decref(joined->known);
     return wrong;
 }

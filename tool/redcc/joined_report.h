@@ -14,6 +14,7 @@ typedef struct joined_report {
     const char *path; /* the output file; "-": standard output */
     buffer text;      /* for forms whose reports are concatenated */
     json_t *log;      /* SARIF: the first file's, with the runs of the others in its run */
+    json_t *known;    /* SARIF: the texts of the results so far */
 } joined_report;
 
 /** Must the reports on the files be merged (and not printed one by one)? A SARIF log covers all

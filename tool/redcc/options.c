@@ -40,7 +40,8 @@ const char options_help[] =
     "                       sources, and check at run time that the program is linked with\n"
     "                       them (redcc-cc does so)\n"
     "  --compiler=WHICH     compiler of the result: any (default; code that differs for gcc and\n"
-    "                       clang is left unchanged), known (you have checked that)\n"
+    "                       clang is left unchanged), known or clang (you have checked\n"
+    "                       that, and translate anew when a header changes)\n"
     "  --predefined=FILE    macros of that compiler, as printed by 'cc -dM -E -x c /dev/null'\n"
     "  --require            exit with 3 if a file has no transformed loop\n"
     "  --verify             build and run the sequential and the parallel program (INPUT must\n"
@@ -248,11 +249,11 @@ static const char *read_pure(arena *a, options *o, const char *value) {
 }
 
 static const char *read_compiler(arena *a, options *o, const char *value) {
-    static const char *const words[] = {"any", "known"};
+    static const char *const words[] = {"any", "known", "clang"};
     int number;
     const char *wrong = read_word(a, "--compiler", words, COUNT(words), value, &number);
     if (!wrong)
-        o->knows_compiler = number == 1;
+        o->compiler = (compiler_option)number;
     return wrong;
 }
 
@@ -275,7 +276,8 @@ static const char *read_predefined(arena *a, options *o, const char *value) {
             "--predefined: '%s' does not list a compiler's macros, as 'cc -dM -E -x c "
             "/dev/null' prints them",
             value);
-    o->knows_compiler = true;
+    if (o->compiler == COMPILER_ANY)
+        o->compiler = COMPILER_KNOWN;
     VECTOR_PUSH(a, &o->flags, arena_format(a, "--predefined=%s", value));
     return NULL;
 }

@@ -24,6 +24,9 @@ typedef struct order_option {
     bool is_given;
 } order_option;
 
+/** --compiler: has the caller checked for differences between compilers? Then it is redcc-cc. */
+typedef enum compiler_option { COMPILER_ANY, COMPILER_KNOWN, COMPILER_CLANG } compiler_option;
+
 typedef struct options {
     string_list inputs;
     const char *output;          /* -o; "-": standard output; NULL: none */
@@ -34,11 +37,10 @@ typedef struct options {
     const char *explain; /* --explain: this reason; NULL: none */
     order_option order;
     lanes_wish lanes;
-    bool knows_compiler; /* --compiler=known: the caller has checked for differences between
-                          * compilers */
-    bool sees_project;   /* --files=project */
-    bool keeps_openmp;   /* --openmp=keep */
-    bool in_process;     /* no separate process guards against a crashing parser */
+    compiler_option compiler;
+    bool sees_project; /* --files=project */
+    bool keeps_openmp; /* --openmp=keep */
+    bool in_process;   /* no separate process guards against a crashing parser */
     bool analyze, assume_noalias, require, verify, dump_ir, help, version;
 } options;
 

@@ -14,6 +14,7 @@
 #include "redcc/compile_commands.h"
 #include "redcc/compilers.h"
 #include "redcc/explain.h"
+#include "redcc/headers_in_place.h"
 #include "redcc/imports.h"
 #include "redcc/inputs_list.h"
 #include "redcc/output.h"
@@ -293,17 +294,98 @@ static emit_result with_records(arena *a, const emit_result *written, const char
     return result;
 }
 
+/** A file's text and all that is known about it: the file itself, or with headers in it. */
+typedef struct analysed_file {
+    ir_unit *unit;
+    const char *records; /* NULL: none */
+    analysis_result analysed;
+    string_list headers; /* in the text */
+} analysed_file;
+
+/** How a file is analysed. */
+typedef struct analysing {
+    arena *memory;
+    const options *options;
+    const string_list *flags;
+    analysis_options asked;
+    const project *around; /* NULL: unknown */
+} analysing;
+
+static analysed_file analyse_unit(const analysing *by, ir_unit *unit) {
+    const options *o = by->options;
+    unit->dialect.replaces_openmp = unit->dialect.has_openmp && !o->keeps_openmp;
+    analysed_file result = {.unit = unit};
+    if (by->around && o->output)
+        result.records = records_write(by->memory, unit, by->around);
+    result.analysed = of_both_compilers(
+        by->memory, unit->source, by->flags, unit, o->compiler != COMPILER_ANY,
+        analyse_with_imports(by->memory, unit, by->flags, by->around, &by->asked));
+    return result;
+}
+
+static string_list used_headers(arena *a, const analysed_file *file, const reason *obstacles) {
+    string_list used = {0};
+    for (unsigned i = 0; i < file->headers.count; i++)
+        if (header_is_used(file->unit, &file->analysed, obstacles, file->headers.items[i]))
+            VECTOR_PUSH(a, &used, file->headers.items[i]);
+    return used;
+}
+
+/** A text with headers in it does not follow when they change: redcc-cc, which checks the compiler
+ *  itself, translates anew. */
+static bool may_have_headers(const options *o) {
+    return !o->output || o->compiler != COMPILER_ANY;
+}
+
+/** The file with those headers in place that have a loop which can run in parallel; itself if there
+ *  is none. */
+static analysed_file with_headers(const analysing *by, analysed_file *file) {
+    arena *a = by->memory;
+    string_list headers = headers_that_fit(a, file->unit, &file->analysed);
+    const bool as_clang = by->options->compiler == COMPILER_CLANG;
+    analysed_file first = {0};
+    while (headers.count > 0) {
+        const frontend_result parsed =
+            translate_file_parse(a, headers_in_place(a, file->unit, &headers, as_clang), by->flags);
+        if (has_errors(&parsed))
+            return *file;
+        analysed_file found = analyse_unit(by, parsed.unit);
+        found.headers = headers;
+        if (!first.unit) { /* all that fit are in place, and the reasons are known */
+            first = found;
+            file->analysed =
+                with_reasons_in_place(a, file->unit, &file->analysed, first.unit, &first.analysed);
+        }
+        headers = used_headers(a, &found, NULL);
+        found.analysed =
+            with_reasons_in_place(a, found.unit, &found.analysed, first.unit, &first.analysed);
+        if (headers.count == found.headers.count)
+            return found;
+    }
+    return *file;
+}
+
+static emit_result write_analysed(const analysing *by, analysed_file *file, plan_options *how) {
+    arena *a = by->memory;
+    const options *o = by->options;
+    how->linked = imports_check(a, file->unit, &file->analysed, &how->obstacle);
+    const emit_result loops =
+        write_checked(a, file->unit, by->flags, how, o->output || o->verify, &file->analysed);
+    return with_records(a, &loops, file->records);
+}
+
 static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, ir_unit *unit,
                               const foreign_functions *foreign) {
-    const analysis_options asked = options_of(a, o, foreign);
-    const project *around = o->sees_project ? project_around(a, file->path) : NULL;
-    const char *records = around && o->output ? records_write(a, unit, around) : NULL;
-    analysis_result analysed =
-        of_both_compilers(a, file, flags, unit, o->knows_compiler,
-                          analyse_with_imports(a, unit, flags, around, &asked));
+    const analysing by = {.memory = a,
+                          .options = o,
+                          .flags = flags,
+                          .asked = options_of(a, o, foreign),
+                          .around = o->sees_project ? project_around(a, file->path) : NULL};
+    analysed_file alone = analyse_unit(&by, unit);
+    analysed_file in = may_have_headers(o) ? with_headers(&by, &alone) : alone;
     const bool is_kept = o->output || o->verify;
-    const bool is_written = count_verdicts(&analysed).transformed > 0;
+    const bool is_written = count_verdicts(&in.analysed).transformed > 0;
     if (is_kept && is_written && !own_runtime_header_exists(a))
         return fail(file->path,
                     "redcc's own header redcc/runtime.h, without which the output cannot "
@@ -313,12 +395,17 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                         .order_is_explicit = o->order.is_given,
                         .lanes = o->lanes,
                         .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
-    how.linked = imports_check(a, unit, &analysed, &how.obstacle);
-    const emit_result loops = write_checked(a, unit, flags, &how, is_kept, &analysed);
-    const emit_result written = with_records(a, &loops, records);
-    const analysis_result final = after_writing(a, unit, &analysed, &written, &asked, foreign);
+    const char *obstacle = how.obstacle;
+    emit_result written = write_analysed(&by, &in, &how);
+    if (used_headers(a, &in, written.obstacles).count < in.headers.count) {
+        in = alone;
+        how.obstacle = obstacle;
+        written = write_analysed(&by, &in, &how);
+    }
+    const analysis_result final =
+        after_writing(a, in.unit, &in.analysed, &written, &by.asked, foreign);
     const report_input input =
-        report_on(o, unit, &final, lanes_remarks(a, &written, final.verdict_count));
+        report_on(o, in.unit, &final, lanes_remarks(a, &written, final.verdict_count));
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
@@ -377,7 +464,6 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
         return fail(NULL, wrong);
     if (has_errors(&parsed))
         return fail_to_parse(file, &parsed);
-    parsed.unit->dialect.replaces_openmp = parsed.unit->dialect.has_openmp && !o->keeps_openmp;
     if (o->dump_ir)
         dump(parsed.unit);
     if (!o->analyze && !o->output && !o->verify)

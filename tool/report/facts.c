@@ -109,6 +109,9 @@ uint32_t verdict_offset(const loop_verdict *verdict) {
 }
 
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict) {
+    const ir_position *elsewhere = ir_position_in_header(input->unit, verdict->loop);
+    if (elsewhere)
+        return *elsewhere;
     assert(verdict_offset(verdict) <= input->unit->source->length);
     return ir_position_of(input->unit, verdict_offset(verdict));
 }

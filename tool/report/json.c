@@ -2,6 +2,7 @@
 /** The JSON report: docs/report.md has its fields. */
 #include <jansson.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "report/facts.h"
 #include "report/plan.h"
@@ -99,6 +100,8 @@ static void add_plan(arena *a, json_t *loop, const report_input *input,
 static json_t *loop_object(arena *a, const report_input *input, const loop_verdict *verdict) {
     const ir_position at = verdict_position(input, verdict);
     json_t *loop = json_object();
+    if (strcmp(at.file, input->unit->source->path) != 0)
+        json_object_set_new(loop, "file", json_text(at.file));
     json_object_set_new(loop, "line", json_integer(at.line));
     json_object_set_new(loop, "column", json_integer(at.column));
     json_object_set_new(loop, "function", json_text(verdict->function->name));

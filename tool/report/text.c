@@ -104,6 +104,17 @@ static void transformed(arena *a, buffer *out, const report_input *input,
     by_pragma(a, out, input, verdict);
 }
 
+/** Of a loop in a header, without its line of text. */
+static void in_header(arena *a, buffer *out, const ir_position *at, const loop_verdict *verdict) {
+    const bool is_refused = verdict->kind == VERDICT_REFUSE;
+    buffer_format(out, "%s:%u:%u: remark: %s [-Rredcc-%s%s]\n", at->file, at->line, at->column,
+                  verdict_sentence(a, verdict), is_refused ? "missed=" : "analysis=",
+                  is_refused ? reason_slug(verdict->why.id) : "not-a-reduction");
+    if (is_refused && verdict->why.advice)
+        buffer_format(out, "%s:%u:%u: note: %s\n", at->file, at->line, at->column,
+                      verdict->why.advice);
+}
+
 static void refused(arena *a, buffer *out, const report_input *input, const loop_verdict *verdict) {
     message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
             arena_format(a, " [-Rredcc-missed=%s]", reason_slug(verdict->why.id)));
@@ -118,7 +129,10 @@ static void refused(arena *a, buffer *out, const report_input *input, const loop
 void report_text(arena *a, buffer *out, const report_input *input) {
     for (unsigned i = 0; i < input->analysis->verdict_count; i++) {
         const loop_verdict *verdict = &input->analysis->verdicts[i];
-        if (verdict->kind == VERDICT_TRANSFORM)
+        const ir_position *elsewhere = ir_position_in_header(input->unit, verdict->loop);
+        if (elsewhere)
+            in_header(a, out, elsewhere, verdict);
+        else if (verdict->kind == VERDICT_TRANSFORM)
             transformed(a, out, input, verdict);
         else if (verdict->kind == VERDICT_BLOCKS)
             message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* memmem */
 #include "support/source.h"
 
 #include <assert.h>
@@ -155,4 +156,14 @@ const char *source_find_name(const char *text, const char *end, const map *names
             return word;
     }
     return NULL;
+}
+
+bool source_has_name(const char *text, size_t length, const char *name) {
+    const size_t size = strlen(name);
+    const char *end = text + length;
+    for (const char *at = text; (at = memmem(at, (size_t)(end - at), name, size)); at++)
+        if ((at == text || !source_is_name_byte(at[-1])) &&
+            (at + size == end || !source_is_name_byte(at[size])))
+            return true;
+    return false;
 }

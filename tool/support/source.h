@@ -40,6 +40,8 @@ bool source_is_name_byte(char c);
 /** The first name in text[0 .. end) that is a key of `names`, its length in *length; NULL: none.
  *  Comments and strings are text like any other. */
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
+/** Does the name occur in text[0 .. length)? */
+bool source_has_name(const char *text, size_t length, const char *name);
 bool source_starts_with(const char *text, const char *prefix);
 bool source_ends_with(const char *text, const char *suffix);
 

@@ -72,6 +72,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_MESSAGE_PASSING] = "exchange messages before the loop or after it",
     [REASON_INEXACT_OPTION] =
         "compile this file without the option, or give up the bits: --order=any",
+    [REASON_IN_HEADER] = "move the function to a source file",
     [REASON_IN_MACRO] = "write the loop and its updates out",
     [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
     [REASON_BINDING] = "give one of the two another name",

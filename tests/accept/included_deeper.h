@@ -1,0 +1,1 @@
+static inline double weight(double v) { return 0.25 * v * v + v; }

@@ -1,0 +1,4 @@
+static void after_open(int n, const int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse in-header
+        h[s[t]]++;
+}

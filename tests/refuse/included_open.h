@@ -1,0 +1,5 @@
+static void open_end(int n, const int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse in-header
+        h[s[t]]++;
+}
+static int

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** A source with headers in place of their #include directives, so that loops of headers can be
+ *  rewritten. */
+#ifndef HEADERS_IN_PLACE_H
+#define HEADERS_IN_PLACE_H
+
+#include "analysis/analysis.h"
+#include "redcc/options.h"
+
+/** The headers with refused loops (R518) that may stand in the source's text: included once in all,
+ *  directly, and with a text that means the same there. */
+string_list headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
+
+/** The source with these headers in it. #line directives keep all places; with as_clang headers
+ * have clang's names, else gcc's. */
+const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers,
+                               bool as_clang);
+
+/** Does a loop of the header run in parallel? `unit` is of a source with headers in it;
+ * `obstacles`: for each verdict, without a message if it could be written; NULL: all could. */
+bool header_is_used(const ir_unit *unit, const analysis_result *analysed, const reason *obstacles,
+                    const char *header);
+
+/** The verdicts `found` of `unit`; of loops in headers that the source in_place has in its text,
+ * with the reasons `known` from there. */
+analysis_result with_reasons_in_place(arena *a, const ir_unit *unit, const analysis_result *found,
+                                      const ir_unit *in_place, const analysis_result *known);
+
+#endif
