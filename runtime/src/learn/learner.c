@@ -48,8 +48,8 @@ static bool is_clear(const struct choice *c, enum way way) {
 /* Seconds that this strategy may lose now, in addition to the risk of one execution. */
 static double room_for(const struct choice *c, enum way way) {
     const double risk = is_trial(c, way) ? LEARN_SHARE : is_clear(c, way) ? 0 : LEARN_RISK;
-    const bool may_borrow = redcc_is_planned(way) || (way == WAY_DIRECT && c->now->in_tiles);
-    const double lent = may_borrow ? 0 : c->ledger->loan; /* for a plan construction */
+    const bool borrows = redcc_is_planned(way) || (way == WAY_DIRECT && c->now->in_tiles);
+    const double lent = borrows ? 0 : c->ledger->loan; /* for a plan construction */
     return credit_of(c->ledger) - lent - risk * usual_of(c);
 }
 
@@ -300,8 +300,7 @@ static bool goes_in_tiles(const struct choice *c) {
 }
 
 /* An overdraft covers the start of the threads if the first execution is expected to repay it. That
- * one is slow: the overdraft also covers a fraction of it, or all when the loop is no longer new.
- */
+ * one is slow: the overdraft also covers a fraction of it, or all if the loop is not new. */
 static struct decision try_tiles(const struct choice *c) {
     const double usual = redcc_usual(c->size), each = LEARN_CONTENDED / c->now->threads * usual;
     const double gained = (usual - each) * (double)c->now->trip;
