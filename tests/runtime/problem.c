@@ -137,6 +137,7 @@ void problem_oracle(struct problem *problem) {
 }
 
 bool problem_run_tells = true;
+int problem_searches = 0;
 
 void problem_tell_slow(redcc_loop *loop, long trip, double seconds) {
     struct loop_state *state = loop->state;

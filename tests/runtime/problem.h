@@ -60,6 +60,9 @@ void problem_tell_slow(redcc_loop *loop, long trip, double seconds);
  *  initially. */
 extern bool problem_run_tells;
 
+/** Additions that the slice of an iteration makes before it knows what that touches. */
+extern int problem_searches;
+
 /** The loop as redcc translates it. Returns 1 where it was done in parallel (0: serially). *last
  *  becomes `3 t + 1` of the last iteration. */
 int problem_run(struct problem *problem, struct described *described, int threads, long *last);

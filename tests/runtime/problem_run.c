@@ -33,7 +33,14 @@ void problem_describe(const struct problem *problem, struct described *described
 #define PROBE_READ(...) redcc_probe_read(&probe, worker, __VA_ARGS__)
 #define PROBE_TOUCH(...) redcc_probe_touch(&probe, worker, __VA_ARGS__)
 
+/* The slice is more expensive than the body. */
+static void search(void) {
+    for (volatile int n = 0; n < problem_searches; n++)
+        ;
+}
+
 #define INSPECT(t, READ, TOUCH)                                                                    \
+    search();                                                                                      \
     for (k = start[t]; k < start[t + 1]; k++) {                                                    \
         READ(1, &row[k], sizeof row[k]);                                                           \
         READ(3, &value[k], sizeof value[k]);                                                       \

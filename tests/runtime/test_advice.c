@@ -196,6 +196,22 @@ static void a_sample_that_took_long_is_not_lost(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
+/* A slice that is more expensive than the body: owners that find their iterations by it lose, and
+ * so does its inspection. */
+static void an_expensive_slice_is_seen(void **state) {
+    struct called *called = *state;
+    problem_searches = 1000; /* 0.4 microseconds; the body takes some nanoseconds */
+    leave_credit(called, 1);
+    for (int call = 0; call < 10 && !size_of(called)->looked; call++)
+        call_right(called);
+    problem_searches = 0;
+    const struct size_state *size = size_of(called);
+    assert_true(size->looked);
+    assert_true(size->arm[WAY_DIRECT].execution > 0.1e-6);
+    assert_true(size->arm[WAY_INDEX].set_up > 0.5 * 0.1e-6 * TRIP);
+    assert_false(redcc_is_better(size, WAY_DIRECT, redcc_usual(size)));
+}
+
 /* An inspection whose deadline has come: the arrays are as they were, and its cost is learned. */
 static void an_inspection_ends_at_its_deadline(void **state) {
     struct called *called = *state;
@@ -466,7 +482,6 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(it[WAY_INDEX].possible && it[WAY_GRAPH].possible);
     assert_true(it[WAY_GRAPH].execution < it[WAY_INDEX].execution);
     assert_true(it[WAY_GRAPH].set_up > it[WAY_INDEX].set_up);
-    findings.copies = true;
     findings.copied = 1e5; /* 15 microseconds of 500 */
     redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_COPIES].execution < it[WAY_GRAPH].execution);
@@ -486,6 +501,16 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(fetched[WAY_INDEX].execution < 0.8 * it[WAY_INDEX].execution);
     assert_true(fetched[WAY_GRAPH].execution < 0.8 * it[WAY_GRAPH].execution);
     assert_true(fetched[WAY_GRAPH].set_up == it[WAY_GRAPH].set_up);
+    findings = shuffled;
+    findings.slice = 100e-9; /* an inspection evaluates it once; bins may, before they push */
+    redcc_estimate_arms(&findings, fetched);
+    assert_true(fetched[WAY_INDEX].set_up > it[WAY_INDEX].set_up + 2e-3);
+    assert_true(fetched[WAY_GRAPH].set_up > it[WAY_GRAPH].set_up + 2e-3);
+    findings.binned = true;
+    redcc_estimate_arms(&findings, it);
+    findings.bin_more = 2.5e-3;
+    redcc_estimate_arms(&findings, fetched);
+    assert_true(fetched[WAY_BINS].execution > it[WAY_BINS].execution + 40e-9);
     findings = shuffled;
     findings.runs = 0; /* sorted */
     findings.share = 0.51;
@@ -516,6 +541,92 @@ static void many_threads_start_as_soon_as_few(void **unused) {
     redcc_tell_team(&chooser, 2, 2, 0.4e-3, 1); /* for the tests that follow */
 }
 
+/* 1000 iterations of a loop over pairs, in `executions` of 1.6 ms. */
+static struct choice_state after_pairs(int executions) {
+    struct choice_state state = {0};
+    for (int n = 0; n < executions; n++)
+        redcc_observe(&state, &(struct outcome){
+                                  .result = RESULT_SEQUENTIAL, .trip = 1000, .seconds = 1.6e-3});
+    return state;
+}
+
+static struct situation pairs_now(double start) {
+    return (struct situation){.trip = 1000,
+                              .threads = 2,
+                              .wake = 10e-6,
+                              .start = start,
+                              .tiled = true,
+                              .in_tiles = true,
+                              .kept = {[WAY_DIRECT] = KEPT_FITS, [WAY_BINS] = KEPT_FITS}};
+}
+
+static const struct outcome slow_tiles = {.result = RESULT_PARALLEL,
+                                          .way = WAY_DIRECT,
+                                          .trip = 1000,
+                                          .seconds = 2.5e-3,
+                                          .set_up = 0.5e-3};
+
+/* No sample: the second execution is in tiles, if the threads' start is repaid at once. */
+static void pairs_begin_with_tiles(void **unused) {
+    (void)unused;
+    struct choice_state state = after_pairs(1);
+    struct situation now = pairs_now(0.4e-3);
+    struct decision decision = redcc_decide(&state, &now);
+    assert_int_equal(decision.action, ACTION_REUSE);
+    assert_int_equal(decision.way, WAY_DIRECT);
+    state = after_pairs(1);
+    now = pairs_now(4e-3); /* the cores are wanted */
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
+    state = after_pairs(1);
+    now = pairs_now(0.4e-3);
+    now.threads = 1;
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
+    state = after_pairs(1);
+    now = pairs_now(0.4e-3);
+    now.in_tiles = false; /* over blocks */
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
+}
+
+/* Threads that begin are slow: a loop that is no longer new goes on with them, at once. */
+static void tiles_go_on_after_a_slow_beginning(void **unused) {
+    (void)unused;
+    struct choice_state state = after_pairs(4);
+    struct situation now = pairs_now(0.4e-3);
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_REUSE);
+    redcc_observe(&state, &slow_tiles);
+    assert_true(state.ledger.overhead <= 1.25 * 1.6e-3);
+    now.start = 0;
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_REUSE);
+    redcc_observe(&state,
+                  &(struct outcome){
+                      .result = RESULT_PARALLEL, .way = WAY_DIRECT, .trip = 1000, .seconds = 1e-3});
+    assert_int_equal(redcc_size_of(&state, 1000)->stand, STAND_PARALLEL);
+    state = after_pairs(1); /* a new loop waits */
+    now.start = 0.4e-3;
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_REUSE);
+    redcc_observe(&state, &slow_tiles);
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
+}
+
+/* A guard forbade them: a sample may know another way. */
+static void a_sample_follows_tiles_that_failed(void **unused) {
+    (void)unused;
+    struct choice_state state = after_pairs(40);
+    struct situation now = pairs_now(0);
+    assert_int_equal(redcc_decide(&state, &now).action, ACTION_REUSE);
+    redcc_observe(&state,
+                  &(struct outcome){.result = RESULT_REFUSED, .way = WAY_DIRECT, .trip = 1000});
+    struct decision decision = {.action = ACTION_SEQUENTIAL};
+    for (int call = 0; call < 40 && decision.action == ACTION_SEQUENTIAL; call++) {
+        decision = redcc_decide(&state, &now);
+        if (decision.action == ACTION_SEQUENTIAL)
+            redcc_observe(
+                &state,
+                &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = 1000, .seconds = 1.6e-3});
+    }
+    assert_int_equal(decision.action, ACTION_INSPECT);
+}
+
 static void few_short_iterations_are_one_threads(void **unused) {
     (void)unused;
     assert_int_equal(redcc_advise_threads(20, 2, 0, 0), 1); /* nothing is known yet */
@@ -536,6 +647,7 @@ int main(void) {
                                         end),
         cmocka_unit_test_setup_teardown(a_sample_that_took_long_is_not_lost, begin_sorted, end),
         cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
+        cmocka_unit_test_setup_teardown(an_expensive_slice_is_seen, begin_sorted, end),
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test_setup_teardown(resting_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
@@ -551,6 +663,9 @@ int main(void) {
         cmocka_unit_test(one_thread_has_prospects_by_lanes),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
+        cmocka_unit_test(pairs_begin_with_tiles),
+        cmocka_unit_test(tiles_go_on_after_a_slow_beginning),
+        cmocka_unit_test(a_sample_follows_tiles_that_failed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -129,6 +129,7 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                             .verified = chooser->verified,
                             .dry_run = loop->flags & REDCC_DRY_RUN,
                             .tiled = loop->flags & (REDCC_TILES | REDCC_BLOCKS),
+                            .in_tiles = loop->flags & REDCC_TILES && redcc_can_be_tiled(trip),
                             .bins_only = loop->flags & REDCC_NO_INSPECTOR,
                             .whole = loop->flags & REDCC_WHOLE,
                             .begun = chooser->begun};
@@ -233,6 +234,8 @@ static struct findings begin_findings(const struct chooser *chooser,
     const struct call *call = inspection->call;
     const redcc_loop *loop = call->request.loop;
     const bool free_order = call->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
+    const bool are_copied = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
+                            !inspection->no_copies && redcc_copies_allowed(inspection);
     return (struct findings){
         .trip = call->request.trip,
         .threads = call->planned,
@@ -241,9 +244,9 @@ static struct findings begin_findings(const struct chooser *chooser,
         .touches = inspection->each.touches,
         .leading_rows = inspection->each.leading_rows,
         .further_rows = inspection->each.further_rows,
-        .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !inspection->no_copies &&
-                  redcc_copies_allowed(inspection),
-        .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
+        .slice = redcc_slice_seconds(inspection),
+        .copied =
+            are_copied ? (double)redcc_copy_bytes(&inspection->partition, inspection->touched) : 0,
         .lanes = call->one_will_do,
         .tiled = redcc_may_be_tiled(inspection),
         .checked = bytes_to_check(loop, call->request.known)};
@@ -297,7 +300,8 @@ static double share_directly(const struct inspection *inspection, const struct f
     const double share = flags & REDCC_PARTS ? even + (largest - even) / 4 : largest;
     const double dried =
         flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
-    const double slice = dried > 0 ? dried : 3 * inspection->each.records * LEARN_TOUCH;
+    const double recorded = dried > 0 ? dried : 3 * inspection->each.records * LEARN_TOUCH;
+    const double slice = recorded > it->slice ? recorded : it->slice;
     if (redcc_may_be_tiled(inspection) && it->sequential > 0) /* each pair once; slices are short */
         return even;
     return flags & REDCC_SELECTS && it->sequential > 0
@@ -316,7 +320,10 @@ static void find_bins(const struct inspection *inspection, const struct estimate
                            findings->touches * (double)findings->trip * least_row > bytes;
     findings->binned = loop->flags & REDCC_BINNED;
     findings->bins_known = is_copied || is_random(inspection, estimate->changes);
-    findings->bin_bytes = is_copied ? bytes : 0;
+    const bool is_swept = loop->flags & REDCC_BINS_CHECKED;
+    findings->bin_more =
+        (is_copied ? bytes * LEARN_BYTE : 0) +
+        (is_swept ? findings->slice * (double)findings->trip / findings->threads : 0);
 }
 
 static void trace_arms(const struct findings *findings, const struct arm *arm,

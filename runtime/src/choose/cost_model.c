@@ -18,10 +18,16 @@ static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }
 
+/* Recording an iteration: its touches, or what it takes to find them. */
+static double recording(const struct findings *it) {
+    const double touches = it->touches * LEARN_TOUCH;
+    return touches > it->slice ? touches : it->slice;
+}
+
 static void by_copies(const struct findings *it, struct arm *arm) {
     const double trip = (double)it->trip;
-    arm->possible = it->copies;
-    arm->set_up = it->spent + it->touches * trip * LEARN_TOUCH;
+    arm->possible = it->copied > 0;
+    arm->set_up = it->spent + recording(it) * trip;
     arm->execution = it->sequential * LEARN_CONTENDED / it->threads +
                      it->copied * (it->reusable ? LEARN_BYTE : 4 * LEARN_BYTE) / trip;
 }
@@ -29,9 +35,9 @@ static void by_copies(const struct findings *it, struct arm *arm) {
 /* Iterations that change owners are distinguished, and check the owner of each row they write. */
 static void by_index(const struct findings *it, struct arm *arm) {
     const double apart = it->runs < LEARN_FREQUENT ? it->runs / LEARN_FREQUENT : 1;
-    const double recording = it->touches * LEARN_TOUCH + it->runs * 2 * LEARN_ROW;
+    const double swept = recording(it) + it->runs * 2 * LEARN_ROW;
     arm->possible = true;
-    arm->set_up = it->spent + recording * (double)it->trip / it->threads;
+    arm->set_up = it->spent + swept * (double)it->trip / it->threads;
     arm->execution =
         it->sequential * by_owners(it) * it->share * (1 + apart * (LEARN_CONTENDED - 1)) +
         beginning_runs(it);
@@ -39,8 +45,8 @@ static void by_index(const struct findings *it, struct arm *arm) {
 
 /* Useless if owners by index are equally balanced, and for pairs, whose graph no cut divides. */
 static void by_graph(const struct findings *it, struct arm *arm) {
-    const double side_by_side = it->touches * 7 * LEARN_TOUCH + it->further_rows * LEARN_ROW +
-                                it->leading_rows * 1.5 * LEARN_ROW;
+    const double side_by_side = recording(it) + it->touches * 6 * LEARN_TOUCH +
+                                it->further_rows * LEARN_ROW + it->leading_rows * 1.5 * LEARN_ROW;
     const double alone = it->leading_rows * 1.25 * LEARN_ROW;
     arm->possible = it->reusable && !it->tiled && it->share * it->threads > LEARN_CONTENDED;
     arm->set_up = it->spent + (side_by_side / it->threads + alone) * (double)it->trip;
@@ -57,8 +63,8 @@ static void directly(const struct findings *it, struct arm *arm) {
 static void by_bins(const struct findings *it, struct arm *arm) {
     arm->possible = it->binned;
     arm->guessed = !it->bins_known;
-    arm->execution = it->sequential * LEARN_CONTENDED / it->threads +
-                     it->bin_bytes * LEARN_BYTE / (double)it->trip;
+    arm->execution =
+        it->sequential * LEARN_CONTENDED / it->threads + it->bin_more / (double)it->trip;
 }
 
 void redcc_estimate_arms(const struct findings *findings, struct arm *arm) {

@@ -15,18 +15,18 @@ struct findings {
     double touches;      /**< per iteration */
     double leading_rows; /**< ... at different addresses, of the group that owners are cut in */
     double further_rows; /**< ... of the others */
-    double runs;      /**< share of the iterations that touch other owners than the preceding one */
-    bool fetched;     /**< its accesses are irregular and exceed the caches, and plans prefetch
-                       * them */
-    bool tiled;       /**< it is a loop over pairs, to be cut into tiles */
-    bool lanes;       /**< plans execute by lanes, if that is faster */
-    bool copies;      /**< private copies are permitted and possible */
-    double copied;    /**< bytes of one of them */
-    bool binned;      /**< it has a form for binning, */
-    bool bins_known;  /**< which is expected to pay */
-    double bin_bytes; /**< of the private copies that replace records in binning; 0: none */
-    bool reusable;    /**< the plan can be kept */
-    double checked;   /**< bytes of subscripts that are compared before a plan is reused */
+    double slice;        /**< measured seconds of an iteration's slice; 0: unknown */
+    double runs;     /**< share of the iterations that touch other owners than the preceding one */
+    bool fetched;    /**< its accesses are irregular and exceed the caches, and plans prefetch
+                      * them */
+    bool tiled;      /**< it is a loop over pairs, to be cut into tiles */
+    bool lanes;      /**< plans execute by lanes, if that is faster */
+    double copied;   /**< bytes of a private copy; 0: none is permitted, or possible */
+    bool binned;     /**< it has a form for binning, */
+    bool bins_known; /**< which is expected to pay */
+    double bin_more; /**< seconds beside the loop's own work: private copies, a check before */
+    bool reusable;   /**< the plan can be kept */
+    double checked;  /**< bytes of subscripts that are compared before a plan is reused */
 };
 
 /** Fills arm [WAY_COUNT]. */

@@ -41,6 +41,15 @@ struct dry_run {
     double seconds;       /* its duration, at the end */
 };
 
+/** Time of the slice of some iterations, executed again and again, so that it is not the time of
+ *  fetching their data. */
+struct slice_timing {
+    int passes;
+    redcc_int iterations; /* of a pass */
+    double began;
+    double least; /* seconds of the shortest pass; 0: none is complete */
+};
+
 /** One thread's part. Only it writes this; the other threads read it after the barrier. */
 struct inspector {
     int thread;
@@ -57,6 +66,7 @@ struct inspector {
     struct range *seen;   /* [array_count] */
     redcc_int *executed;  /* [owners] iterations of this thread's share, by owner */
     struct dry_run dry_run;
+    struct slice_timing timing;
     struct sample sample;
     struct sweep sweep;
     redcc_extent *sources; /* [source_count] recorded by redcc_read */
@@ -161,7 +171,15 @@ void redcc_sample_start(const struct inspection *inspection, struct inspector *i
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
-/** Processes the entries up to `end`. */
+/** After the sample: hands out some iterations once more, to time their slices. False: none is
+ *  left, or no estimate needs it. */
+bool redcc_timing_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                           redcc_worker *worker);
+
+/** Seconds of the slice of an iteration whose data are in the caches; 0: not timed. */
+double redcc_slice_seconds(const struct inspection *inspection);
+
+/** Processes the entries up to `end`; those of timed iterations are ignored. */
 void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
                        const redcc_entry *end);
 

@@ -9,6 +9,7 @@
 #include "ownership/cuts.h"
 #include "ownership/owner_map.h"
 #include "plan/method.h"
+#include "plan/tile_grid.h"
 
 /* The fraction of the share that a map's owners leave at most, to be worth their longer checks. */
 #define WORTH_A_MAP 0.9
@@ -28,6 +29,13 @@ enum {
     ROWS_OF_A_TOUCH = 64
 };
 
+/* Tiles have no owners, and the rows of a pair are many. */
+static bool is_for_tiles(const struct inspection *inspection) {
+    const struct request *request = &inspection->call->request;
+    return !inspection->call->method && request->loop->flags & REDCC_TILES &&
+           redcc_can_be_tiled(request->trip);
+}
+
 /* Iterations 0, stride, 2 stride, ... are sampled, for any number of threads. The stride is odd,
  * because an even one might hit the same corner of each element again and again. Sorting more
  * touches than few owners need would cost more than the sweep of all iterations. */
@@ -39,6 +47,8 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     const redcc_int even = trip / SAMPLED_OF < few ? few : trip / SAMPLED_OF;
     const redcc_int most = redcc_min(shares * SAMPLED_FOR_AN_OWNER, SAMPLED_MOST);
     const redcc_int seen = redcc_max(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
+    if (is_for_tiles(inspection))
+        return trip / (shares * LOOKED_AT_LEAST) | 1;
     return trip / (looks ? redcc_min(few, seen) : redcc_min(even, most)) | 1;
 }
 
@@ -87,6 +97,7 @@ static bool begin_sample(const struct inspection *inspection, struct inspector *
 
 void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector) {
     inspector->failed = !begin_sample(inspection, inspector);
+    inspector->timing = (struct slice_timing){0};
     inspector->next = redcc_own_begin(inspection, inspector); /* nothing is swept */
     inspector->at = sample_stride(inspection) * sampled_before(inspection, inspector);
 }
@@ -96,8 +107,10 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
     const redcc_int stride = sample_stride(inspection), first = inspector->at;
     assert(stride >= 1 && first >= 0);
     const redcc_int end = redcc_own_end(inspection, inspector);
-    if (inspector->failed || first >= end || inspection->partition.share > 0)
+    if (inspector->failed)
         return false;
+    if (first >= end || inspection->partition.share > 0)
+        return redcc_timing_hand_out(inspection, inspector, worker);
     inspector->at = end;
     redcc_hand_out(inspector, worker, first, end, stride, inspector->nowhere);
     return true;
@@ -115,6 +128,8 @@ static void sample_rows(const struct inspection *inspection, struct inspector *i
 
 void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
                        const redcc_entry *end) {
+    if (inspector->timing.passes > 0)
+        return;
     for (const redcc_entry *entry = inspector->entries; entry != end; entry++) {
         if (entry->array == REDCC_END_OF_ITERATION) {
             redcc_sample_next_iteration(&inspector->sample);

@@ -48,7 +48,8 @@ static bool is_clear(const struct choice *c, enum way way) {
 /* Seconds that this strategy may lose now, in addition to the risk of one execution. */
 static double room_for(const struct choice *c, enum way way) {
     const double risk = is_trial(c, way) ? LEARN_SHARE : is_clear(c, way) ? 0 : LEARN_RISK;
-    const double lent = redcc_is_planned(way) ? 0 : c->ledger->loan; /* for a plan construction */
+    const bool borrows = redcc_is_planned(way) || (way == WAY_DIRECT && c->now->in_tiles);
+    const double lent = borrows ? 0 : c->ledger->loan; /* for a plan construction */
     return credit_of(c->ledger) - lent - risk * usual_of(c);
 }
 
@@ -291,6 +292,27 @@ static struct decision try_first(const struct choice *c) {
     return may ? take_up(c, WAY_BINS) : sequentially(c, RULE_SAVING);
 }
 
+/* Tiles compute each pair once, whatever the subscripts are: no sample says more. If they failed,
+ * or a guard forbade them, one is taken after the back-off. */
+static bool goes_in_tiles(const struct choice *c) {
+    return c->now->in_tiles && c->now->threads > 1 && !c->now->dry_run &&
+           c->size->rest.length == 0 && goes_without_plan(c);
+}
+
+/* An overdraft covers the start of the threads if the first execution is expected to repay it. That
+ * one is slow: the overdraft also covers a fraction of it, or all if the loop is not new. */
+static struct decision try_tiles(const struct choice *c) {
+    const double usual = redcc_usual(c->size), each = LEARN_CONTENDED / c->now->threads * usual;
+    const double gained = (usual - each) * (double)c->now->trip;
+    const bool is_new = c->ledger->sequential < (LEARN_SURE - 1) * usual_of(c);
+    const bool is_lent = may_borrow(c) && c->now->start <= LEARN_BETTER * gained;
+    c->size->arm[WAY_DIRECT] = (struct arm){.possible = true, .execution = each};
+    c->size->looked_at = usual;
+    if (is_lent && is_clear(c, WAY_DIRECT))
+        lend(c, is_new ? c->now->start + LEARN_RISK * usual_of(c) : LEARN_LOAN * usual_of(c));
+    return fits(c, WAY_DIRECT) ? take_up(c, WAY_DIRECT) : sequentially(c, RULE_SAVING);
+}
+
 /* A strategy that only a trial can evaluate is tried if no other is available. */
 static struct decision decide_saving(const struct choice *c) {
     const double usual = redcc_usual(c->size);
@@ -298,7 +320,8 @@ static struct decision decide_saving(const struct choice *c) {
     if (ready != WAY_SEQUENTIAL && may_execute(c, ready))
         return take_up(c, ready);
     if (!c->size->looked)
-        return tries_first(c)      ? try_first(c)
+        return goes_in_tiles(c)    ? try_tiles(c)
+               : tries_first(c)    ? try_first(c)
                : c->now->bins_only ? sequentially(c, RULE_SAVING)
                                    : look(c);
     const struct decision decision = decide_set_up(c);
@@ -345,8 +368,8 @@ static bool is_check_due(const struct choice *c) {
 static bool looks_for_more(const struct choice *c, double current) {
     const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
     const double cost = look_of(c) + most_of(lost, 0);
-    return !c->size->looked && !c->now->bins_only && cost <= credit_of(c->ledger) &&
-           cost <= LEARN_SHARE * c->size->set_ups.since;
+    return !c->size->looked && !c->now->bins_only && !c->now->in_tiles &&
+           cost <= credit_of(c->ledger) && cost <= LEARN_SHARE * c->size->set_ups.since;
 }
 
 static struct decision decide_parallel(const struct choice *c) {

@@ -67,7 +67,8 @@ struct situation {
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
     bool begun;     /**< this is the rest of the first execution, of which some iterations were
                      * timed in order: what pays in it need not wait for others */
-    bool tiled;     /**< it is a loop over pairs, whose inspection is short */
+    bool tiled;     /**< it is a loop over pairs, whose inspection is short, */
+    bool in_tiles;  /**< and may be cut into tiles: WAY_DIRECT needs no estimate */
 };
 
 enum action {
