@@ -13,16 +13,19 @@
 #include "settings.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 enum {
     LEAST_TRIP = 64,
-    PART = 64,      /* this fraction of the iterations is timed */
+    PART = 64,      /* this fraction of the iterations is timed, */
+    PIECES = 4,     /* in so many pieces */
     MOST_ARRAYS = 8 /* more than any translated loop has */
 };
 
-/* Seconds from which the others may be worth threads that have to be started. */
-static const double long_enough = LEARN_LOOK / LEARN_SHARE;
+/* Seconds from which the others may be worth what a first execution in parallel costs in addition:
+ * a look, threads that have to be started, and pages that none of them has touched before. */
+static const double long_enough = 4 * LEARN_LOOK / LEARN_SHARE;
 
 /* The calling thread's part in iterations that are executed in order. */
 struct in_order {
@@ -104,6 +107,24 @@ static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc
     it->rest.key = it->key;
 }
 
+/* Executes the first iterations; returns the seconds that as many take later. The first piece finds
+ * pages and caches empty: the fastest one counts. */
+static double time_first(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
+                         const void *context, redcc_int count) {
+    const redcc_int pieces = redcc_min(PIECES, count);
+    double least = HUGE_VAL;
+    redcc_int begin = 0;
+    for (redcc_int piece = 1; piece <= pieces; piece++) {
+        const redcc_int end = count * piece / pieces;
+        const double began = redcc_seconds();
+        execute(site, attempt, member, context, begin, end);
+        const double each = (redcc_seconds() - began) / (double)(end - begin);
+        least = each < least ? each : least;
+        begin = end;
+    }
+    return least * (double)count;
+}
+
 void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
                           const redcc_attempt *attempt, redcc_member *member, const void *context,
                           int threads) {
@@ -113,11 +134,10 @@ void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
         return;
     const double began = redcc_seconds();
     beginning->done = attempt->trip / PART;
-    execute(site, attempt, member, context, 0, beginning->done);
-    const double seconds = redcc_seconds() - began;
-    if (seconds * (double)PART >= long_enough) {
+    const double later = time_first(site, attempt, member, context, beginning->done);
+    if (later * (double)PART >= long_enough) {
         leave_rest(beginning, loop, attempt);
-        redcc_note_begun(loop, beginning->rest.trip, beginning->done, seconds);
+        redcc_note_begun(loop, beginning->rest.trip, beginning->done, later);
         return;
     }
     redcc_end_in_order(site, attempt, member, context, beginning->done);

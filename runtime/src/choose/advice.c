@@ -228,6 +228,13 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
+/* The measured time of an iteration's slice; 0: its touches explain it, within what the timing of a
+ * few iterations is worth. */
+static double time_of_slice(const struct inspection *inspection) {
+    const double measured = redcc_slice_seconds(inspection);
+    return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
+}
+
 /* Facts that are known both after the sample and after all iterations. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
@@ -244,7 +251,7 @@ static struct findings begin_findings(const struct chooser *chooser,
         .touches = inspection->each.touches,
         .leading_rows = inspection->each.leading_rows,
         .further_rows = inspection->each.further_rows,
-        .slice = redcc_slice_seconds(inspection),
+        .slice = time_of_slice(inspection),
         .copied =
             are_copied ? (double)redcc_copy_bytes(&inspection->partition, inspection->touched) : 0,
         .lanes = call->one_will_do,

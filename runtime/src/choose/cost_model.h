@@ -15,7 +15,7 @@ struct findings {
     double touches;      /**< per iteration */
     double leading_rows; /**< ... at different addresses, of the group that owners are cut in */
     double further_rows; /**< ... of the others */
-    double slice;        /**< measured seconds of an iteration's slice; 0: unknown */
+    double slice;        /**< seconds of an iteration's slice; 0: unknown, or its touches say it */
     double runs;     /**< share of the iterations that touch other owners than the preceding one */
     bool fetched;    /**< its accesses are irregular and exceed the caches, and plans prefetch
                       * them */
