@@ -372,7 +372,7 @@ static void note_all(int others) {
 
 bool redcc_team_is_alone(void) {
     static int known; /* the number of other threads that a region could not identify */
-    static double longest_wait = 0.25; /* seconds; halved after each wait in vain */
+    static double longest_wait = 0.25; /* seconds; halved if nothing came of it */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */

@@ -230,7 +230,7 @@ static value_bounds integer_of(bounding *b, const ir_node *node) {
 
 /* ---- floating values ------------------------------------------------------------------------- */
 
-static bool requires(bounding *b, const ir_node *value) {
+static bool needs(bounding *b, const ir_node *value) {
     bounds_conditions *all = &b->conditions;
     unsigned i = 0;
     while (i < all->count && !expression_same(all->value[i], value))
@@ -294,10 +294,10 @@ static bool is_never_negative(bounding *b, const ir_node *node) {
     if (node->kind == IR_NUMBER)
         return true; /* the sign is an operator */
     if (stays(b, node))
-    return requires(b, node);
+        return needs(b, node);
     if (node->kind == IR_VARIABLE) {
         const known_value known = used(b, node->variable);
-        return known.has_least && (!known.least || requires(b, known.least));
+        return known.has_least && (!known.least || needs(b, known.least));
     }
     if (node->kind == IR_CAST)
         return is_never_negative(b, node->children[0]);
