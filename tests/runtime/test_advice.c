@@ -208,7 +208,7 @@ static void an_expensive_slice_is_seen(void **state) {
     const struct size_state *size = size_of(called);
     assert_true(size->looked);
     assert_true(size->arm[WAY_DIRECT].execution > 0.1e-6);
-    assert_true(size->arm[WAY_INDEX].set_up > 0.5 * 0.1e-6 * TRIP);
+    assert_true(size->arm[WAY_INDEX].set_up > 0.5 * 0.1e-6 * (double)TRIP);
     assert_false(redcc_is_better(size, WAY_DIRECT, redcc_usual(size)));
 }
 
