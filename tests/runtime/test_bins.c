@@ -287,43 +287,6 @@ static void trials(void **unused) {
     redcc_bins_tuning = *usual;
 }
 
-static enum reason laid_out(struct binning *binning, double may_lose, double sequential,
-                            redcc_int highest) {
-    binning->trial = (struct bins_trial){.may_lose = may_lose, .usual = sequential};
-    binning->stream[0] = (struct binned_stream){.rows = {0, highest}, .rate = 20};
-    return redcc_bins_lay_out(binning);
-}
-
-/* 20 records an iteration: their time, 60 ns of each of two threads, and the loop's own work,
- * unless that waits for memory, must be less than the sequential loop's. */
-static void a_trial_that_cannot_gain_takes_no_memory(void **unused) {
-    (void)unused;
-    enum { TRIP = 10000, FEW = 1000, MANY = 1000000 };
-    double row = 0;
-    void *bases[] = {&row};
-    const redcc_binned *loop = double_sum.descriptor;
-    const struct call call = {.request = {.loop = &loop->loop, .trip = TRIP, .bases = bases},
-                              .threads = 2};
-    struct binner *binner[] = {redcc_binner_new(loop, 0), redcc_binner_new(loop, 1)};
-    struct binned_stream stream;
-    struct binning binning = {.call = &call,
-                              .loop = loop,
-                              .binner = binner,
-                              .binners = 2,
-                              .stream = &stream,
-                              .round = {.most = TRIP}};
-    assert_int_equal(laid_out(&binning, 1, 100e-9, FEW), REASON_SERIAL_FASTER);
-    assert_int_equal(binning.bytes, 0);
-    assert_int_equal(laid_out(&binning, 1, 0, FEW), REASON_NONE);       /* nothing is known */
-    assert_int_equal(laid_out(&binning, 1, 200e-9, FEW), REASON_NONE);  /* heavy iterations */
-    assert_int_equal(laid_out(&binning, 1, 100e-9, MANY), REASON_NONE); /* rows in memory */
-    assert_int_equal(laid_out(&binning, 1, 50e-9, MANY), REASON_SERIAL_FASTER);
-    assert_int_equal(laid_out(&binning, 0, 100e-9, FEW), REASON_NONE); /* in use */
-    redcc_bins_drop(&binning);
-    redcc_binner_free(binner[0], loop);
-    redcc_binner_free(binner[1], loop);
-}
-
 /* Between executions subscripts may go elsewhere, and the loop may become longer or shorter. */
 static void other_subscripts(void **unused) {
     (void)unused;
@@ -446,7 +409,6 @@ int main(void) {
         cmocka_unit_test(bins_of_every_size),
         cmocka_unit_test(random_problems),
         cmocka_unit_test(trials),
-        cmocka_unit_test(a_trial_that_cannot_gain_takes_no_memory),
         cmocka_unit_test(other_subscripts),
         cmocka_unit_test(small_integers_are_copied),
         cmocka_unit_test(rows_are_found_late),

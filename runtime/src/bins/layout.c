@@ -201,20 +201,6 @@ static bool is_for_several(const struct binning *binning) {
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;
 }
 
-/* A trial that cannot be faster than the sequential loop: each record is stored, loaded again and
- * added, beside the loop's own work, unless that waits for memory. */
-static bool is_hopeless(const struct binning *binning) {
-    const bool waits = bytes_of_arrays(binning) > redcc_bins_tuning.copies_bytes;
-    const double usual = binning->trial.usual;
-    double records = 0;
-    for (uint32_t s = 0; s < binning->loop->stream_count; s++)
-        if (binning->loop->streams[s].exact != REDCC_STREAM_SPANS)
-            records += binning->stream[s].rate;
-    const double each = (waits ? 0 : usual) + records * redcc_bins_tuning.record_seconds;
-    return binning->trial.may_lose != 0 && usual > 0 && !binning->copies &&
-           each / binning->call->threads > usual;
-}
-
 enum reason redcc_bins_lay_out(struct binning *binning) {
     if (binning->round.failures > MOST_FAILURES)
         return REASON_SPREAD;
@@ -223,8 +209,6 @@ enum reason redcc_bins_lay_out(struct binning *binning) {
         return REASON_SPREAD;
     if (!is_for_several(binning))
         return REASON_ONE_THREAD;
-    if (is_hopeless(binning))
-        return REASON_SERIAL_FASTER;
     bool taken = binning->copies && take_copies(binning);
     if (!taken && binning->copies) {
         redcc_bins_drop(binning);

@@ -30,7 +30,6 @@ struct bins_tuning redcc_bins_tuning = {
     .whole_budget = (size_t)512 << 20,
     .copies_bytes = (size_t)4 << 20,
     .one_thread_bytes = (size_t)48 << 20,
-    .record_seconds = 6e-9, /* 7 to 18 in script/bench meet */
 };
 
 size_t redcc_stream_row(const redcc_stream *stream) {

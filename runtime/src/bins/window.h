@@ -48,7 +48,6 @@ struct bins_tuning {
     size_t whole_budget;      /* the same if the loop must be one round */
     size_t copies_bytes;      /* of the arrays, at most, for private copies */
     size_t one_thread_bytes;  /* of the arrays, at least, for binning by one thread */
-    double record_seconds;    /* of a thread for a record, at least */
     double trial;             /* if binning is named: the seconds it may lose (redcc_bins_begin) */
 };
 
