@@ -18,8 +18,8 @@
 
 enum {
     LEAST_TRIP = 64,
-    PART = 64,      /* this fraction of the iterations is timed, */
-    PIECES = 4,     /* in so many pieces */
+    PART = 64,      /* this fraction of the iterations is timed */
+    PIECES = 4,     /* the pieces that are timed one by one */
     MOST_ARRAYS = 8 /* more than any translated loop has */
 };
 
@@ -107,8 +107,8 @@ static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc
     it->rest.key = it->key;
 }
 
-/* Executes the first iterations; returns the seconds that as many take later. The first piece finds
- * pages and caches empty: the fastest one counts. */
+/* Executes the first `count` iterations in pieces. Returns the seconds that `count` iterations of
+ * the fastest piece take: the first piece also fetches pages and fills caches. */
 static double time_first(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                          const void *context, redcc_int count) {
     const redcc_int pieces = redcc_min(PIECES, count);

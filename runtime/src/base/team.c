@@ -362,7 +362,7 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* A region with as many threads as the process has: if they all are OpenMP's, they are noted. */
+/* Opens a region with as many threads as the process has, so that all of OpenMP's are noted. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;

@@ -24,7 +24,7 @@ struct findings {
     double copied;   /**< bytes of a private copy; 0: none is permitted, or possible */
     bool binned;     /**< it has a form for binning, */
     bool bins_known; /**< which is expected to pay */
-    double bin_more; /**< seconds beside the loop's own work: private copies, a check before */
+    double bin_more; /**< seconds in addition to the loop's own work: private copies, a check */
     bool reusable;   /**< the plan can be kept */
     double checked;  /**< bytes of subscripts that are compared before a plan is reused */
 };

@@ -8,7 +8,7 @@
 #include <assert.h>
 
 enum {
-    TIMED = 16, /* iterations of a thread; the data of so many stay in the caches */
+    TIMED = 16, /* iterations of a thread, few enough for their data to stay in the caches */
     PASSES = 3  /* over them: the first finds their data, one may be interrupted */
 };
 
