@@ -51,7 +51,7 @@ bool has_cleanup(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
-/* By an assembler label, or `#pragma redefine_extname`: it has another symbol name. */
+/* Does an assembler label or `#pragma redefine_extname` give it another symbol name? */
 static bool is_renamed(CXCursor declaration) {
     CXString mangled = clang_Cursor_getMangling(declaration);
     CXString spelled = clang_getCursorSpelling(declaration);
@@ -70,12 +70,12 @@ bool has_other_name(const converter *c, CXCursor declaration) {
     return has_attribute(declaration, words, 4);
 }
 
-bool is_under_may_alias(CXCursor declaration) {
+bool has_may_alias(CXCursor declaration) {
     static const char *const words[] = {"may_alias", "__may_alias__"};
     return has_attribute(declaration, words, 2);
 }
 
-/* Is the attribute harmless, in its final spelling, perhaps in a macro's definition? */
+/* Is the attribute harmless? Its name may be spelled in a macro's definition. */
 static bool is_harmless(CXCursor attribute) {
     CXFile file;
     unsigned offset;
@@ -111,7 +111,7 @@ static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientDa
     return CXChildVisit_Continue;
 }
 
-static bool is_called_otherwise(CXCursor declaration) {
+static bool has_other_symbol(CXCursor declaration) {
     static const char *const words[] = {"alias", "__alias__", "weakref", "__weakref__"};
     return (clang_getCursorLinkage(declaration) == CXLinkage_External && is_renamed(declaration)) ||
            has_attribute(declaration, words, 4);
@@ -122,7 +122,7 @@ void read_attributes(converter *c, CXCursor declaration, ir_function *function) 
     static const char *const not_returning[] = {"noreturn", "__noreturn__", "_Noreturn"};
     function->linkage.is_weak |= has_attribute(declaration, replaceable, 4);
     function->is_noreturn |= has_attribute(declaration, not_returning, 3);
-    function->linkage.is_renamed |= is_called_otherwise(declaration);
+    function->linkage.is_renamed |= has_other_symbol(declaration);
     function->linkage.is_hidden |= clang_getCursorLinkage(declaration) != CXLinkage_External ||
                                    clang_getCursorVisibility(declaration) != CXVisibility_Default ||
                                    clang_Cursor_isFunctionInlined(declaration);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Does the program test which compiler compiles it? The parser is clang; the compiler may be
- * another. System headers are excluded: they are responsible for working with each. */
+/* Finds names by which the program may test which compiler compiles it. The parser is clang; the
+ * compiler may be another. System headers are excluded: they are written for all compilers. */
 #define _GNU_SOURCE /* memmem */
 #include <ctype.h>
 #include <string.h>
@@ -32,7 +32,8 @@ static const char *word_in(file_text file) {
     return text_has(file, threads) ? threads : NULL;
 }
 
-/* If clang uses the compiler's macros: a name to which it still gives a meaning of its own. */
+/* The first name in the file to which clang gives a meaning of its own although it uses the
+ * compiler's predefined macros; NULL: none. */
 static const char *parsers_word_in(converter *c, file_text file) {
     const char *at = file.text, *end = file.text + file.length;
     while (at != NULL && at < end) {
@@ -40,7 +41,7 @@ static const char *parsers_word_in(converter *c, file_text file) {
         while (at < end && source_is_name_byte(*at))
             at++;
         const size_t length = (size_t)(at - word);
-        if (length > 2 && (is_compiler_question(word, length) ||
+        if (length > 2 && (is_feature_test(word, length) ||
                            map_get(c->compiler.parsers_own, word, length) != NULL))
             return arena_copy(c->arena, word, length);
         at += length == 0;
@@ -48,13 +49,14 @@ static const char *parsers_word_in(converter *c, file_text file) {
     return NULL;
 }
 
-/* After an attribute's name: do arguments begin, or may a macro or a comment precede them? */
+/* May an attribute's arguments begin here, directly or after a line splice or a comment? */
 static bool may_have_arguments(const char *at, const char *end) {
     return at < end && (*at == '(' || *at == '\\' || *at == '/');
 }
 
-/* The attribute optimize, by which gcc compiles a function with other options than the file; clang
- * ignores it on any declaration. The pragma is parsed separately. */
+/* Does the file use the attribute optimize? With it gcc compiles a function with other options than
+ * the file; clang's tree does not show it. `#pragma GCC optimize` does not count: it is parsed
+ * separately. */
 static bool names_optimize(file_text file) {
     static const char word[] = "optimize", pragma[] = "GCC";
     const char *at = file.text, *const end = file.text + file.length;
@@ -73,8 +75,8 @@ static bool names_optimize(file_text file) {
     return false;
 }
 
-/* The attribute target, or target_clones: no declaration in the tree shows it if a macro spells its
- * name. */
+/* Does the file use the attribute target or target_clones? The tree does not show it if a macro
+ * spells its name. */
 static bool names_target(file_text file) {
     static const char word[] = "target";
     const char *at = file.text, *const end = file.text + file.length;
@@ -89,9 +91,9 @@ static bool names_target(file_text file) {
     return false;
 }
 
-/* In a condition, true and false are keywords of C23, and names without a value for older
- * compilers. */
-static bool asks_truth(converter *c, CXFile file) {
+/* Does a condition name true or false? In C23 they have values; older compilers take them for
+ * undefined macros. */
+static bool tests_true_or_false(converter *c, CXFile file) {
     if (!c->compiler.flags->is_c23)
         return false;
     const file_directives found = directives_of_file(c, file);
@@ -103,8 +105,8 @@ static bool asks_truth(converter *c, CXFile file) {
     return false;
 }
 
-/* Each copy of a text that makes it has another number. System headers may define a macro with it
- * for programs to use. */
+/* It expands to a new number at each use, so that a copy of the text would have another one. System
+ * headers are searched, too: their macros may use it. */
 static const char counter[] = "__COUNTER__";
 
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
@@ -120,7 +122,7 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
         c->unit->text.compiler_word = word_in(text);
     c->unit->text.names_optimize |= names_optimize(text);
     c->unit->text.names_target |= names_target(text);
-    if (asks_truth(c, file))
+    if (tests_true_or_false(c, file))
         c->unit->text.unseen_word = "true";
     const char *own = c->compiler.flags->predefined != NULL ? parsers_word_in(c, text) : NULL;
     if (own != NULL)
@@ -132,8 +134,8 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
         c->unit->text.unseen_word = storage_order;
 }
 
-/* The body of a macro in the options is text of the program's, too. */
-static void look_at_options(converter *c) {
+/* The body of a macro that an option defines is the program's text, too. */
+static void search_options(converter *c) {
     const parse_flags *flags = c->compiler.flags;
     for (unsigned i = 0; i < flags->items.count; i++) {
         const char *flag = flags->items.items[i];
@@ -144,6 +146,6 @@ static void look_at_options(converter *c) {
 }
 
 void find_compiler_words(converter *c) {
-    look_at_options(c);
+    search_options(c);
     clang_getInclusions(c->clang, visit, c);
 }

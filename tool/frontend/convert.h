@@ -20,14 +20,14 @@ typedef struct function_body {
 
 typedef VECTOR(CXCursor) cursor_list;
 
-/** clang computes an extent again in each query, and an expression's is often queried for the
- *  enclosing node first. */
-typedef struct extent_memory {
+/** A cache entry: clang computes an extent in each query, and an expression's is queried for the
+ *  enclosing node as well. */
+typedef struct cached_extent {
     const void *tree; /* clang's expression or statement */
     CXSourceRange extent;
-} extent_memory;
+} cached_extent;
 
-enum { EXTENTS_KEPT = 64 };
+enum { CACHED_EXTENTS = 64 };
 
 /** clang's objects that were converted, with the results; each object has one. */
 struct converted {
@@ -68,10 +68,10 @@ typedef struct converter {
     CXFile main_file;
     struct converted converted;
     struct expansions expansions;
-    bool has_begun; /* was a macro of the main file seen? */
+    bool has_begun; /* a macro in the main file was visited: earlier ones precede the file */
     struct compiler_facts compiler;
     struct reference_table *references;
-    bool has_assembler;           /* between functions: it may define names of objects */
+    bool has_assembler;           /* `asm` between functions: it may define names of objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
@@ -80,7 +80,7 @@ typedef struct converter {
     ir_function *function; /* being converted */
     unsigned depth;
     cursor_list collected; /* a stack: children of the cursors being visited */
-    extent_memory extents[EXTENTS_KEPT];
+    cached_extent extents[CACHED_EXTENTS];
 } converter;
 
 /* ---- places (location.c) ------------------------------------------------------------------- */
@@ -149,11 +149,12 @@ bool has_other_name(const converter *c, CXCursor declaration);
  *  show it. */
 void mark_names_in_pragmas(converter *c);
 /** Does the typedef or record have the attribute may_alias? */
-bool is_under_may_alias(CXCursor declaration);
+bool has_may_alias(CXCursor declaration);
 /** With KeepGoing clang reports a missing header as any other error: its text identifies it. */
 bool is_missing_header(CXDiagnostic diagnostic);
-/** Adds a macro to the unit's macros; also those that the main file defines in any branch. */
+/** Adds a macro to the unit's macros. */
 void note_macro(converter *c, CXCursor definition);
+/** Adds the macros that the main file defines, including branches that are not compiled. */
 void note_macros_of_directives(converter *c);
 /** In the text of a directive: the macro's name after `#define`; NULL: another directive. */
 const char *macro_name_defined(const char *at, const char *end);
@@ -161,7 +162,7 @@ const char *macro_name_defined(const char *at, const char *end);
 void find_pragma_macros(converter *c);
 /** Adds a declaration's name to the unit's names, for a record also its members' tags. */
 void note_name(converter *c, CXCursor declaration);
-/** Sets the unit's compiler_word, unseen_word and names_optimize. */
+/** Sets the unit's compiler_word and unseen_word, names_optimize, names_target, names_counter. */
 void find_compiler_words(converter *c);
 
 /** Is the function's body in a header of the program's, used, and may it have a loop? */
@@ -198,7 +199,8 @@ void finish_references(converter *c);
 /** Expressions and statements among the cursor's children; no references, types or attributes.
  *  The list lives in the scratch arena. */
 cursor_list children_of(converter *c, CXCursor cursor);
-/** Counts a level; false: too deep, *result is set and the level must not be left. */
+/** Counts a level of nesting, which the caller uncounts in c->depth. False: too deep; nothing is
+ *  counted, and *result is an opaque node. */
 bool enter_level(converter *c, CXCursor cursor, ir_node **result);
 
 ir_node *convert_expression(converter *c, CXCursor cursor);
@@ -208,7 +210,8 @@ ir_node *convert_any(converter *c, CXCursor cursor);
 ir_node *convert_literal(converter *c, CXCursor cursor);
 /** sizeof and the like. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor);
-/** With all cursors that it mentions as children; type NULL: a statement. */
+/** An opaque node with all expressions and statements of the cursor as children; type NULL: a
+ *  statement. */
 ir_node *convert_opaque(converter *c, CXCursor cursor, const ir_type *type, const char *what);
 /** An opaque statement that contains the expressions in a declaration and its type. */
 ir_node *convert_lengths(converter *c, CXCursor declaration, const char *what);

@@ -82,7 +82,7 @@ static void convert_parameters(converter *c, ir_function *f, CXCursor declaratio
     f->parameter_count = (unsigned)count;
 }
 
-/* The body names the definition's own parameters. */
+/* `declaration` is the definition if there is one: the body uses its parameters. */
 static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
     bool is_from_macro;
     f->name = take_string(c, clang_getCursorSpelling(declaration));

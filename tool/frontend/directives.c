@@ -234,6 +234,6 @@ ir_directive *directives_in(arena *a, const char *text, size_t length, unsigned 
 void find_directives(arena *a, ir_unit *unit) {
     unit->directives =
         directives_in(a, unit->source->text, unit->source->length, &unit->directive_count);
-    for (unsigned i = 1; i < unit->directive_count; i++) /* they are searched by halves */
+    for (unsigned i = 1; i < unit->directive_count; i++) /* for binary search */
         assert(unit->directives[i - 1].range.end <= unit->directives[i].range.begin);
 }

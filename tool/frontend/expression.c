@@ -256,12 +256,13 @@ static ir_node *convert_subscript(converter *c, CXCursor cursor) {
     return node;
 }
 
-/* The record's own field that contains `wanted`: itself, or an anonymous member. */
-static const ir_field *way_to(const ir_record *record, const ir_field *wanted) {
+/* The record's own field that is `wanted`, or the anonymous member that contains it. */
+static const ir_field *field_containing(const ir_record *record, const ir_field *wanted) {
     for (unsigned i = 0; i < record->field_count; i++) {
         const ir_field *field = &record->fields[i];
         bool is_anonymous = field->name[0] == 0 && field->type->record != NULL;
-        if (field == wanted || (is_anonymous && way_to(field->type->record, wanted) != NULL))
+        if (field == wanted ||
+            (is_anonymous && field_containing(field->type->record, wanted) != NULL))
             return field;
     }
     return NULL;
@@ -288,14 +289,14 @@ static ir_node *convert_member(converter *c, CXCursor cursor) {
     bool is_arrow = is_pointer(parts.items[0]);
     const ir_type *object_type = type_of(c, parts.items[0]);
     const ir_record *record = is_arrow ? object_type->target->record : object_type->record;
-    const ir_field *step = record != NULL ? way_to(record, field) : NULL;
+    const ir_field *step = record != NULL ? field_containing(record, field) : NULL;
     if (step == NULL)
         return opaque_expression(c, cursor, "member");
     ir_node *node = member_node(c, cursor, convert_expression(c, parts.items[0]), step);
     if (is_arrow)
         node->flags |= IR_ARROW;
     while (step != field) {
-        step = way_to(step->type->record, field);
+        step = field_containing(step->type->record, field);
         node = member_node(c, cursor, node, step);
     }
     node->type = type_of(c, cursor); /* with the object's qualifiers */
@@ -321,8 +322,8 @@ static ir_node *convert_call(converter *c, CXCursor cursor) {
     if (count < 0 || parts.count != (unsigned)count + 1)
         return opaque_expression(c, cursor, "call");
     ir_node *call = convert_parts(c, cursor, IR_CALL, &parts);
-    const bool is_asked = call->kind == IR_CALL && evaluates_nothing(call->children[0]);
-    for (unsigned i = 1; is_asked && i < call->child_count; i++)
+    const bool is_unevaluated = call->kind == IR_CALL && evaluates_nothing(call->children[0]);
+    for (unsigned i = 1; is_unevaluated && i < call->child_count; i++)
         if (ir_has_effect(call->children[i]))
             return opaque_expression(c, cursor, "operand that is not evaluated");
     return call;
@@ -403,8 +404,8 @@ static bool has_same_extent(converter *c, CXCursor a, CXCursor b) {
     return clang_equalRanges(extent_of(c, a), extent_of(c, b)) != 0;
 }
 
-/* An implicit conversion has one part and its extent. Anything else is `a ?: b`, va_arg, offsetof,
- * an atomic builtin, ... */
+/* An implicit conversion has one part, of the same extent. Any other unexposed expression is
+ * opaque: `a ?: b`, va_arg, offsetof, an atomic builtin, ... */
 static ir_node *convert_unexposed(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count == 1 && has_same_extent(c, cursor, parts.items[0]))

@@ -113,7 +113,7 @@ void finish_unit(converter *c) {
     order_functions(c);
     number_variables(c);
     for (unsigned i = 0; i < c->unit->variable_count; i++)
-        assert(c->unit->variables[i]->id == i); /* facts about variables are arrays by it */
+        assert(c->unit->variables[i]->id == i); /* it indexes arrays of facts */
     mark_interposable(c);
     for (unsigned i = 0; i < c->unit->function_count; i++)
         assert(c->unit->functions[i]->id == i);

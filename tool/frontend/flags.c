@@ -12,7 +12,7 @@
 #include "support/compiler_options.h"
 #include "support/source.h"
 
-/* If the parser needs flags[i], adds it, and its argument if that is a word of its own. Returns the
+/* If the parser needs flags[i], adds it, with its argument if that is the next word. Returns the
  * index of the last word used. */
 static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
                      const char *const *flags) {
@@ -145,7 +145,7 @@ static bool is_predefined(const parse_flags *flags, const char *name) {
     return flags->predefined && map_get(flags->predefined, name, strlen(name));
 }
 
-static bool is(const char *flag, const char *const *names) {
+static bool is_one_of(const char *flag, const char *const *names) {
     while (*names && strcmp(flag, *names) != 0)
         names++;
     return *names != NULL;
@@ -154,7 +154,7 @@ static bool is(const char *flag, const char *const *names) {
 static bool names_c89(const char *standard) {
     static const char *const names[] = {"c89",   "c90",          "gnu89",          "gnu90",
                                         "c1990", "iso9899:1990", "iso9899:199409", NULL};
-    return is(standard, names);
+    return is_one_of(standard, names);
 }
 
 /* c23 and gnu23 (also as c2x and gnu2x), and later standards. */
@@ -163,7 +163,8 @@ static bool names_c23(const char *standard) {
            strstr(standard, ":202");
 }
 
-/* Does the list name a sanitizer that may check arithmetic: any but these? */
+/* Does the list name a sanitizer that may check arithmetic: any but these, which check memory and
+ * threads? */
 static bool reports_arithmetic(const char *list) {
     static const char *const of_memory[] = {"address",          "leak",   "thread",
                                             "hwaddress",        "memory", "pointer-compare",
@@ -180,7 +181,7 @@ static bool reports_arithmetic(const char *list) {
     return false;
 }
 
-/* Of options that undo each other the last counts; -fsanitize= accumulates. */
+/* If options contradict each other, the last one counts; -fsanitize= accumulates. */
 static void note_language(parse_flags *chosen, const char *flag) {
     if (strcmp(flag, "-fno-strict-aliasing") == 0)
         chosen->strict_aliasing = false;
@@ -206,13 +207,13 @@ static void note_code(parse_flags *chosen, const char *flag) {
     static const char *const final[] = {"-fPIE",    "-fpie",    "-fno-PIC", "-fno-pic",
                                         "-fno-PIE", "-fno-pie", NULL};
     static const char *const without_errno[] = {"-fno-math-errno", "-ffast-math", "-Ofast", NULL};
-    if (is(flag, interposable) || is(flag, final))
-        chosen->may_be_interposed = is(flag, interposable);
+    if (is_one_of(flag, interposable) || is_one_of(flag, final))
+        chosen->may_be_interposed = is_one_of(flag, interposable);
     else if (strcmp(flag, "-fno-semantic-interposition") == 0)
         chosen->no_interposition = true;
     else if (strcmp(flag, "-fsemantic-interposition") == 0)
         chosen->no_interposition = false;
-    else if (is(flag, without_errno))
+    else if (is_one_of(flag, without_errno))
         chosen->math_errno = false;
     else if (strcmp(flag, "-fmath-errno") == 0)
         chosen->math_errno = true;
@@ -257,7 +258,7 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
         i = take(a, &chosen, i, count, flags);
     }
     note_folders_of_environment(a, &chosen);
-    /* Parsed with -fopenmp itself, a loop after a directive would be hidden in the directive. */
+    /* Not -fopenmp itself: libclang would hide a loop inside the directive above it. */
     if (chosen.has_openmp && !is_predefined(&chosen, "_OPENMP"))
         add(a, &chosen, "-D_OPENMP=201511");
     chosen.has_openmp |= is_predefined(&chosen, "_OPENMP");

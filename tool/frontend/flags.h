@@ -12,9 +12,9 @@
 typedef struct parse_flags {
     VECTOR(const char *) items;
     bool strict_aliasing; /* no -fno-strict-aliasing */
-    bool has_headers;     /* no -nostdinc */
+    bool has_headers;     /* the standard headers are found: no -nostdinc */
     map *predefined; /* the compiler's predefined macros, if they replace the parser's; else NULL */
-    const char *unseen;   /* a list of macros that cannot be read; NULL: none */
+    const char *unseen;   /* a file of predefined macros that cannot be read; NULL: none */
     const char *refusing; /* an option that makes the program differ from the parsed one; NULL:
                            * none */
     const char *inexact;  /* an option by which floating-point bits depend on other code in the
@@ -22,8 +22,8 @@ typedef struct parse_flags {
     bool is_c89;          /* by -std= or -ansi */
     bool is_c23;          /* by -std=, or a later one */
     VECTOR(const char *)
-    system_folders;         /* by -isystem and the like: a library's, not the compiler's */
-    bool is_sanitized;      /* by -fsanitize= with others than addresses, leaks and threads */
+    system_folders;         /* of libraries, by -isystem and the like; not the compiler's */
+    bool is_sanitized;      /* by -fsanitize=: undefined arithmetic may end the program */
     bool may_be_interposed; /* -fPIC: another definition may replace an exported one */
     bool no_interposition;  /* -fno-semantic-interposition: only by an equivalent one */
     bool math_errno;        /* mathematical functions set errno */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Does the compiled part of this file have floating-point arithmetic? Under some options its bits
- * depend on what the compiler inlines, which depends on the number of a function's calls: even in a
- * loop that is left alone, once another has a second copy. */
+ * depend on what the compiler inlines, and that depends on how often a function is called. The
+ * copies in a translated loop add calls, so even another loop's bits may change. */
 #include "frontend/convert.h"
 
 static bool is_floating(const ir_type *type) {
@@ -9,7 +9,7 @@ static bool is_floating(const ir_type *type) {
            (type->kind == IR_FLOATING || type->kind == IR_COMPLEX || type->kind == IR_OTHER_TYPE);
 }
 
-/* A conversion without a separate node: of an integer by a declarator or a `return`. */
+/* The type of the node's value. A declarator converts its initialiser without a separate node. */
 static const ir_type *type_made(const ir_node *node) {
     return node->kind == IR_DECLARATOR ? node->variable->type : node->type;
 }

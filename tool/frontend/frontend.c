@@ -114,8 +114,8 @@ static bool is_assembler(CXCursor cursor) {
     return is_found;
 }
 
-/* Functions of the main file; those of headers follow when they are used, but some of them may be
- * used by other files. */
+/* Converts the functions that the main file defines, and those of headers that is_wanted_of_header
+ * selects. Any other function is converted when a converted one uses it. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
@@ -233,7 +233,7 @@ static void convert_unit(converter *c) {
 static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang,
                         const parse_flags *flags) {
     ir_unit *unit = ARENA_NEW(a, ir_unit);
-    unit->dialect.has_openmp = flags->has_openmp; /* pragmas mean something */
+    unit->dialect.has_openmp = flags->has_openmp; /* mark_names_in_pragmas depends on it */
     unit->arena = a;
     unit->source = src;
     unit->dialect.strict_aliasing = true;
@@ -290,9 +290,9 @@ static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char
     return clang;
 }
 
-/* The attribute in a cast or in a typeof, where libclang does not show it. It has no arguments: a
- * function may have this name. */
-static bool says_may_alias(const char *text) {
+/* Does the text name the attribute may_alias? In a cast or typeof libclang does not show it. It has
+ * no arguments: before a parenthesis the name is a function's. */
+static bool names_may_alias(const char *text) {
     static const char word[] = "may_alias";
     for (const char *at = strstr(text, word); at != NULL; at = strstr(at + 1, word))
         if (at[sizeof word - 1] != '(')
@@ -322,10 +322,11 @@ static void run(void *data) {
         convert_diagnostics(t->arena, clang, name, &t->result);
         list_inclusions(t->arena, clang, &t->result);
         ir_unit *unit = convert(t->arena, t->source, name, clang, &chosen);
-        /* an attribute or a pragma says so for a part: for the rest, only speed is lost */
-        const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
-                             says_may_alias(t->source->text);
-        unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_said;
+        /* Disables strict aliasing for the whole file even if an attribute or a pragma does so only
+         * for a part of it; this costs only speed. */
+        const bool is_disabled_in_text = strstr(t->source->text, "no-strict-aliasing") != NULL ||
+                                         names_may_alias(t->source->text);
+        unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_disabled_in_text;
         apply_flags(unit, &chosen);
         for (unsigned i = 0; i < t->flag_count; i++) {
             unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops in the program's own headers: which functions there are looked at, and where their loops
- * are. What the compiler calls a system header is not the program's. */
+/* Loops in the program's own headers: selects the functions to convert, and records where their
+ * loops are. A header that the compiler takes for a system header is not the program's. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -16,7 +16,7 @@ static CXFile own_header_at(converter *c, CXSourceLocation location, ir_position
     return file;
 }
 
-/* A text without the words has no loop, unless a macro makes it. */
+/* Does the function's text contain a loop's keyword? A loop that a macro makes is missed. */
 static bool may_loop(converter *c, CXCursor definition) {
     CXSourceRange extent = clang_getCursorExtent(definition);
     CXFile begins, ends;
@@ -30,8 +30,8 @@ static bool may_loop(converter *c, CXCursor definition) {
     return text_has(text, "for") || text_has(text, "while") || text_has(text, "do");
 }
 
-/* Static functions are converted when a function that is converted names them; the initialiser of a
- * table may, too. */
+/* A static function is converted if the main file names it anywhere, perhaps in the initialiser of
+ * a table of functions. */
 static bool is_named_in_main_file(const converter *c, CXCursor definition) {
     CXString spelling = clang_getCursorSpelling(definition);
     const char *name = clang_getCString(spelling);

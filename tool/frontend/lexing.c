@@ -46,8 +46,8 @@ static bool is_blank_splice(const char *backslash, const char *end) {
     return at > backslash + 1 && at < end && (*at == '\n' || *at == '\r');
 }
 
-/* The word split over two lines: _Pragma, a raw string's prefix; NULL: neither, according to its
- * beginning. */
+/* The construct that the splice may divide, judged by the word before it: _Pragma, or the prefix of
+ * a raw string. NULL: neither. */
 static const char *split_word(const char *text, const char *splice) {
     static const char *const prefixes[] = {"R", "L", "LR", "u", "uR", "U", "UR", "u8", "u8R"};
     const char *word = word_before(text, splice);
@@ -66,9 +66,9 @@ static char byte_behind(const char *splice, const char *end) {
     return splice < end ? *splice : 0;
 }
 
-/* Does the byte end a comment of two marks, given the pieces from the text's beginning? The text
- * before it is certain except for a quote between digits, after which the beginning of a comment
- * may be text. */
+/* Does the byte end a block comment, according to a scan from the text's beginning? The scan is
+ * reliable unless a quote between digits precedes the byte: after it, what appears to begin a
+ * comment may be inside a character constant, or the reverse. */
 static bool ends_comment(const char *text, const char *last) {
     const char *at = text, *begin = text;
     while (at <= last) {
@@ -79,7 +79,7 @@ static bool ends_comment(const char *text, const char *last) {
            !lexing_has_digit_separator(text, (size_t)(last - text));
 }
 
-/* A comment's mark, or another of two bytes, split over two lines. */
+/* Does the splice divide a token of two bytes: a comment's mark, a digraph, or a trigraph? */
 static bool splits_mark(const char *text, const char *splice, const char *end) {
     const char before = splice > text ? splice[-1] : 0, behind = byte_behind(splice, end);
     return (before == '/' && (behind == '/' || behind == '*') && !ends_comment(text, splice - 1)) ||
@@ -96,7 +96,8 @@ static bool has_word(const char *text, size_t length, const char *word) {
     return false;
 }
 
-/* _Pragma, to be pasted from pieces: from the first of them, or from `_` and the rest. */
+/* Does the text have pieces from which a macro may paste _Pragma: its first letters, or `_` and the
+ * rest? */
 static bool has_pieces_of_pragma(const char *text, size_t length) {
     static const char *const firsts[] = {"_P", "_Pr", "_Pra", "_Prag", "_Pragm"};
     for (size_t i = 0; i < sizeof firsts / sizeof *firsts; i++)
@@ -122,7 +123,7 @@ const char *lexing_in_doubt(const char *text, size_t length) {
         return "?\?/";
     if (has_pieces_of_pragma(text, length))
         return pragma_operator;
-    /* C23's; a compiler of an older language ignores or obeys them */
+    /* directives of C23: compilers of an older language may ignore or obey them */
     static const char *const conditions[] = {"elifdef", "elifndef"};
     for (size_t i = 0; i < sizeof conditions / sizeof *conditions; i++)
         if (has_word(text, length, conditions[i]))

@@ -8,10 +8,11 @@
 
 /**
  * The first construct in a file's text that a compiler may read differently than directives.h and
- * support/source.h: a raw string, which GNU C has and ISO C has not; a trigraph for a backslash,
- * which is the opposite; blanks between a backslash and the line's end; _Pragma, the beginning of a
- * raw string, or a comment's mark, split over two lines. Includes comments and strings, because
- * their ends are what is in doubt. NULL: none. A static string; thread-safe.
+ * support/source.h: a raw string (only GNU C has it); a trigraph for a backslash (only ISO C);
+ * blanks between a backslash and the line's end; _Pragma, the beginning of a raw string, or a
+ * comment's mark, split over two lines; pieces of _Pragma; #elifdef. Comments and strings are
+ * searched, too, because compilers may disagree about where they end. NULL: none. A static string;
+ * thread-safe.
  */
 const char *lexing_in_doubt(const char *text, size_t length);
 

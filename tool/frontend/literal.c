@@ -192,7 +192,7 @@ ir_node *convert_literal(converter *c, CXCursor cursor) {
     }
 }
 
-/* Functions with errors are not evaluated: clang may crash on ill-formed code. */
+/* In a function with errors nothing is evaluated: clang may crash on ill-formed code. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor) {
     const ir_type *type = convert_type(c, clang_getCursorType(cursor));
     int64_t value;

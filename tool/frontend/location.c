@@ -81,9 +81,9 @@ CXSourceRange extent_of(converter *c, CXCursor cursor) {
     if (!clang_isExpression(kind) && !clang_isStatement(kind))
         return clang_getCursorExtent(cursor);
     const void *tree = cursor.data[1];
-    extent_memory *kept = &c->extents[((uintptr_t)tree >> 4) % EXTENTS_KEPT];
+    cached_extent *kept = &c->extents[((uintptr_t)tree >> 4) % CACHED_EXTENTS];
     if (kept->tree != tree)
-        *kept = (extent_memory){tree, clang_getCursorExtent(cursor)};
+        *kept = (cached_extent){tree, clang_getCursorExtent(cursor)};
     return kept->extent;
 }
 
@@ -102,8 +102,8 @@ void note_expansion(converter *c, CXCursor expansion) {
 
 /* ---- ranges -------------------------------------------------------------------------------- */
 
-/* clang gives the end of a range as a place in an argument if its last token is a macro's argument,
- * and as the end of the expansion if it is of the macro's body. */
+/* If a range's last token is a macro's argument, clang gives its end as a place in the argument; if
+ * it is of the macro's body, as the end of the expansion. */
 static void find_end(const converter *c, place *end) {
     uint32_t offset = end->offset;
     if (!end->is_from_macro) {
@@ -136,16 +136,16 @@ void place_node(converter *c, ir_node *node, CXCursor cursor) {
 /* ---- texts --------------------------------------------------------------------------------- */
 
 /* A header's text, and its directives once they are requested. */
-typedef struct kept_header {
+typedef struct header_text {
     file_text text;
     bool is_scanned;
     file_directives found;
-} kept_header;
+} header_text;
 
-static kept_header *header_of(converter *c, CXFile file) {
+static header_text *header_of(converter *c, CXFile file) {
     void **known = map_at(c->converted.files, &file, sizeof file);
     if (*known == NULL) {
-        kept_header *read = ARENA_NEW(c->arena, kept_header);
+        header_text *read = ARENA_NEW(c->arena, header_text);
         read->text.text = clang_getFileContents(c->clang, file, &read->text.length);
         *known = read;
     }
@@ -167,7 +167,7 @@ bool text_has(file_text file, const char *word) {
 file_directives directives_of_file(converter *c, CXFile file) {
     if (is_same_file(file, c->main_file))
         return (file_directives){c->unit->directives, c->unit->directive_count};
-    kept_header *header = header_of(c, file);
+    header_text *header = header_of(c, file);
     if (!header->is_scanned && header->text.length > 0)
         header->found.items =
             directives_in(c->arena, header->text.text, header->text.length, &header->found.count);

@@ -8,7 +8,7 @@
 #include "frontend/directives.h"
 #include "frontend/flags.h"
 
-/* Past blanks, comments and line splices. */
+/* The position after blanks, comments and line splices. */
 static const char *skip_spaces(const char *at, const char *end) {
     while (at < end) {
         const unsigned splice = splice_length(at, end);
@@ -27,7 +27,7 @@ static const char *skip_spaces(const char *at, const char *end) {
 }
 
 /* `#define SIGINT SIGINT`: the macro named at `at` expands to its own name. */
-static bool stands_for_itself(file_text at, const char *name, size_t length) {
+static bool expands_to_itself(file_text at, const char *name, size_t length) {
     const char *end = at.text + at.length;
     if (at.length <= length || strncmp(at.text, name, length) != 0)
         return false;
@@ -46,7 +46,7 @@ static void note(map *macros, const char *name, size_t length, bool is_function_
 
 /* Finding a macro's definition is the most expensive step. Few of the thousands of macros in
  * capitals in headers expand to themselves, so those are skipped. */
-static bool is_worth_a_look(CXSourceLocation location, const char *name) {
+static bool may_expand_to_itself(CXSourceLocation location, const char *name) {
     for (const char *p = name; *p; p++)
         if (islower((unsigned char)*p))
             return true;
@@ -62,7 +62,8 @@ static bool is_built_in(CXSourceLocation location) {
     return is_own;
 }
 
-/* Text that names the compiler's own macros means these. */
+/* Does the compiler predefine the macro? Then the program's text may use it. Records a macro that
+ * clang predefines and the compiler does not. */
 static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
                                size_t length) {
     const bool is_predefined = c->compiler.flags->predefined != NULL &&
@@ -82,8 +83,8 @@ void note_macro(converter *c, CXCursor definition) {
     const size_t length = strlen(name);
     const bool is_function_like = clang_Cursor_isMacroFunctionLike(definition) != 0;
     const CXSourceLocation location = clang_getCursorLocation(definition);
-    if (is_function_like || !is_worth_a_look(location, name) ||
-        !stands_for_itself(text_at(c, location), name, length))
+    if (is_function_like || !may_expand_to_itself(location, name) ||
+        !expands_to_itself(text_at(c, location), name, length))
         note(c->unit->text.macros, name, length, is_function_like);
     if (!c->has_begun && !is_own_of_compiler(c, location, name, length))
         note(c->unit->text.macros_before, name, length, is_function_like);
@@ -106,8 +107,9 @@ const char *macro_name_defined(const char *at, const char *end) {
     return NULL;
 }
 
-/* In a branch that another compiler may take, clang sees no macro. Names that begin with __ are the
- * compilers' own: programs define them for compilers that lack them. */
+/* clang sees no definitions in a branch that it does not compile; another compiler may. Names that
+ * begin with __ are excluded: they are the compilers' own, and programs define them for compilers
+ * that lack them. */
 void note_macros_of_directives(converter *c) {
     for (unsigned i = 0; i < c->unit->directive_count; i++) {
         const ir_directive *directive = &c->unit->directives[i];
@@ -121,7 +123,7 @@ void note_macros_of_directives(converter *c) {
             after++;
         const size_t length = (size_t)(after - name);
         const file_text at = {.text = name, .length = (size_t)(end - name)};
-        if (length > 0 && strncmp(name, "__", 2) != 0 && !stands_for_itself(at, name, length))
+        if (length > 0 && strncmp(name, "__", 2) != 0 && !expands_to_itself(at, name, length))
             note(c->unit->text.macros, name, length, after < end && *after == '(');
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* `for (...) UPD(h, k[i], w);` ends inside a macro, but nothing else is made by that expansion, so
- * its bytes are its own. Such a statement may be replaced as a whole. */
+/* `for (...) UPD(h, k[i], w);` ends inside a macro, but that expansion makes nothing else, so the
+ * statement owns its bytes. It may be replaced as a whole. */
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -14,8 +14,8 @@ static bool overlaps_sibling(const ir_node *parent, unsigned index) {
     ir_range own = parent->children[index]->range;
     for (unsigned i = 0; i < parent->child_count; i++) {
         ir_range other = parent->children[i]->range;
-        bool is_apart = other.end <= own.begin || own.end <= other.begin;
-        if (i != index && other.begin != other.end && !is_apart)
+        bool is_disjoint = other.end <= own.begin || own.end <= other.begin;
+        if (i != index && other.begin != other.end && !is_disjoint)
             return true;
     }
     return false;
@@ -34,8 +34,8 @@ static bool follows_parenthesis(const converter *c, const ir_node *node) {
     return at > 0 && text[at - 1] == ')';
 }
 
-/* Between the braces of a block, statements follow each other: an expansion belongs to one of them,
- * or two share bytes. A loop that begins in a macro may have a pragma of that macro before it. */
+/* A statement of a block owns its bytes if it shares none with the braces or another statement. A
+ * loop that begins in a macro does not: the macro may put a pragma before it. */
 static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsigned index) {
     const ir_node *statement = block->children[index];
     bool is_strictly_inside = is_inside(statement->range, block->range) &&
@@ -46,7 +46,7 @@ static bool owns_bytes_in_block(const converter *c, const ir_node *block, unsign
     return !ir_is_loop(statement) || !begins_in_macro(c, statement);
 }
 
-/* The last part of a statement with its own bytes: the body of a loop, for instance. */
+/* Does the last part of a statement (the body of a loop, for instance) own its bytes? */
 static bool owns_bytes_at_end(const converter *c, const ir_node *parent, unsigned index) {
     const ir_node *body = parent->children[index];
     if (index + 1 != parent->child_count || body->range.end != parent->range.end ||

@@ -19,8 +19,9 @@ typedef struct definition {
 typedef struct search {
     converter *converter;
     bool is_found;        /* some file names the operator */
-    bool has_fenv_access; /* ... whether it may concern the floating-point environment */
-    const char *hidden;   /* ... why a pragma may be undetectable: see look. NULL: none */
+    bool has_fenv_access; /* some file names FENV_ACCESS */
+    const char
+        *hidden; /* text by which a pragma may be undetectable (see search_file); NULL: none */
     VECTOR(definition) all;
 } search;
 
@@ -31,7 +32,8 @@ static const char *universal_name_in(file_text file) {
     const char *at = file.text, *const end = file.text + file.length;
     if (!text_has(file, marks[0]) && !text_has(file, marks[1]))
         return NULL;
-    /* in C89, which has no //, a mark of both may end a comment that it appears to begin */
+    /* In C89, which has no // comments, the three bytes may end a comment that they appear to
+     * begin. */
     const bool sees_comments =
         !lexing_has_digit_separator(file.text, file.length) && !text_has(file, "/*/");
     while (at < end) {
@@ -47,7 +49,7 @@ static const char *universal_name_in(file_text file) {
     return NULL;
 }
 
-static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
+static void search_file(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     (void)depth;
     search *s = data;
@@ -56,8 +58,8 @@ static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientD
     const file_text text = text_of_file(s->converter, file);
     s->is_found |= text_has(text, pragma_operator);
     s->has_fenv_access |= text_has(text, "FENV_ACCESS");
-    /* no tree shows the variables that a macro's pragma makes thread-local; a macro's name has two
-     * spellings */
+    /* The tree does not show which variables a macro's pragma makes thread-local. With a universal
+     * character name a macro's name has two spellings. */
     static const char thread_local_pragma[] = "threadprivate";
     const char *universal = universal_name_in(text);
     if (text_has(text, thread_local_pragma))
@@ -94,8 +96,8 @@ static bool makes_pragma(const definition *it, const map *macros) {
     return source_find_name(it->rest, it->rest + strlen(it->rest), macros, &length) != NULL;
 }
 
-/* If no definition names the operator, none can make it. */
-static bool some_name_operator(const search *s) {
+/* Does any definition name the operator? If not, no macro can make it. */
+static bool some_definition_names_operator(const search *s) {
     for (unsigned i = 0; i < s->all.count; i++)
         if (strstr(s->all.items[i].rest, pragma_operator))
             return true;
@@ -104,11 +106,11 @@ static bool some_name_operator(const search *s) {
 
 void find_pragma_macros(converter *c) {
     search s = {.converter = c};
-    clang_getInclusions(c->clang, look, &s);
+    clang_getInclusions(c->clang, search_file, &s);
     if (!s.is_found)
         return;
     clang_getInclusions(c->clang, collect, &s);
-    if (!some_name_operator(&s))
+    if (!some_definition_names_operator(&s))
         return;
     map *macros = map_new(c->arena);
     for (bool has_grown = true; has_grown;) {

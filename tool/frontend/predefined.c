@@ -5,14 +5,15 @@
 
 #include "support/source.h"
 
-/* Macros that only clang defines are kept for clang's own headers: a program that names one is not
- * analysed (compiler_words.c). */
+/* Other macros that only clang defines remain defined, because clang's own headers need them: a
+ * program that names one is not analysed (compiler_words.c). */
 static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};
 static const char *const types_of_gcc[] = {FLAGS_OF_GCC_TYPES};
 static const char *const without_features[] = {FLAGS_WITHOUT_FEATURES};
 
-/* Operators of #if; clang's headers use them without testing for them. */
-static const char *const questions[] = {
+/* Operators of #if. They remain defined, because clang's headers use them without testing whether
+ * they exist. */
+static const char *const operators[] = {
     "__building_module",
     "__has_attribute",
     "__has_builtin",
@@ -33,9 +34,9 @@ static const char *const questions[] = {
     "__is_target_vendor",
 };
 
-bool is_compiler_question(const char *text, size_t length) {
-    for (size_t i = 0; i < sizeof questions / sizeof *questions; i++)
-        if (strlen(questions[i]) == length && memcmp(questions[i], text, length) == 0)
+bool is_feature_test(const char *text, size_t length) {
+    for (size_t i = 0; i < sizeof operators / sizeof *operators; i++)
+        if (strlen(operators[i]) == length && memcmp(operators[i], text, length) == 0)
             return true;
     return false;
 }
@@ -69,8 +70,8 @@ static void add_line(arena *a, parse_flags *flags, const char *line, size_t leng
 }
 
 void add_predefined(arena *a, parse_flags *flags, const char *path) {
-    const char *wrong;
-    const source *file = source_read(a, path, &wrong);
+    const char *message;
+    const source *file = source_read(a, path, &message);
     flags->predefined = map_new(a);
     if (!file) {
         flags->unseen = path;

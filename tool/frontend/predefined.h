@@ -5,15 +5,16 @@
 
 #include "frontend/flags.h"
 
-/** Flags, as items of an array, by which clang is taken for gcc. The names that identify it: */
+/** Flags (items of an array) that make clang pass for gcc. These remove the names that identify
+ *  clang; */
 #define FLAGS_WITHOUT_CLANG                                                                        \
     "-U__clang__", "-U__clang_major__", "-U__clang_minor__", "-U__clang_patchlevel__",             \
         "-U__clang_version__", "-U__llvm__"
-/** types in gcc's headers for which it has no names: */
+/** these define types that gcc's headers use and clang has no names for; */
 #define FLAGS_OF_GCC_TYPES                                                                         \
     "-D_Float32=float", "-D_Float64=double", "-D_Float32x=double", "-D_Float64x=long double",      \
         "-D_Float128=__float128"
-/** operators of #if that gcc 12 does not know. */
+/** and these hide operators of #if that gcc 12 does not have. */
 #define FLAGS_WITHOUT_FEATURES "-D__has_feature(x)=0", "-D__has_extension(x)=0"
 
 /** Adds flags that replace the parser's own macros by those in the file `path`, the output of `cc
@@ -25,6 +26,6 @@ void add_predefined(arena *a, parse_flags *flags, const char *path);
 void forget_predefined(parse_flags *flags, const char *definition);
 
 /** Is the text an operator by which #if tests the compiler's features (`__has_builtin`)? */
-bool is_compiler_question(const char *text, size_t length);
+bool is_feature_test(const char *text, size_t length);
 
 #endif

@@ -55,7 +55,7 @@ const ir_record *convert_record(converter *c, CXType canonical) {
     record = ARENA_NEW(c->arena, ir_record);
     *map_at(c->converted.records, &key, sizeof key) = record;
     CXCursor definition = clang_getCursorDefinition(declaration);
-    if (is_under_may_alias(declaration) || is_under_may_alias(definition))
+    if (has_may_alias(declaration) || has_may_alias(definition))
         c->unit->dialect.strict_aliasing = false;
     record->is_union = clang_getCursorKind(declaration) == CXCursor_UnionDecl;
     record->size = -1;

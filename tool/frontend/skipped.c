@@ -8,7 +8,8 @@ static unsigned offset_of(CXSourceLocation location) {
     return offset;
 }
 
-/* clang's ranges extend from the directive that is false into the one that ends the branch. */
+/* clang's ranges extend from the directive whose condition is false into the one that ends the
+ * branch. */
 void mark_skipped_directives(converter *c) {
     CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
     if (ranges == NULL)

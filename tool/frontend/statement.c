@@ -68,7 +68,7 @@ static ir_node *convert_block(converter *c, CXCursor cursor) {
 typedef struct declaration_list {
     converter *converter;
     cursor_list variables;
-    bool computes_length; /* a typedef does: its length is evaluated when the typedef is executed */
+    bool computes_length; /* a typedef has a variable length, evaluated when it is executed */
 } declaration_list;
 
 static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
@@ -86,9 +86,9 @@ static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
     return CXChildVisit_Continue;
 }
 
-/* Effects of a declarator other than its initialisation: the lengths in its type are evaluated, or
- * a function is called at the end. An opaque initialiser represents them, and contains the one
- * written in it. */
+/* Represents a declarator's effects other than its initialisation: the lengths in its type are
+ * evaluated, or a function is called at the end of its scope. The written initialiser, if any, is a
+ * child. */
 static ir_node *opaque_initialiser(converter *c, CXCursor declaration, const char *what) {
     const ir_type *type = convert_type(c, clang_getCursorType(declaration));
     return convert_opaque(c, declaration, type, what);
@@ -124,7 +124,7 @@ static ir_node *convert_declarator(converter *c, CXCursor declaration) {
     node->children = ARENA_ARRAY(c->arena, ir_node *, 1);
     node->children[0] = initialiser;
     if (initialiser->kind == IR_OPAQUE && initialiser->range.begin < node->range.begin)
-        initialiser->range = node->range; /* opaque: an extent with the type before the name */
+        initialiser->range = node->range; /* clang's extent includes the type before the name */
     return node;
 }
 
@@ -204,7 +204,8 @@ static for_header scan_header(const char *text, size_t length) {
             i = skip_comment(text, i, length);
             continue;
         }
-        if (at == '?' && i + 2 < length && text[i + 1] == '?') { /* trigraphs: no parentheses */
+        if (at == '?' && i + 2 < length &&
+            text[i + 1] == '?') { /* a trigraph, none of which is a parenthesis */
             i += 3;
             continue;
         }
@@ -262,7 +263,7 @@ static bool assign_clauses(converter *c, CXCursor cursor, const cursor_list *par
     return true;
 }
 
-static bool is_plain_start(CXCursor cursor) {
+static bool starts_outside_macro(CXCursor cursor) {
     CXFile file, spelled;
     unsigned offset, spelled_offset;
     CXSourceLocation start = clang_getRangeStart(clang_getCursorExtent(cursor));
@@ -275,7 +276,7 @@ static ir_node *convert_for(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXCursor clauses[3];
     bool present[3] = {false, false, false};
-    bool is_readable = parts.count == 1 || parts.count == 4 || is_plain_start(cursor);
+    bool is_readable = parts.count == 1 || parts.count == 4 || starts_outside_macro(cursor);
     if (parts.count == 0 || parts.count > 4 || !is_readable ||
         !assign_clauses(c, cursor, &parts, clauses, present))
         return opaque_statement(c, cursor, "for with a header made by a macro");

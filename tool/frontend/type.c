@@ -318,7 +318,7 @@ static bool names_may_alias(CXType type) {
             type = clang_Type_getNamedType(type);
             break;
         case CXType_Typedef:
-            if (is_under_may_alias(clang_getTypeDeclaration(type)))
+            if (has_may_alias(clang_getTypeDeclaration(type)))
                 return true;
             type = clang_getTypedefDeclUnderlyingType(clang_getTypeDeclaration(type));
             break;

@@ -25,7 +25,8 @@ typedef struct ir_range {
     uint32_t end;
 } ir_range;
 
-/** A declaration, so that it can be found again in another text of the same program. */
+/** Identifies a declaration in all texts that are parsed: the original file, the output, other
+ *  files of the program. */
 typedef struct ir_declared {
     const char *name;
     const char *file;              /* NULL: the main file */
@@ -99,7 +100,7 @@ struct ir_type {
     int64_t count;          /* IR_ARRAY: elements; -1 unknown */
     const ir_type *target;  /* pointee, element, result */
     const ir_record *record;
-    const char *spelling;   /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
+    const char *spelling;   /* in C, as in a cast: "double (*)[3]"; NULL: cannot be spelled */
     const ir_declared *tag; /* of records and enumerations. Not in the text form */
 };
 
@@ -108,8 +109,8 @@ struct ir_type {
  *  size. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
-/** An integer whose arithmetic no defined program lets overflow: signed, at least int, without
- *  -fwrapv. False for NULL. */
+/** An integer type whose overflow is undefined behaviour: signed, at least int, without -fwrapv.
+ *  False for NULL. */
 bool ir_type_never_wraps(const ir_type *type);
 /** An integer of at most 64 bits, neither volatile nor atomic; false for NULL. */
 bool ir_type_is_plain_integer(const ir_type *type);
@@ -144,16 +145,16 @@ typedef struct ir_variable {
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
     bool is_unnamed; /* of another file: no text of this file can name it. Not in the text form */
     const ir_declared *declared; /* NULL: not known. Not in the text form */
-    const ir_node *stands_for;   /* the translator's own: a pointer that the function's loops load
-                                  * through other pointers (analysis/base/loop_loads.h). Not in the
-                                  * text form */
+    const ir_node *stands_for;   /* of a variable that the translator adds: the pointer it holds,
+                                  * which the function's loops load through other pointers
+                                  * (analysis/base/loop_loads.h). Not in the text form */
 } ir_variable;
 
 /** The origin of a body that another file defines. */
 typedef struct ir_import {
     const char *file;
-    uint64_t digest; /* of the definition (ir_digest.h); 0: of a static function, which belongs to
-                      * its callers' digests */
+    uint64_t digest; /* of the definition (ir_digest.h); 0 for a static function: its callers'
+                      * digests include it */
 } ir_import;
 
 /** A function's properties for the linker. */
@@ -163,7 +164,7 @@ typedef struct ir_linkage {
     bool is_renamed;         /* it has another symbol name, so its C name identifies nothing */
     bool is_interposable;    /* is_weak, because a shared object exports it: the program may define
                               * the name, too. Not in the text form */
-    bool is_hidden;          /* no other object can refer to it or replace it */
+    bool is_hidden;          /* no other object file can refer to it or replace it */
     const ir_import *import; /* another file defines the body (ir_adopt.h); NULL: this unit does.
                               * Not in the text form */
 } ir_linkage;
@@ -181,8 +182,8 @@ struct ir_function {
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
     ir_linkage linkage;
     bool is_from_system;       /* a system header declares it. Not in the text form */
-    bool has_attributes;       /* any others than pure and const. Not in the text form */
-    bool has_other_attributes; /* some of them may have a meaning (support/attributes.h) */
+    bool has_attributes;       /* other than pure and const. Not in the text form */
+    bool has_other_attributes; /* some of these are not harmless (support/attributes.h) */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler reported an error inside it: analyse nothing in it */
     bool is_in_main_file;
@@ -278,8 +279,8 @@ enum {
     IR_SEQUENCE = 64, /* of a block: it is a comma expression used as a statement. Its parts, all
                        * IR_FROM_MACRO, have its range, without the `;` */
     IR_DEAD = 128,    /* of an empty block (child_count is 0): it replaces a statement that is never
-                       * executed (analysis/base/dead_branches.h), whose bytes copies leave out.
-                       * children[0] is the statement, which the text form shows */
+                       * executed (analysis/base/dead_branches.h). Copies of the text omit its
+                       * bytes. children[0] is the statement, which the text form shows */
     IR_FROM_CALL = 32 /* it replaces a call that reaches variables which the call's text does not
                        * name (ir_accessors.h): the text cannot be copied to a place with other
                        * variables or other memory. IR_FROM_MACRO too */
@@ -289,8 +290,7 @@ struct ir_node {
     ir_kind kind;
     ir_operator op;
     unsigned flags;
-    unsigned
-        id; /* dense in its function, in evaluation-independent preorder: indexes side tables */
+    unsigned id; /* dense in its function, in preorder: the index of side tables */
     unsigned child_count;
     ir_node **children;
     ir_node *parent; /* NULL for a body, and for nodes outside of functions */
@@ -331,7 +331,8 @@ typedef struct ir_dialect {
     bool is_sanitized;    /* undefined arithmetic may end the program */
     bool wraps;           /* signed arithmetic wraps around (-fwrapv) */
     bool has_openmp;      /* OpenMP directives are enabled; otherwise compilers ignore them */
-    bool replaces_openmp; /* loops may be executed without their directives, in order */
+    bool replaces_openmp; /* a loop's OpenMP directives may be dropped: redcc parallelises the loop
+                             itself */
     const char *refusing_option; /* an option that makes the program differ from this tree. NULL:
                                   * none */
     const char *inexact_option;  /* an option by which the bits of floating-point operations (of
@@ -349,15 +350,15 @@ typedef struct ir_inclusion {
 /** Properties of the text of the file and its headers, in addition to the tree. Not in the text
  *  form. */
 typedef struct ir_text {
-    bool includes_itself;      /* it may be compiled several times */
+    bool includes_itself;      /* the file's text may be compiled several times */
     const char *compiler_word; /* a name in the program's own text that may test for the compiler:
                                 * "__clang"; NULL: none */
     const char *unseen_word;   /* a name unknown to the parser but perhaps not to a compiler, which
                                 * would compile another tree. NULL: none */
     bool names_optimize;       /* the attribute occurs somewhere in the program's own text: no
                                 * declaration in the tree shows it */
-    bool names_target;  /* the same of the attributes target and target_clones, or a macro of the
-                           options */
+    bool names_target;  /* the same for the attributes target and target_clones; also in a macro of
+                         * the options */
     bool names_counter; /* __COUNTER__ occurs in a file of the program or an option: macros may
                          * expand to it */
     unsigned header_pragma_count; /* of the program's own headers, as text */
@@ -370,15 +371,15 @@ typedef struct ir_text {
                          * ones */
     map *pragma_macros; /* the name of each macro of the program that may expand to a pragma -> not
                          * NULL. NULL: none */
-    bool may_make_fenv_access; /* there are such macros, and FENV_ACCESS occurs somewhere */
+    bool may_make_fenv_access; /* pragma_macros is set, and FENV_ACCESS occurs somewhere */
     map *names;       /* each name that the program or its headers declare as a function, type, tag,
-                       * enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL:
-                       * none */
+                       * enumerator or file-scope variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER.
+                       * NULL: none */
     map *inner_names; /* each name that a function's body declares as an enumerator, type or tag ->
                        * not NULL. NULL: none */
     map *header_loops; /* each loop whose text is in a header of the program's (a pointer to its
                         * node) -> its ir_position. NULL: none */
-    unsigned inclusion_count; /* all, those of one header too, in order */
+    unsigned inclusion_count; /* in order; a header that is included twice occurs twice */
     const ir_inclusion *inclusions;
 } ir_text;
 
@@ -407,7 +408,7 @@ typedef struct ir_unit {
 #define IR_NAME_AS_QUERY ((void *)1) /* declared only as `int name(void)`, not static */
 #define IR_NAME_AS_OTHER ((void *)2)
 
-/* ---- looking around ------------------------------------------------------------------------ */
+/* ---- queries ------------------------------------------------------------------------------- */
 
 static inline ir_node *ir_child(const ir_node *node, unsigned index) {
     return index < node->child_count ? node->children[index] : NULL;
@@ -446,8 +447,8 @@ bool ir_contains(const ir_node *outer, const ir_node *inner); /* by parent links
 ir_variable *ir_root_variable(const ir_node *node);
 const ir_function *ir_function_named(const ir_unit *unit, const char *name);
 
-/** Calls `visit` for node and all below it in preorder, children in evaluation-text order; if it
- *  returns false, that node's children are skipped. */
+/** Calls `visit` for node and all below it in preorder, children in their order; if it returns
+ *  false, that node's children are skipped. */
 typedef bool (*ir_visitor)(ir_node *node, void *context);
 void ir_walk(ir_node *node, ir_visitor visit, void *context);
 

@@ -180,7 +180,8 @@ static bool is_sum_of_pointer(const ir_node *node) {
            node->children[0]->type && node->children[1]->type;
 }
 
-/* Of the width of addresses, so that sums are those of the pointers. */
+/* The number converted to the width of addresses, so that sums of subscripts do not overflow where
+ * sums with the pointer do not. */
 static ir_node *as_long(accessors *a, ir_node *number) {
     if (number->type->kind == IR_INTEGER && number->type->is_signed && number->type->size == 8)
         return number;
@@ -193,15 +194,15 @@ static ir_node *as_long(accessors *a, ir_node *number) {
     return cast;
 }
 
-/* p for p + e - f + ..., and e - f + ... in *subscript. */
-static ir_node *taken_apart(accessors *a, ir_node *sum, ir_node **subscript) {
+/* Splits p + e - f + ...: returns p, and stores e - f + ... in *subscript. */
+static ir_node *split_sum(accessors *a, ir_node *sum, ir_node **subscript) {
     const ir_type *left = sum->children[0]->type;
     const unsigned side = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
     ir_node *base = sum->children[side], *number = sum->children[1 - side];
     const bool is_less = sum->op == IR_OP_SUBTRACT;
     ir_node *before = NULL;
     if (is_sum_of_pointer(base))
-        base = taken_apart(a, base, &before);
+        base = split_sum(a, base, &before);
     *subscript = number;
     if (!before && !is_less)
         return base;
@@ -229,10 +230,10 @@ static void become_element(accessors *a, ir_node *node, ir_node *base, ir_node *
 }
 
 /* *(p + k) becomes p[k], (p + k)->m becomes p[k].m, with one subscript for several summands: the
- * analysis knows one form. */
+ * only form that the analysis handles. */
 static void simplify_sum(accessors *a, ir_node *node) {
     ir_node *sum = node->children[0], *subscript;
-    ir_node *base = taken_apart(a, sum, &subscript);
+    ir_node *base = split_sum(a, sum, &subscript);
     ir_node *element = node;
     if (node->kind == IR_MEMBER) {
         node->flags &= ~(unsigned)IR_ARROW;

@@ -18,7 +18,7 @@ typedef struct adoption {
     map *own_records;  /* spelling -> a type of the unit */
     VECTOR(ir_function *) added;
     VECTOR(ir_function *) bodies; /* to be processed */
-    VECTOR(ir_variable *) more;   /* of the unit's variables */
+    VECTOR(ir_variable *) more;   /* to be added to the unit's variables */
 } adoption;
 
 /* ---- records --------------------------------------------------------------------------------- */
@@ -92,10 +92,10 @@ static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth
     return true;
 }
 
-static const ir_type *take_type(adoption *d, const ir_type *type);
+static const ir_type *adopt_type(adoption *d, const ir_type *type);
 
-/* The unit's own record, if it has the same; else this one, which has no name here. */
-static const ir_record *take_record(adoption *d, const ir_record *record) {
+/* The unit's own record if it has an equal one; else a copy, which the unit's text cannot name. */
+static const ir_record *adopt_record(adoption *d, const ir_record *record) {
     void **known = map_at(d->records, &record, sizeof record);
     if (*known)
         return *known;
@@ -114,20 +114,20 @@ static const ir_record *take_record(adoption *d, const ir_record *record) {
     copy->fields = fields;
     for (unsigned i = 0; i < record->field_count; i++) {
         fields[i] = record->fields[i];
-        fields[i].type = take_type(d, fields[i].type);
+        fields[i].type = adopt_type(d, fields[i].type);
     }
     return copy;
 }
 
-static const ir_field *take_field(adoption *d, const ir_record *record, const ir_field *field) {
+static const ir_field *adopt_field(adoption *d, const ir_record *record, const ir_field *field) {
     if (!record || field < record->fields || field >= record->fields + record->field_count)
         return NULL;
-    return &take_record(d, record)->fields[field - record->fields];
+    return &adopt_record(d, record)->fields[field - record->fields];
 }
 
 /* ---- types ----------------------------------------------------------------------------------- */
 
-static const ir_type *take_type(adoption *d, const ir_type *type) {
+static const ir_type *adopt_type(adoption *d, const ir_type *type) {
     if (!type)
         return NULL;
     void **known = map_at(d->types, &type, sizeof type);
@@ -136,8 +136,8 @@ static const ir_type *take_type(adoption *d, const ir_type *type) {
     ir_type *copy = ARENA_NEW(d->unit->arena, ir_type);
     *known = copy;
     *copy = *type;
-    copy->target = take_type(d, type->target);
-    copy->record = type->record ? take_record(d, type->record) : NULL;
+    copy->target = adopt_type(d, type->target);
+    copy->record = type->record ? adopt_record(d, type->record) : NULL;
     copy->tag = NULL;
     if (copy->record && copy->record != type->record && copy->record->spelling) {
         const ir_type *own =
@@ -162,13 +162,13 @@ static ir_variable *own_variable(const adoption *d, const ir_variable *v, const 
     return NULL;
 }
 
-static ir_function *take_function(adoption *d, ir_function *function);
+static ir_function *adopt_function(adoption *d, ir_function *function);
 
-static ir_variable *take_variable(adoption *d, ir_variable *v) {
+static ir_variable *adopt_variable(adoption *d, ir_variable *v) {
     void **known = map_at(d->variables, &v, sizeof v);
     if (*known)
         return *known;
-    v->type = take_type(d, v->type);
+    v->type = adopt_type(d, v->type);
     ir_variable *own = v->function ? NULL : own_variable(d, v, v->type);
     if (own) {
         own->address_taken |= v->address_taken;
@@ -221,10 +221,10 @@ static bool agrees(adoption *d, const ir_function *own, const ir_function *other
     if (own->parameter_count != other->parameter_count || own->is_variadic || own->is_noreturn ||
         other->is_noreturn || own->has_other_attributes || own->linkage.is_renamed ||
         own->linkage.is_weak || own->has_errors ||
-        !is_passed_as(own->type->target, take_type(d, other->type->target)))
+        !is_passed_as(own->type->target, adopt_type(d, other->type->target)))
         return false;
     for (unsigned i = 0; i < own->parameter_count; i++)
-        if (!is_passed_as(own->parameters[i]->type, take_type(d, other->parameters[i]->type)))
+        if (!is_passed_as(own->parameters[i]->type, adopt_type(d, other->parameters[i]->type)))
             return false;
     return true;
 }
@@ -244,7 +244,7 @@ static void take_body(adoption *d, ir_function *own, ir_function *other, uint64_
     VECTOR_PUSH(a, &d->bodies, own);
 }
 
-static ir_function *take_function(adoption *d, ir_function *function) {
+static ir_function *adopt_function(adoption *d, ir_function *function) {
     void **known = map_at(d->functions, &function, sizeof function);
     if (*known)
         return *known;
@@ -260,12 +260,12 @@ static ir_function *take_function(adoption *d, ir_function *function) {
     *known = function;
     VECTOR_PUSH(d->unit->arena, &d->added, function);
     function->id = d->unit->function_count + d->added.count - 1;
-    function->type = take_type(d, function->type);
+    function->type = adopt_type(d, function->type);
     function->range = (ir_range){0};
     function->declared = NULL;
     function->is_in_main_file = false;
     for (unsigned i = 0; i < function->parameter_count; i++)
-        take_variable(d, function->parameters[i]);
+        adopt_variable(d, function->parameters[i]);
     if (is_body_taken && !own)
         take_body(d, function, function, digest);
     else
@@ -286,39 +286,39 @@ static void spell_number(arena *a, ir_node *node) {
         arena_format(a, "((%s)%lldLL)", spelling ? spelling : "int", (long long)node->value);
 }
 
-static bool take_node(ir_node *node, void *context) {
+static bool adopt_node(ir_node *node, void *context) {
     adoption *d = context;
     if (node->field) {
         const ir_type *object = node->child_count ? node->children[0]->type : NULL;
         if (object && (node->flags & IR_ARROW))
             object = object->target;
-        const ir_field *field = take_field(d, object ? object->record : NULL, node->field);
+        const ir_field *field = adopt_field(d, object ? object->record : NULL, node->field);
         if (field)
             node->field = field;
     }
     if (node->variable)
-        node->variable = take_variable(d, node->variable);
+        node->variable = adopt_variable(d, node->variable);
     if (node->function)
-        node->function = take_function(d, node->function);
+        node->function = adopt_function(d, node->function);
     node->range = (ir_range){0};
     if (node->kind == IR_NUMBER || node->kind == IR_SIZEOF)
         spell_number(d->unit->arena, node);
     return true;
 }
 
-/* After all fields, which are found by their objects' types. */
-static bool take_node_type(ir_node *node, void *context) {
-    node->type = take_type(context, node->type);
+/* A second pass: adopt_node finds a field by its object's type in `from`. */
+static bool adopt_node_type(ir_node *node, void *context) {
+    node->type = adopt_type(context, node->type);
     return true;
 }
 
-static void go_through_bodies(adoption *d) {
+static void adopt_bodies(adoption *d) {
     for (unsigned i = 0; i < d->bodies.count; i++) { /* grows */
         ir_function *function = d->bodies.items[i];
         for (unsigned k = 0; k < function->parameter_count; k++)
-            take_variable(d, function->parameters[k]);
-        ir_walk(function->body, take_node, d);
-        ir_walk(function->body, take_node_type, d);
+            adopt_variable(d, function->parameters[k]);
+        ir_walk(function->body, adopt_node, d);
+        ir_walk(function->body, adopt_node_type, d);
         for (unsigned k = 0; k < d->from->variable_count; k++) {
             ir_variable *v = d->from->variables[k];
             const void *of = v->function;
@@ -389,9 +389,9 @@ unsigned ir_adopt(ir_unit *unit, ir_unit *from, unsigned count, const char *cons
         ir_function *own = own_function(&d, names[i]);
         if (!own || own->body || !definition || !is_taken(&d, definition))
             continue;
-        found += take_function(&d, definition) == own && own->body != NULL;
+        found += adopt_function(&d, definition) == own && own->body != NULL;
     }
-    go_through_bodies(&d);
+    adopt_bodies(&d);
     extend_unit(&d);
     return found;
 }

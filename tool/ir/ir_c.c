@@ -112,8 +112,7 @@ static bool print_between(c_printer *p, const ir_node *node, const char *op, lev
     return print(p, node->children[1], right);
 }
 
-/* Correct precedence that is rarely remembered, and of which compilers warn (gcc's
- * -Wparentheses). */
+/* Are the parentheses unnecessary, but compilers warn if they are missing (gcc's -Wparentheses)? */
 static bool is_doubtful(level outer, level inner) {
     switch (outer) {
     case LEVEL_OR:
@@ -136,7 +135,7 @@ static level least_of_operand(level outer, const ir_node *operand, level by_gram
     return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
 }
 
-/* clang warns of 2 ^ 5 as a power (-Wxor-used-as-pow), but not inside a macro. */
+/* clang takes 2 ^ 5 for an intended power and warns (-Wxor-used-as-pow), but not inside a macro. */
 static bool looks_like_power(const ir_node *node) {
     const ir_node *left = node->children[0];
     return node->op == IR_OP_BIT_XOR && left->kind == IR_NUMBER && left->text;
@@ -177,7 +176,7 @@ static bool print_conditional(c_printer *p, const ir_node *node) {
     return print(p, node->children[2], LEVEL_CONDITIONAL);
 }
 
-/* -(-x), not --x */
+/* Would the operator and its operand lex as another one? -(-x) must not become --x. */
 static bool would_run_together(const char *op, const char *operand) {
     return (op[0] == '-' || op[0] == '+' || op[0] == '&') && operand[0] == op[0];
 }

@@ -31,8 +31,8 @@ static void add_text(digester *d, const char *text) {
         add_bytes(d, text, strlen(text));
 }
 
-/* Adds the number of an object or type; returns whether it is seen for the first time. */
-static bool add_met(digester *d, const void *thing) {
+/* Adds the number of an object or type; returns whether it occurs for the first time. */
+static bool add_identity(digester *d, const void *thing) {
     void **number = map_at(d->numbers, &thing, sizeof thing);
     const bool is_new = *number == NULL;
     if (is_new)
@@ -46,7 +46,7 @@ static bool add_met(digester *d, const void *thing) {
 static void add_type(digester *d, const ir_type *type);
 
 static void add_record(digester *d, const ir_record *record) {
-    if (!add_met(d, record))
+    if (!add_identity(d, record))
         return;
     add_text(d, record->spelling);
     add_number(d, record->is_union | record->is_complete << 1);
@@ -81,7 +81,7 @@ static void add_type(digester *d, const ir_type *type) {
 /* ---- variables, functions, nodes ------------------------------------------------------------- */
 
 static void add_variable(digester *d, const ir_variable *v) {
-    if (!add_met(d, v))
+    if (!add_identity(d, v))
         return;
     add_number(d, v->storage);
     add_number(d, v->address_taken | v->has_other_name << 1);
@@ -91,7 +91,7 @@ static void add_variable(digester *d, const ir_variable *v) {
 }
 
 static void add_function(digester *d, const ir_function *f) {
-    if (!add_met(d, f))
+    if (!add_identity(d, f))
         return;
     add_text(d, f->name);
     add_type(d, f->type);

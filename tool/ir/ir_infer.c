@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Types of expressions from those of their parts, by the rules of C (C17 6.3.1, 6.5). The text form
- * leaves out types that can be inferred; only its size depends on how many these are. */
+ * leaves out a type that is inferred here, and states any other: a missing rule costs only space.
+ */
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -37,8 +38,8 @@ static bool is_floating_literal(const char *text) {
     return strpbrk(text, is_hexadecimal(text) ? ".pP" : ".eE") != NULL;
 }
 
-/* C writes binary as 0b (GNU, C23), which strtoull need not know. Sets *end to the position after
- * the digits. */
+/* Parses binary literals, 0b101 (GNU, C23), itself: strtoull may not know them. Sets *end to the
+ * position after the digits. */
 static unsigned long long digits(const char *text, char **end) {
     if (text[0] == '0' && (text[1] == 'b' || text[1] == 'B'))
         return strtoull(text + 2, end, 2);
@@ -131,8 +132,8 @@ static const ir_type *promoted(arena *a, const ir_type *type) {
     return unqualified(a, type);
 }
 
-/* Ranks by kind and size; long long outranks long of the same size 8, which the text form
- * preserves. */
+/* The conversion rank, by kind and size. long long outranks a long of the same size: the text form
+ * distinguishes them. */
 static int rank(const ir_type *type) {
     int base = type->kind == IR_COMPLEX ? 200 : type->kind == IR_FLOATING ? 100 : 0;
     int is_long_long = type->spelling != NULL && strstr(type->spelling, "long long") != NULL;
@@ -143,7 +144,7 @@ static bool is_arithmetic(const ir_type *type) {
     return ir_type_is_scalar(type) && type->kind != IR_POINTER;
 }
 
-/* C17 6.3.1.8 */
+/* The usual arithmetic conversions (C17 6.3.1.8). */
 static const ir_type *usual(arena *a, const ir_type *left, const ir_type *right) {
     if (!is_arithmetic(left) || !is_arithmetic(right))
         return NULL;

@@ -55,7 +55,8 @@ static const char *printable(const char *text) {
 static void print_declarator(const ir_printer *p, const ir_variable *v, ir_range range) {
     buffer_byte(p->out, ' ');
     ir_print_variable_key(p, v);
-    if (v->function == NULL) /* declared again inside a function: the file's list has the rest */
+    if (v->function == NULL) /* an extern declaration in a function: the list of the file's
+                                variables has the rest */
         return;
     buffer_byte(p->out, ' ');
     ir_print_type(p, v->type);
@@ -147,7 +148,7 @@ static void print_attributes(const ir_printer *p, const ir_node *node) {
     print_range(p, node->range);
 }
 
-/* An expression statement that its expression determines. */
+/* Can a reader restore the expression statement from its expression? Then it is not printed. */
 static bool is_implied_statement(const ir_node *node) {
     if (node->kind != IR_EXPRESSION)
         return false;

@@ -16,7 +16,7 @@ typedef struct ir_printer {
     map *record_numbers;               /* record -> 1 for the first of its name, 2 ... */
     map *record_names;                 /* name -> number of records */
     map *seen_types;
-    map *variable_names;        /* likewise, of the file, and "function's id, name" */
+    map *variable_names;        /* name, for locals "function's id, name" -> number of variables */
     unsigned *variable_numbers; /* by id: as for records, in the variable's function */
     unsigned *function_numbers; /* by id: overloaded ones (GNU) share a name */
     ir_variable ***undeclared;  /* by function id: locals without a declarator in its body; each

@@ -51,7 +51,7 @@ const ir_kind_word *ir_kind_words(ir_kind kind);
 /** The first word of a node's list: "for", "arrow", "+", "+=", "_++". Returns false if no word
  *  fits. `word` has room for 16 bytes. */
 bool ir_node_word(const ir_node *node, char word[16]);
-/** The reverse; the number of children distinguishes unary and binary operators of one spelling.
+/** The inverse of ir_node_word. The number of children distinguishes unary and binary operators.
  *  Sets kind, op and IR_ARROW. Returns false for an unknown word. */
 bool ir_word_node(const char *word, unsigned child_count, ir_node *node);
 

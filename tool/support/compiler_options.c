@@ -303,9 +303,9 @@ static const option *find_exactly(const char *word, size_t length) {
     return NULL;
 }
 
-/* clang reports unsigned arithmetic that wraps around, which is legal. The inline functions of the
- * runtime's headers use it, and they are compiled in the user's file. */
-static bool complains_of_wrapping(const char *sanitizers) {
+/* Do the sanitizers report unsigned arithmetic that wraps around? It is legal, and the inline
+ * functions of the runtime's headers, which are compiled in the user's file, use it. */
+static bool reports_wrapping(const char *sanitizers) {
     return strstr(sanitizers, "=integer") || strstr(sanitizers, ",integer") ||
            strstr(sanitizers, "unsigned-");
 }
@@ -313,7 +313,7 @@ static bool complains_of_wrapping(const char *sanitizers) {
 const option *option_find(const char *word) {
     static const option wrapping = {"-fsanitize=",
                                     OPTION_JOINED | OPTION_PARSE | OPTION_REFUSE | OPTION_GIVE_UP};
-    if (strncmp(word, wrapping.name, strlen(wrapping.name)) == 0 && complains_of_wrapping(word))
+    if (strncmp(word, wrapping.name, strlen(wrapping.name)) == 0 && reports_wrapping(word))
         return &wrapping;
     size_t length = strlen(word);
     const option *found = find_exactly(word, length);

@@ -19,7 +19,7 @@ enum option_meaning {
     OPTION_OPENMP = 1 << 10,     /**< the user's own OpenMP pragmas are on */
     OPTION_PREFIX_MAP = 1 << 11, /**< OLD=NEW, applied to file names in the object */
     OPTION_THREADS = 1 << 12,    /**< with gcc, _REENTRANT is defined as by -pthread */
-    OPTION_MACROS = 1 << 13,     /**< defines or undefines macros, or includes what may */
+    OPTION_MACROS = 1 << 13,     /**< defines or undefines macros, or includes a file that may */
     OPTION_CLANG = 1 << 14,      /**< passed to the translator's parser as well */
     OPTION_PATH = 1 << 15,       /**< its argument is a path, relative to the folder of the
                                   * command */
@@ -27,8 +27,8 @@ enum option_meaning {
                                   * loop is translated */
     OPTION_INEXACT = 1 << 17, /**< floating-point bits depend on other code in the compilation: no
                                * loop of a file with such arithmetic is translated */
-    OPTION_LIBERTY = 1 << 18  /**< is inexact because the compiler may reorder or approximate
-                               * arithmetic: what remains correct without the option */
+    OPTION_LIBERTY = 1 << 18  /**< permits the compiler to reorder or approximate arithmetic: the
+                               * program is also correct without the option */
 };
 
 /** One option; or several if the name is the beginning of a family ("-W"). */
@@ -41,7 +41,8 @@ typedef struct option {
  *  have text joined to it. NULL if the table has none (such an option has no meaning here). */
 const option *option_find(const char *word);
 
-/** What remains of an OPTION_LIBERTY, a list that ends with NULL: its parts that change no bit. */
+/** The options to use in place of an OPTION_LIBERTY: its parts that change no bit of a result. The
+ *  list ends with NULL. */
 const char *const *option_without_liberty(const char *word);
 
 /** Entry number `index` in the table's order, NULL after the last: for the test of the order. */

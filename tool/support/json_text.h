@@ -9,7 +9,7 @@
 
 /** A JSON string; bytes that are not UTF-8 become '?'. NULL becomes null. A new reference. */
 json_t *json_text(const char *text);
-/** Appends the value with indentation and a line end, and gives it up. */
+/** Appends the value with indentation and a line end; releases the reference. */
 void json_print(buffer *out, json_t *value);
 
 #endif

@@ -41,7 +41,8 @@ source *source_from_text(arena *a, const char *path, const char *text, size_t le
     return make_source(a, path, arena_copy(a, text, length), length);
 }
 
-/* Appends the stream's bytes, at most one more than can be kept. Returns NULL or the message. */
+/* Appends the stream's bytes; stops once they are too many for a source. Returns NULL or the
+ * message. */
 static const char *read_all(buffer *bytes, FILE *stream) {
     char piece[1 << 14];
     size_t count;
