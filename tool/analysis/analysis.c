@@ -53,7 +53,8 @@ static const analysis_options *with_pragmas(arena *a, const analysis_options *op
     return all;
 }
 
-/* A static function that #line says is of another file, and that nothing names: it has no code. */
+/* Is it a static function that #line places in another file and that nothing names? The compiler
+ * emits no code for it. */
 static bool is_unused_of_header(const ir_unit *unit, const ir_function *function) {
     const source *s = unit->source;
     const ir_range range = function->range;

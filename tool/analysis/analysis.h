@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Finds the irregular reductions that may run in parallel, and the reasons against the other loops.
+ * Finds the irregular reductions that may run in parallel, and the reasons why other loops may not.
  *
  * Pure functions from IR to facts. A fact describes the loop; the verdict draws the conclusion.
  * The rule (docs/soundness.md): every access in the loop, through any name, to the memory of a

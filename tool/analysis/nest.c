@@ -59,8 +59,8 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     return false;
 }
 
-static bool meets(const analyser *an, const ir_node *loop, const ir_node *node,
-                  conflict_kind kind) {
+static bool has_conflict(const analyser *an, const ir_node *loop, const ir_node *node,
+                         conflict_kind kind) {
     if (node->kind == IR_CALL)
         return call_updates(an, loop, node, kind);
     const ir_node *target = updated_target(an, node);
@@ -71,29 +71,29 @@ static bool meets(const analyser *an, const ir_node *loop, const ir_node *node,
     return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }
 
-/* An update below `node` that several iterations of `loop` may make to one element; NULL: none.
- * With `innermost`: excludes those in inner loops. */
-static const ir_node *meeting(const analyser *an, const ir_node *loop, const ir_node *node,
-                              conflict_kind kind, bool innermost) {
-    if (meets(an, loop, node, kind)) {
+/* An update at or below `node` that has a conflict of this kind in `loop`; NULL: none. `innermost`
+ * excludes updates that also have it in an inner loop. */
+static const ir_node *find_conflict(const analyser *an, const ir_node *loop, const ir_node *node,
+                                    conflict_kind kind, bool innermost) {
+    if (has_conflict(an, loop, node, kind)) {
         const ir_node *inner = innermost ? node->parent : loop;
-        while (inner != loop && !(ir_is_loop(inner) && meets(an, inner, node, kind)))
+        while (inner != loop && !(ir_is_loop(inner) && has_conflict(an, inner, node, kind)))
             inner = inner->parent;
         if (inner == loop)
             return node;
     }
     const ir_node *found = NULL;
     for (unsigned i = 0; i < node->child_count && !found; i++)
-        found = meeting(an, loop, node->children[i], kind, innermost);
+        found = find_conflict(an, loop, node->children[i], kind, innermost);
     return found;
 }
 
 static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
                           bool innermost) {
-    return meeting(an, loop, node, CONFLICT_SHARED, innermost) != NULL;
+    return find_conflict(an, loop, node, CONFLICT_SHARED, innermost) != NULL;
 }
 
-/* NULL: there is none. */
+/* The innermost loop around `loop`; NULL: none. */
 static const ir_node *loop_around(const ir_node *loop) {
     const ir_node *outer = loop->parent;
     while (outer && !ir_is_loop(outer))
@@ -122,7 +122,7 @@ static bool is_candidate(const analyser *an, const ir_node *loop) {
     return !candidate_is_tiny(loop) && candidate_varies(an, loop);
 }
 
-static bool has_listed_inside(const loop_search *s, unsigned from, const ir_node *loop) {
+static bool has_reported_inside(const loop_search *s, unsigned from, const ir_node *loop) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind != VERDICT_NOT_A_REDUCTION &&
             ir_contains(loop, s->verdicts.items[i].loop))
@@ -130,9 +130,9 @@ static bool has_listed_inside(const loop_search *s, unsigned from, const ir_node
     return false;
 }
 
-/* Was an inner loop accepted instead? It has far fewer iterations to distribute at a time, so the
- * user should learn the reason against the outer one. */
-static bool gives_way(const loop_search *s, unsigned from, const loop_verdict *refused) {
+/* Was a loop directly inside accepted instead? It has far fewer iterations to distribute at a time,
+ * so the user should see why this one was refused. */
+static bool inner_is_accepted(const loop_search *s, unsigned from, const loop_verdict *refused) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&
             loop_around(s->verdicts.items[i].loop) == refused->loop)
@@ -163,7 +163,7 @@ static bool has_inspected(const loop_search *s, unsigned from) {
 }
 
 /* Does the loop belong to a system header? */
-static bool is_systems(const loop_search *s, const ir_node *loop) {
+static bool is_in_system_header(const loop_search *s, const ir_node *loop) {
     return !s->function->is_in_main_file && !ir_position_in_header(s->an->unit, loop);
 }
 
@@ -175,7 +175,7 @@ static loop_verdict verdict_at(const loop_search *s, ir_node *loop) {
 
 /* Analyses the loops below `node`, outermost first; an accepted loop covers all inner ones. */
 static void search(loop_search *s, ir_node *node) {
-    if (!ir_is_loop(node) || is_systems(s, node)) {
+    if (!ir_is_loop(node) || is_in_system_header(s, node)) {
         for (unsigned i = 0; i < node->child_count; i++)
             search(s, node->children[i]);
         return;
@@ -185,12 +185,12 @@ static void search(loop_search *s, ir_node *node) {
     unsigned from = s->verdicts.count;
     const user_pragma *ignored = pragma_above(s->an->pragmas, node, PRAGMA_IGNORE);
     if (is_irregular && ignored) {
-        loop_verdict left = verdict_ignored(s->an, s->function, node, ignored);
-        VECTOR_PUSH(s->an->memory, &s->verdicts, left);
+        verdict = verdict_ignored(s->an, s->function, node, ignored);
+        VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
         return;
     }
     const ir_node *regular =
-        is_irregular ? NULL : meeting(s->an, node, node, CONFLICT_REGULAR, true);
+        is_irregular ? NULL : find_conflict(s->an, node, node, CONFLICT_REGULAR, true);
     if (regular && !ignored) {
         verdict = verdict_regular(s->an, s->function, node, regular);
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
@@ -207,13 +207,13 @@ static void search(loop_search *s, ir_node *node) {
         search(s, node->children[i]);
     if (!is_irregular)
         return;
-    const bool is_once = verdict.loop && verdict.kind == VERDICT_TRANSFORM;
-    if (is_once && !has_inspected(s, from)) {
+    const bool has_no_inspector = verdict.loop && verdict.kind == VERDICT_TRANSFORM;
+    if (has_no_inspector && !has_inspected(s, from)) {
         s->verdicts.count = from;
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
         return;
     }
-    if (is_once) { /* an inner loop can have a plan */
+    if (has_no_inspector) { /* an inner loop has one, so its plan can be reused */
         verdict.kind = VERDICT_REFUSE;
         verdict.why = reason_make(s->an->memory, REASON_INDEX_EXPENSIVE,
                                   verdict.facts->arrays[0].name, node->range);
@@ -224,13 +224,14 @@ static void search(loop_search *s, ir_node *node) {
     }
     /* Refused: this loop is reported if it is the innermost around one of its updates, not counting
      * tiny inner loops, or if an inner one was accepted instead. */
-    if (verdict.loop && (has_irregular(s->an, node, node, true) ||
-                         !has_listed_inside(s, from, node) || gives_way(s, from, &verdict)))
+    if (verdict.loop &&
+        (has_irregular(s->an, node, node, true) || !has_reported_inside(s, from, node) ||
+         inner_is_accepted(s, from, &verdict)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
-/* Is the loop part of one that is written anew? */
-static bool is_in_written(const loop_search *s, unsigned from, const ir_node *loop) {
+/* Is the loop inside one for which code is generated? */
+static bool is_inside_rewritten(const loop_search *s, unsigned from, const ir_node *loop) {
     for (unsigned i = from; i < s->verdicts.count; i++) {
         const loop_verdict *verdict = &s->verdicts.items[i];
         if (verdict_is_written(verdict) && ir_contains(verdict->loop, loop))
@@ -239,7 +240,7 @@ static bool is_in_written(const loop_search *s, unsigned from, const ir_node *lo
     return false;
 }
 
-static bool holds_written(const loop_search *s, unsigned from, const ir_node *loop) {
+static bool contains_transformed(const loop_search *s, unsigned from, const ir_node *loop) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&
             ir_contains(loop, s->verdicts.items[i].loop))
@@ -264,7 +265,7 @@ static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
 static void search_blocks(loop_search *s, unsigned from, ir_node *node) {
     loop_verdict verdict;
     if (ir_is_loop(node) && !ir_position_in_header(s->an->unit, node) &&
-        !is_in_written(s, from, node) && !holds_written(s, from, node) &&
+        !is_inside_rewritten(s, from, node) && !contains_transformed(s, from, node) &&
         blocks_of_loop(s->an, s->function, node, &verdict))
         put_verdict(s, from, verdict);
     for (unsigned i = 0; i < node->child_count; i++)

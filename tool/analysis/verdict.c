@@ -51,8 +51,9 @@ static int64_t greatest_divisor(int64_t a, int64_t b) {
 }
 
 /* Do all scalars of the type lie at multiples of their own size if objects of the type lie at
- * multiples of `grain`? Not in packed records, and complex numbers need not. */
-static bool lies_evenly(const ir_type *type, int64_t grain) {
+ * multiples of `grain`? False for packed records, and often for complex numbers, whose alignment is
+ * half their size. */
+static bool scalars_are_aligned(const ir_type *type, int64_t grain) {
     const ir_type *inner = ir_type_innermost(type);
     if (inner != type)
         grain = greatest_divisor(grain, inner->size);
@@ -62,7 +63,7 @@ static bool lies_evenly(const ir_type *type, int64_t grain) {
         const ir_field *field = &inner->record->fields[i];
         const bool is_open = field->type->kind == IR_ARRAY && field->type->count < 0;
         if (!field->is_bit_field && !is_open &&
-            !lies_evenly(field->type, greatest_divisor(grain, field->offset)))
+            !scalars_are_aligned(field->type, greatest_divisor(grain, field->offset)))
             return false;
     }
     return true;
@@ -72,7 +73,8 @@ static bool lies_evenly(const ir_type *type, int64_t grain) {
  * if another array overlaps with it. For such records the unit is a whole record. */
 static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     const ir_type *record = ir_type_innermost(row);
-    if (record->kind != IR_RECORD || record->size <= unit || lies_evenly(record, record->size))
+    if (record->kind != IR_RECORD || record->size <= unit ||
+        scalars_are_aligned(record, record->size))
         return unit;
     return record->size;
 }
@@ -98,7 +100,8 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     facts->array_count = j->arrays.count;
 }
 
-/* For a refused loop: its updates of this kind, as far as they are known. */
+/* For a refused loop: the arrays with updates that have a conflict of this kind, as far as known.
+ */
 static array_list arrays_of_kind(const loop_analysis *j, conflict_kind kind) {
     array_list arrays = {0};
     access_list list = {0};
@@ -173,7 +176,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
  * Each gets the facts found so far as constants; only this file adds its results to them. */
 
 /* The first reason found is the verdict's. */
-static bool goes_on(loop_analysis *j, reason why) {
+static bool passes(loop_analysis *j, reason why) {
     j->why = why;
     return why.id == REASON_NONE;
 }
@@ -197,7 +200,7 @@ static header_result check_header(const loop_analysis *j) {
 static bool add_header(loop_analysis *j) {
     const header_result found = check_header(j);
     j->counted = found.counted;
-    return goes_on(j, found.why);
+    return passes(j, found.why);
 }
 
 static bool add_accesses(loop_analysis *j) {
@@ -205,7 +208,7 @@ static bool add_accesses(loop_analysis *j) {
     j->found = result.found;
     j->access_count = result.count;
     j->accesses = result.accesses;
-    return goes_on(j, result.why);
+    return passes(j, result.why);
 }
 
 static bool add_header_steps(loop_analysis *j) {
@@ -213,7 +216,7 @@ static bool add_header_steps(loop_analysis *j) {
     const step_result result = check_header_steps(j);
     analysis_assert_unchanged(j, before);
     j->privates = result.privates;
-    return goes_on(j, result.why);
+    return passes(j, result.why);
 }
 
 static bool add_updates(loop_analysis *j) {
@@ -228,7 +231,7 @@ static bool add_updates(loop_analysis *j) {
     j->forwards = result.forwards;
     j->own = result.own;
     j->privates = result.privates;
-    return goes_on(j, result.why);
+    return passes(j, result.why);
 }
 
 static bool add_privates(loop_analysis *j) {
@@ -238,7 +241,7 @@ static bool add_privates(loop_analysis *j) {
     j->privates = result.privates;
     j->captured = result.captured;
     j->counter_is_live_after = result.counter_is_live_after;
-    return goes_on(j, result.why);
+    return passes(j, result.why);
 }
 
 static bool add_sources(loop_analysis *j) {
@@ -247,7 +250,7 @@ static bool add_sources(loop_analysis *j) {
     analysis_assert_unchanged(j, before);
     j->accesses = result.accesses;
     j->arrays = result.arrays;
-    return goes_on(j, result.why);
+    return passes(j, result.why);
 }
 
 static bool add_slice(loop_analysis *j) {
@@ -259,10 +262,10 @@ static bool add_slice(loop_analysis *j) {
     j->sources = result.sources;
     j->key = result.key;
     j->slice = result.slice;
-    return goes_on(j, result.why);
+    return passes(j, result.why);
 }
 
-/* Adds the properties of this loop, its OpenMP directives, and the user's assertions about it. */
+/* A copy of the analyser, with this loop's OpenMP directives and the user's assertions about it. */
 static analyser *analyser_for(const analyser *an, const ir_node *loop) {
     analyser *own = ARENA_NEW(an->memory, analyser);
     *own = *an;
@@ -276,14 +279,14 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
                              const distribution *stores, const loop_exits *exits,
                              const loop_loads *loads) {
     loop_analysis j = {.an = an, .function = function, .loop = loop, .left_out = {stores, exits}};
-    bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
-                   add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
-                   add_header_steps(&j) && add_updates(&j);
+    bool is_fine = passes(&j, check_text(&j)) && passes(&j, check_jumps(&j)) && add_header(&j) &&
+                   add_accesses(&j) && passes(&j, check_distribution(&j)) && add_header_steps(&j) &&
+                   add_updates(&j);
     /* An apparently shared array may be private to each iteration. */
     if (is_fine && j.arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
-    is_fine = is_fine && goes_on(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
-              add_slice(&j) && goes_on(&j, check_protection(&j));
+    is_fine = is_fine && passes(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
+              add_slice(&j) && passes(&j, check_protection(&j));
     if (!is_fine)
         j.arrays = arrays_of_kind(&j, CONFLICT_SHARED);
     loop_facts *facts = finish_facts(&j);
@@ -323,7 +326,7 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     return loading;
 }
 
-/* Analyses the loop without its exits; unchanged if there are none. */
+/* Analyses the loop without its exits; VERDICT_NOT_A_REDUCTION if it has none. */
 static loop_verdict analysed_staying(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_exits *exits = loop_exits_find(an->memory, ir_loop_body(loop));
     if (!exits)
@@ -357,7 +360,7 @@ static loop_verdict verdict_by(const analyser *an, ir_function *function, ir_nod
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }
 
-/* The obstacle may be the read of an own element. */
+/* May the reason be an access to an own element? */
 static bool is_about_stores(reason_id why) {
     return why == REASON_INDEX_ARRAY_WRITTEN || why == REASON_OTHER_STORE ||
            why == REASON_ARRAY_READ || why == REASON_ARRAY_STORED;

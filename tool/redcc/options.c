@@ -239,9 +239,9 @@ static const char *read_pure(arena *a, options *o, const char *value) {
         if (length == 0)
             return "--pure takes names of functions, separated by commas";
         const char *name = arena_copy(a, value, length);
-        if (stateful_deed(name))
+        if (stateful_effect(name))
             return arena_format(a, "--pure=%s: '%s' %s, so that it has side effects", name, name,
-                                stateful_deed(name));
+                                stateful_effect(name));
         VECTOR_PUSH(a, &o->pure, name);
         value += length + (value[length] == ',');
     }

@@ -143,7 +143,8 @@ static bool is_address(const ir_node *node) {
     return node->type && (node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY);
 }
 
-/* A pointer that steps from object to object: its numbers are addresses, its step is in bytes. */
+/* Does the pointer step from object to object of known size? As a counter its values are addresses,
+ * and its step is in bytes. */
 static bool is_plain_pointer(const ir_type *type) {
     const ir_type *object = type->kind == IR_POINTER ? type->target : NULL;
     return object && object->size > 0 && object->size <= INT16_MAX && object->kind != IR_VOID &&
@@ -166,7 +167,7 @@ static bool is_plain_but_for_calls(const ir_node *node) {
     return true;
 }
 
-/* Do comparison and step in the condition concern the same variable? */
+/* Does the condition both step and compare the counter? */
 static bool compares_while_stepping(const counted_loop *loop) {
     return loop->steps_first || loop->ends_below;
 }
@@ -189,8 +190,8 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
-/* i + c < n behaves as i < n - c: at the end i + c is the bound, or one more (<=), as i would be.
- * Longer steps might exceed the largest number of the type. */
+/* i + c < n behaves as i < n - c: at the end i + c is the bound, or one more (<=), as i would be in
+ * i < n. With a longer step i + c might exceed the largest number of the type. */
 static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
     return loop->ahead == 0 ||
            (!loop->counter->type->wraps && loop->step == 1 && !loop->stride &&
@@ -251,14 +252,14 @@ static const ir_node *own_increment(const ir_node *loop, const ir_node *incremen
 }
 
 /* i++, i++: is the counter written other than by its own step? */
-static bool is_written_besides(const ir_node *node, const ir_variable *counter,
-                               const ir_node *step) {
+static bool is_written_elsewhere(const ir_node *node, const ir_variable *counter,
+                                 const ir_node *step) {
     if (node == step)
         return false;
     if (node->kind != IR_BINARY || node->op != IR_OP_COMMA)
         return variable_is_written_in(node, counter);
-    return is_written_besides(node->children[0], counter, step) ||
-           is_written_besides(node->children[1], counter, step);
+    return is_written_elsewhere(node->children[0], counter, step) ||
+           is_written_elsewhere(node->children[1], counter, step);
 }
 
 static const ir_node *expression_of(const ir_node *part) {
@@ -271,8 +272,8 @@ static bool split_start(const ir_node *loop, counted_loop *counted) {
                                          : counted_split_initialisation(loop, start, counted);
 }
 
-/* for (i = n; --i >= 0;), while (n--), do ... while (--n): other effects of the header do not
- * concern the counter. */
+/* The condition steps the counter: for (i = n; --i >= 0;), while (n--), do ... while (--n). The
+ * rest of the header must not. */
 static counted_result recognise_stepping(const ir_node *loop, counted_loop *counted) {
     const char *name = counted->counter->name;
     const char *written = NULL;
@@ -315,13 +316,13 @@ static counted_result recognise_for(const ir_node *loop) {
     const char *written = NULL;
     if (all != increment && written_by(all, counted.bound, &written))
         return not_counted(REASON_BOUND_VARIES, counted.bound, written);
-    if (is_written_besides(all, counted.counter, increment))
+    if (is_written_elsewhere(all, counted.counter, increment))
         return not_counted(REASON_COUNTER_MODIFIED, all, counted.counter->name);
     return check(&counted, loop, NULL);
 }
 
-/* while (p < end) h[*p++]++: the only step of the compared variable, if each iteration executes it
- * once and does not use the variable afterwards. */
+/* The body steps the counter: while (p < end) h[*p++]++. Each iteration must execute the step once,
+ * and not use the counter afterwards. */
 static bool split_inside(const ir_node *condition, counted_loop *counted) {
     for (unsigned side = 0; condition->kind == IR_BINARY && side < 2; side++) {
         const ir_node *compared = condition->children[side];
@@ -372,7 +373,8 @@ counted_result counted_recognise_analysed(ir_node *loop) {
     return recognise_while(loop);
 }
 
-static counted_result without_calls(counted_result result, const ir_node *loop, bool beside) {
+/* Rejects what only counted_recognise_analysed accepts. */
+static counted_result restricted(counted_result result, const ir_node *loop, bool steps_others) {
     if (!result.is_counted)
         return result;
     if (loop->kind == IR_DO || compares_while_stepping(&result.loop))
@@ -382,7 +384,7 @@ static counted_result without_calls(counted_result result, const ir_node *loop, 
     const ir_node *header = loop->kind == IR_FOR ? loop->children[2] : NULL;
     if (header && header->kind == IR_EXPRESSION)
         header = header->children[0];
-    if (header && !beside && (header != result.loop.increment || result.loop.start_count))
+    if (header && !steps_others && (header != result.loop.increment || result.loop.start_count))
         return not_counted(REASON_TRIP_COUNT, header, result.loop.counter->name);
     if (!expression_is_plain(result.loop.bound) || result.loop.bound_variable)
         return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
@@ -400,11 +402,11 @@ static counted_result without_calls(counted_result result, const ir_node *loop, 
 }
 
 counted_result counted_recognise(ir_node *loop) {
-    return without_calls(counted_recognise_analysed(loop), loop, false);
+    return restricted(counted_recognise_analysed(loop), loop, false);
 }
 
-counted_result counted_recognise_beside(ir_node *loop) {
-    return without_calls(counted_recognise_analysed(loop), loop, true);
+counted_result counted_recognise_with_others(ir_node *loop) {
+    return restricted(counted_recognise_analysed(loop), loop, true);
 }
 
 /* ---- constant loops and ranges -------------------------------------------------------------- */
@@ -413,7 +415,7 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
                       int64_t *last) {
     if (loop->kind != IR_FOR)
         return false;
-    counted_result r = without_calls(recognise_for(loop), loop, false);
+    counted_result r = restricted(recognise_for(loop), loop, false);
     int64_t lower, bound;
     if (!r.is_counted || !r.loop.lower || !expression_constant(r.loop.lower, &lower) ||
         !expression_constant(r.loop.bound, &bound))

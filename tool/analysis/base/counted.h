@@ -18,7 +18,7 @@ typedef struct counted_result {
 counted_result counted_recognise(ir_node *loop);
 
 /** The same, but the header may set and step variables other than the counter. */
-counted_result counted_recognise_beside(ir_node *loop);
+counted_result counted_recognise_with_others(ir_node *loop);
 
 /** As counted_recognise, with checks left to the caller: the bound may call functions, the
  *  counter's address may be taken outside of the loop, the header may set a variable to the bound

@@ -9,8 +9,8 @@
 
 #include "analysis/base/expression.h"
 
-/* Consists of numbers and of local variables that are changed only by name: the same before the
- * first iteration and after it. */
+/* Does the value consist of numbers and of local variables that are changed only by name? Then
+ * nothing that the first iteration stores to memory changes it. */
 static bool is_steady(const ir_node *node) {
     switch (node->kind) {
     case IR_NUMBER:
@@ -36,7 +36,7 @@ static bool is_steady(const ir_node *node) {
     }
 }
 
-/* The address of an object: of n, p->n, s.n, *p, p[2]. */
+/* Is the object's address steady? For n, p->n, s.n, *p, p[2]. */
 static bool has_steady_address(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:

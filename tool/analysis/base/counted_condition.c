@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * The condition steps the counter, and compares it after the step (--i >= 0) or before (i-- > 0).
- * Either way the first iteration has the first value and one step. With integers, a value greater
- * than the bound before the step is not less than it afterwards. The same holds in a do loop from
- * its second iteration on; the first one has the first value.
+ * Either way the counter in the first iteration is the first value plus one step. For integers
+ * `i-- > n` is true exactly if i >= n after the step. In a do loop all this begins with the second
+ * iteration; in the first one the counter has the first value.
  */
 #include "analysis/base/counted_condition.h"
 

@@ -10,8 +10,8 @@
  *  sets steps_first and ends_below. False: the condition has another form. */
 bool counted_split_stepping(const ir_node *condition, counted_loop *counted);
 
-/** May the counter leave its type, or be compared as another number? Excludes its own step past 0,
- *  by which `i-- > 0` ends for an unsigned i. */
+/** May the counter leave its type, or does a conversion change it or the bound for the comparison?
+ *  The step past 0 by which `i-- > 0` ends for an unsigned i does not count. */
 bool counted_stepping_wraps(const counted_loop *counted);
 
 #endif

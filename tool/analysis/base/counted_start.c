@@ -24,7 +24,7 @@ static bool mentions_start(const ir_node *node, const counted_loop *counted) {
 
 /* Are the values independent of the variables that the initialisation sets, and is none set
  * twice? */
-static bool starts_are_apart(const counted_loop *counted) {
+static bool starts_are_independent(const counted_loop *counted) {
     if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
         return false;
     for (unsigned i = 0; i < counted->start_count; i++) {
@@ -102,7 +102,7 @@ bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
         if (!split_declared_start(loop, declaration->children[i], counted))
             return false;
     return !mentions_declared(counted->lower, declaration) &&
-           !mentions_declared(counted->bound, declaration) && starts_are_apart(counted);
+           !mentions_declared(counted->bound, declaration) && starts_are_independent(counted);
 }
 
 /* ---- assignments ----------------------------------------------------------------------------- */
@@ -124,7 +124,7 @@ static bool keeps_all(const ir_type *outer, const ir_type *inner) {
             outer->is_signed == inner->is_signed && outer->size >= inner->size);
 }
 
-/* In i = q = e the value of i: e, if q stores it unchanged. NULL: q may have another. */
+/* The value of i in i = q = e: e, if q stores it unchanged. NULL: q may store another. */
 static const ir_node *chained_value(const ir_node *value) {
     while (value && value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
            value->children[0]->kind == IR_VARIABLE) {
@@ -207,5 +207,5 @@ bool counted_split_initialisation(const ir_node *loop, const ir_node *node, coun
     if (node->kind == IR_EMPTY)
         return true;
     counted->lower = start_of_counter(node, counted->counter);
-    return counted->lower && split_others(loop, node, counted) && starts_are_apart(counted);
+    return counted->lower && split_others(loop, node, counted) && starts_are_independent(counted);
 }

@@ -26,7 +26,7 @@ static int64_t type_maximum(const ir_type *type) {
     return bits >= 63 ? INT64_MAX : ((int64_t)1 << bits) - 1;
 }
 
-/* The same of a counter that wraps around by -fwrapv. */
+/* Under -fwrapv, may a signed counter wrap around before it reaches the bound? */
 static bool signed_wraps(const counted_loop *loop) {
     const ir_type *counter = loop->counter->type, *bound = loop->bound->type;
     int64_t constant;
@@ -40,10 +40,10 @@ static bool signed_wraps(const counted_loop *loop) {
 
 /*
  * The generated code counts iterations in 64 bits with lower, bound and step as mathematical
- * numbers. That agrees with the loop if the comparison is one of numbers and the counter reaches
- * the bound without leaving its type. If it would leave a signed type of at least int's size, the
- * loop is undefined in C, except by -fwrapv; if the computed trip count is zero or less, the
- * original loop runs.
+ * numbers. That agrees with the loop if the comparison compares these numbers (no conversion
+ * changes them) and the counter reaches the bound without leaving its type. A counter that would
+ * leave a signed type of at least int's size is undefined behaviour, except under -fwrapv. If the
+ * computed trip count is zero or less, the original loop runs.
  */
 bool counted_wraps(const counted_loop *loop) {
     assert(loop->step != 0);
@@ -66,7 +66,7 @@ bool counted_wraps(const counted_loop *loop) {
     if (counter->is_signed) {
         if (counter->size < 4)
             return true;
-        /* A signed counter compared with an unsigned bound is converted: negative ones are large.
+        /* Compared with an unsigned bound, a signed counter is converted: negative ones are large.
          */
         return (counter->wraps && signed_wraps(loop)) ||
                ((bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&

@@ -5,8 +5,8 @@
 
 #include "analysis/base/facts.h"
 
-/** May an integer counter wrap around before it reaches the bound, or be compared as another
- *  number? Requires counter, lower, bound, comparison and step. */
+/** May an integer counter wrap around before it reaches the bound, or does a conversion change it
+ * or the bound for the comparison? Requires counter, lower, bound, comparison and step. */
 bool counted_wraps(const counted_loop *loop);
 
 /** Does the value after the loop, computed in 64 bits, show whether the counter wrapped around?

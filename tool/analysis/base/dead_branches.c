@@ -20,7 +20,7 @@ typedef struct result_of {
 typedef struct search {
     ir_unit *unit;
     result_of *results; /* by function id */
-    bool is_foreign;    /* the present value depends on such a function */
+    bool is_foreign;    /* the value being computed depends on such a function */
 } search;
 
 static bool constant_of(search *s, const ir_node *node, int64_t *value);
@@ -122,8 +122,7 @@ static const ir_node *declared_value(const ir_node *declaration, const ir_variab
     return value;
 }
 
-/* What the statement assigns to the variable, independent of its old value; NULL: it may assign
- * something else. */
+/* The value that the statement assigns to the variable in all cases; NULL: none, or not always. */
 static const ir_node *assigned_by(const ir_node *statement, const ir_variable *variable) {
     const ir_node *first = statement->child_count ? statement->children[0] : NULL;
     if (statement->kind == IR_EXPRESSION)
@@ -138,7 +137,8 @@ static const ir_node *assigned_by(const ir_node *statement, const ir_variable *v
     return assigned_in(first, variable);
 }
 
-/* Its value at the end of the statements before child `number` of the block. */
+/* The value that the block's statements before `child` give the variable. NULL: unknown, or
+ * (*is_open) they do not change it. */
 static const ir_node *value_before(const ir_node *block, const ir_node *child,
                                    const ir_variable *variable, bool *is_open) {
     unsigned at = 0;
@@ -153,8 +153,8 @@ static const ir_node *value_before(const ir_node *block, const ir_node *child,
     return NULL;
 }
 
-/* Its value where the expression is evaluated, in a condition of an `if` or in a `return`; NULL: it
- * may have several. */
+/* The variable's value where `use` is evaluated, in a condition of an `if` or in a `return`; NULL:
+ * it may have several. */
 static const ir_node *reaching_value(const ir_node *use, const ir_variable *variable) {
     bool is_open = true;
     const ir_node *value = NULL, *inner = use;
@@ -257,9 +257,9 @@ static bool constant_of(search *s, const ir_node *node, int64_t *value) {
 
 /* ---- branches -------------------------------------------------------------------------------- */
 
-/* Which functions of other files were linked is checked for a loop's own function and for those it
- * calls (imports.c). In others the branch may be executed: then nothing that is known of variables
- * of the file may depend on it. */
+/* Could executing the branch refute what is known about the file's variables? Only for a loop's own
+ * function and those it calls is it checked which functions of other files were linked (imports.c):
+ * in any other function the branch may be executed after all. */
 static bool concerns_others(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)

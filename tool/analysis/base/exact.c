@@ -49,7 +49,7 @@ bool exact_is_settled(const ir_node *node, const ir_variable *counter) {
         return false;
     if (node->kind != IR_CAST && !ir_type_never_wraps(node->type))
         return false;
-    /* operations in such types do not overflow when they are executed */
+    /* in a type whose overflow is undefined, an operation that is executed does not overflow */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!exact_needs_settled(node, node->children[i]) &&
             !exact_is_settled(node->children[i], counter))

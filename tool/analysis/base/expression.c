@@ -138,7 +138,8 @@ ir_variable *expression_object(const ir_node *lvalue) {
     return lvalue->kind == IR_VARIABLE ? lvalue->variable : NULL;
 }
 
-static const char *meant(const ir_node *node, void *memory) {
+/* A variable that the translator added appears as the pointer that it stands for. */
+static const char *original_spelling(const ir_node *node, void *memory) {
     return node->kind == IR_VARIABLE && node->variable->stands_for
                ? expression_text(memory, node->variable->stands_for)
                : NULL;
@@ -147,7 +148,8 @@ static const char *meant(const ir_node *node, void *memory) {
 const char *expression_text(arena *a, const ir_node *node) {
     buffer text = {0};
     const char *result = "...";
-    if (node && ir_is_expression(node) && ir_c_expression(&text, node, meant, a) && text.length)
+    if (node && ir_is_expression(node) && ir_c_expression(&text, node, original_spelling, a) &&
+        text.length)
         result = arena_copy(a, text.data, text.length);
     buffer_free(&text);
     return result;
@@ -260,7 +262,7 @@ bool expression_is_hazard(const ir_node *node) {
         node->op == IR_OP_SHIFT_RIGHT)
         return !is_harmless_operand(node, node->children[1]);
     return node->op == IR_OP_SUBTRACT && node->children[1]->type &&
-           node->children[1]->type->kind == IR_POINTER; /* of different objects, perhaps */
+           node->children[1]->type->kind == IR_POINTER; /* perhaps into different objects */
 }
 
 bool expression_has_hazard(const ir_node *node) {

@@ -61,7 +61,8 @@ bool expression_has_hazard(const ir_node *node);
 /** The operator of `b op a` that is equivalent to `a op b`; differs only for orderings. */
 ir_operator expression_mirrored(ir_operator op);
 
-/** The comparison that holds if and only if this one does not, of integers; NONE: it is none. */
+/** The comparison of integers that holds if and only if this one does not; IR_OP_NONE: `op` is no
+ *  comparison. */
 ir_operator expression_negated(ir_operator op);
 
 /** Is it a local or parameter with automatic storage? */

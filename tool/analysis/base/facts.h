@@ -57,12 +57,13 @@ typedef struct counted_loop {
     loop_start starts[4];   /* other variables set by the header */
     ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
                                as counter <comparison> bound */
-    int64_t ahead;         /* for an integer incremented by 1: counter + ahead <comparison> bound */
-    int64_t step;          /* non-zero constant; its sign agrees with the comparison. For a pointer:
-                            * bytes */
-    const ir_node *stride; /* the counter is an integer, and changes by `step`, 1 or -1, times this
-                            * expression of invariant variables: at least 1, which generated code
-                            * checks; NULL: by `step` */
+    int64_t ahead; /* the condition is: counter + ahead <comparison> bound. A constant, other
+                    * than 0 only for an integer incremented by 1 */
+    int64_t step;  /* non-zero constant; its sign agrees with the comparison. For a pointer:
+                    * bytes */
+    const ir_node *stride; /* an integer counter changes by step * stride, where step is 1 or -1: an
+                            * expression of invariant variables, at least 1, which generated code
+                            * checks. NULL: the counter changes by `step` */
     const ir_node *body;   /* executed each iteration; in a while or do, the increment may be its
                             * last statement, `increment`, and not part of the copy */
     const ir_node *increment;
@@ -99,8 +100,8 @@ typedef struct reduction_array {
     int64_t unit;           /* bytes of its largest row (update.row), or of the structure around
                              * it */
     bool is_scattered;      /* its elements are reached through pointers that iterations load from
-                             * `base`: rows[k][c] of rows. They may lie anywhere, with other data between
-                             * them; the order is kept */
+                             * `base`, as in rows[k][c], where `base` is rows. They may lie anywhere,
+                             * with other data between them; the order is kept */
     bool is_interleaved;    /* other data lie between these elements, or are read through base: no
                              * private copies are possible (runtime: REDCC_OTHER_TYPE) */
 } reduction_array;
@@ -129,7 +130,8 @@ typedef enum source_extent {
     EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
 
-/** Iterations read only if the counter satisfies this comparison with `bound`, as numbers. */
+/** Only iterations read whose counter satisfies this comparison with `bound`. Both are compared as
+ *  mathematical numbers. */
 typedef struct counter_limit {
     ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL */
     const ir_node *bound;   /* loop-invariant integer; evaluating it reads no memory */
@@ -146,7 +148,7 @@ typedef struct source_loop {
                          * which the first elements are read */
 } source_loop;
 
-/** `value`, an integer, + offset; NULL: offset alone. */
+/** The integer value + offset; value NULL: offset alone. */
 typedef struct bound_term {
     const ir_node *value;
     int64_t offset;
@@ -154,9 +156,10 @@ typedef struct bound_term {
 
 enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
 
-/** Elements base[k] of which some are read: k lies between the minimum and the maximum of the terms
- *  if no condition, a floating value, is negative. All of these are parameters, or are read through
- *  parameters, in the caller's terms. They are read even where the program would not. */
+/** Elements base[k] of which some are read: k lies between the minimum and the maximum of the
+ * terms, provided that no condition, a floating value, is negative. Terms and conditions are
+ * parameters, or are read through parameters, in the caller's terms. Generated code reads them even
+ * where the program would not. */
 typedef struct element_bounds {
     const ir_node *base; /* a pointer */
     const ir_type *element;
@@ -179,15 +182,16 @@ typedef struct loop_source {
     bool needs_guard;     /* may overlap the loop's writes, according to the analysis */
     bool is_scalar;       /* a scalar in memory that the loop accumulates into (scalar_update's
                            * is_guarded): compared with all reads that may alias it */
-    bool meets_scalars;   /* may be such a scalar */
+    bool meets_scalars;   /* may overlap such a scalar */
     bool meets_arrays;    /* may overlap a reduction array, according to the analysis */
     bool is_sometimes; /* read in some iterations only: its address may be invalid in others, and is
                         * computed as a number (known to row_address.h, except for TOUCHED) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
                         * bounds there: both ends must be computed with checks (exact.h) */
-    bool is_ahead;    /* EXTENT_TOUCHED: a condition inside of `place` decides whether it is read */
-    bool is_repeated; /* EXTENT_TOUCHED: in each iteration `place` is executed, and the rows are the
-                       * same as long as nothing is stored */
+    bool is_ahead; /* EXTENT_TOUCHED: recorded before a condition inside of `place` decides whether
+                    * it is read */
+    bool is_repeated; /* EXTENT_TOUCHED: each iteration executes `place`, with the same rows while
+                       * nothing is stored */
     unsigned loop_count;      /* EXTENT_TOUCHED: it is many rows, one for each iteration of these */
     const source_loop *loops; /* outermost first */
     unsigned limit_count;     /* EXTENT_AFFINE, is_checked */
@@ -214,20 +218,20 @@ typedef struct private_variable {
                               * (IR_EXPRESSION) */
     bool is_stepped; /* an integer or pointer that each iteration steps once by `step`: its value is
                       * the one on entry plus the steps of all preceding iterations */
-    bool is_step_wanted; /* is_stepped: it is live-out */
+    bool is_step_wanted; /* is_stepped: its last value is used, because it is live-out */
     bool is_in_slice;    /* is_stepped: the inspector uses it */
     int64_t step;
     const ir_node *by; /* is_stepped: its step is multiplied by this integer expression of invariant
                         * local variables; NULL: no factor */
     bool is_down;      /* `by` is subtracted */
     triangle turns;    /* is_stepped: each turn of this inner loop steps it, not the iteration */
-    const ir_node *entry;       /* is_stepped: its value on entry, if the header sets it; NULL: its
-                                 * present value */
+    const ir_node *entry;       /* is_stepped: its value on entry, if the header sets it; NULL: the
+                                 * value that it has before the loop */
     bool is_declared_in_header; /* with the counter: it does not exist outside of the loop. Its type
                                  * can be spelled */
 } private_variable;
 
-/** The type in which an operand of a scalar's update is kept, that of the operation. */
+/** The type in which an operand of a scalar's update is stored: the operation's type. */
 typedef enum operand_type { OPERAND_INTEGER, OPERAND_FLOAT, OPERAND_DOUBLE } operand_type;
 
 /** s op= e, or if (e > s) s = e, for a scalar that the loop does not use otherwise: each
@@ -256,8 +260,8 @@ typedef struct scalar_update {
 /** target = value, for an element that the same iteration reads again later: other occurrences of
  *  `target` in the loop are reads, and use the stored value instead of memory. */
 typedef struct forwarded_store {
-    const ir_node *statement; /* IR_EXPRESSION; one of the updates. In the slice if that needs the
-                               * stored value */
+    const ir_node *statement; /* IR_EXPRESSION; one of the updates. In the slice if the slice needs
+                               * the stored value */
     const ir_node *target;
     const ir_node *value;
 } forwarded_store;
@@ -307,7 +311,7 @@ typedef struct loop_load {
     int64_t offset;
 } loop_load;
 
-/** Its position in the tree: child number `number` of `parent`. */
+/** A use of the pointer, `node`, which `stand_in` replaces as child number `number` of `parent`. */
 typedef struct load_use {
     ir_node *node;
     ir_node *stand_in;
@@ -328,11 +332,11 @@ typedef struct loop_loads {
  *  element's value; its last value is kept, and stored after all iterations. */
 typedef struct own_element {
     const ir_node *element; /* the first place that names it */
-    bool is_stored_first;   /* by each iteration, before it reads it: the variable begins with any
-                             * value */
-    bool is_in_slice;       /* the inspector needs its value */
-    bool is_guarded;        /* the loop's other reads, or own elements, may overlap it: compared
-                             * before anything is written */
+    bool is_stored_first; /* each iteration stores it before reading it: the variable need not begin
+                           * with the element's value */
+    bool is_in_slice;     /* the inspector needs its value */
+    bool is_guarded;      /* the loop's other reads, or own elements, may overlap it: compared
+                           * before anything is written */
 } own_element;
 
 /** An inner `for` of the slice, that counts up (LESS, LESS_EQUAL) to its bound, whose iterations
@@ -453,7 +457,7 @@ typedef struct loop_verdict {
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;
 
-/** Is the loop's text another one in the output? */
+/** Does the output have generated code for the loop? */
 static inline bool verdict_is_written(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_TRANSFORM || verdict->kind == VERDICT_BLOCKS;
 }
@@ -471,7 +475,7 @@ typedef struct analysis_options {
     const char *const *pure; /* --pure: asserted by the user */
     bool assume_noalias;     /* --assume-noalias */
     bool report_all;         /* --all: NOT_A_REDUCTION verdicts too */
-    bool any_order;          /* --order=any: other bits are permitted */
+    bool any_order;          /* --order=any: results need not have the sequential program's bits */
     const map *external;     /* name -> const exported_kind *, of functions that exactly one other
                               * file of the build defines; NULL: nothing is known of other files */
 } analysis_options;

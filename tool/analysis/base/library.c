@@ -174,7 +174,7 @@ bool library_is_locale_table(const ir_node *call) {
 /* A function declared const depends only on its arguments. Without any, its result may be specific
  * to a thread (pthread_self, __errno_location), and an address may be that of thread-local data. (A
  * function declared pure may read all memory, including the arrays, and is refused for that.) */
-bool library_tells_of_thread(const ir_function *function) {
+bool library_depends_on_thread(const ir_function *function) {
     const ir_type *result = function->type ? function->type->target : NULL;
     return function->is_attribute_const &&
            (function->parameter_count == 0 || !result || result->kind == IR_POINTER);

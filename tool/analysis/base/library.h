@@ -5,8 +5,8 @@
 
 #include "ir/ir.h"
 
-/** The owner of the name without __builtin_: a program may define names that no standard
- *  reserves. */
+/** Whether the name without __builtin_ is the C library's as well: a program may define a function
+ *  of a name that no standard reserves. */
 typedef enum library_standard {
     LIBRARY_C89,
     LIBRARY_C99,    /* reserved from C99 on (C17 7.1.3) */
@@ -36,14 +36,14 @@ bool library_is_locale_table(const ir_node *call);
 
 /** May two threads get different results with the same arguments and the same memory? For a
  *  function with an unknown body, decided by its declaration. */
-bool library_tells_of_thread(const ir_function *function);
+bool library_depends_on_thread(const ir_function *function);
 
 /** Is a function that is declared pure or const, with an unknown body, the compiler's, or one of
  *  the C library's that read no thread-local data? */
 bool library_is_same_in_threads(const ir_function *function);
 
-/** Is it MPI's? Decided by its name, which the standard reserves (MPI 4.0, 2.5: MPI_ and PMPI_),
- *  without a body here. A program may allow only the thread that initialised MPI to call it
+/** Is it a function of MPI? Decided by its name, which the standard reserves (MPI 4.0, 2.5: MPI_,
+ * PMPI_), without a body here. A program may allow only the thread that initialised MPI to call it
  *  (MPI_THREAD_FUNNELED). */
 bool library_is_message_passing(const ir_function *function);
 

@@ -52,7 +52,7 @@ const ir_node *assertion_condition(const ir_node *node) {
 
 /* ---- branches that leave --------------------------------------------------------------------- */
 
-/* Does control never reach the code after the statement, in the loop? */
+/* Does a statement that is executed always leave the loop? */
 static bool always_leaves(const ir_node *node, bool break_leaves) {
     switch (node->kind) {
     case IR_RETURN:
@@ -98,8 +98,8 @@ enum { DEEPEST_MESSAGE = 4 }; /* nested calls */
 /* Does it print, allocate or keep state? */
 static bool is_stateful(const ir_function *function) {
     char name[LIBRARY_NAME_SIZE];
-    const char *deed = library_plain_name(function->name, name) ? stateful_deed(name) : NULL;
-    return deed && strncmp(deed, "writes memory", 13) != 0;
+    const char *effect = library_plain_name(function->name, name) ? stateful_effect(name) : NULL;
+    return effect && strncmp(effect, "writes memory", 13) != 0;
 }
 
 /* Does the statement print or keep state? Without the branches of its inner conditions, which are
@@ -177,7 +177,8 @@ static void add(search *s, ir_node *statement, const ir_node *condition, bool is
                                                .is_negated = is_negated};
 }
 
-/* As a statement: an expression, or a sequence whose other parts have no effect. */
+/* The condition that the statement asserts: as an expression, or as the last part of a sequence
+ * whose other parts have no effect. NULL: it is no assertion. */
 static const ir_node *asserted_by(const ir_node *statement) {
     if (statement->kind == IR_EXPRESSION)
         return assertion_condition(statement->children[0]);
@@ -191,7 +192,7 @@ static const ir_node *asserted_by(const ir_node *statement) {
     return asserted_by(statement->children[statement->child_count - 1]);
 }
 
-static void look(search *s, ir_node *node, bool break_leaves) {
+static void find_exits(search *s, ir_node *node, bool break_leaves) {
     const ir_node *condition = ir_is_loop(node) ? NULL : asserted_by(node);
     if (condition) {
         add(s, node, condition, true);
@@ -206,12 +207,12 @@ static void look(search *s, ir_node *node, bool break_leaves) {
         break_leaves = false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (!ir_is_expression(node->children[i]))
-            look(s, node->children[i], break_leaves);
+            find_exits(s, node->children[i], break_leaves);
 }
 
 loop_exits *loop_exits_find(arena *a, const ir_node *body) {
     search s = {.memory = a, .found = ARENA_NEW(a, loop_exits)};
-    look(&s, (ir_node *)body, true);
+    find_exits(&s, (ir_node *)body, true);
     return s.is_over ? NULL : s.found;
 }
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Statements by which an iteration leaves the loop for good: an assertion, or an `if` whose branch
- * ends in exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or keeps
- * state in another way, is treated alike although the loop continues, because its output must come
- * in the loop's order.
+ * ends in exit, abort, return, goto, or a break of the loop. An `if` whose branch prints, or
+ * changes other state, is treated in the same way although the loop continues, because its output
+ * must come in the loop's order.
  *
- * The loop without them is the loop in which none of them leaves. Before any iteration is executed
- * in parallel, one thread evaluates their conditions for all iterations, in order and up to the
- * first that holds (REDCC_DRY_RUN). If one holds, nothing has been executed, and the original loop
- * runs. So the branches are never executed in parallel, and not analysed.
+ * The loop is analysed as if none of them left it. Before any iteration is executed in parallel,
+ * one thread evaluates their conditions for all iterations, in order and up to the first that holds
+ * (REDCC_DRY_RUN). If one holds, nothing has been executed, and the original loop runs. So the
+ * branches are never executed in parallel, and not analysed.
  */
 #ifndef ANALYSIS_LOOP_EXITS_H
 #define ANALYSIS_LOOP_EXITS_H
@@ -22,15 +22,15 @@ const ir_node *assertion_condition(const ir_node *expression);
  *  its condition has effects, or it is not in a block. */
 loop_exits *loop_exits_find(arena *a, const ir_node *body);
 
-/** Replaces the statements by their bare conditions, which have no parents then. NULL: nothing to
- *  do, here and below. */
+/** Replaces each statement by `if (condition) continue;`. The statements have no parents then.
+ * NULL: nothing to do, here and below. */
 void loop_exits_take_out(const loop_exits *exits);
 void loop_exits_put_back(const loop_exits *exits);
 
 /** While they are removed: hides the conditions as well, or restores them. */
 void loop_exits_hide(const loop_exits *exits, bool are_hidden);
 
-/** The exit with this condition; NULL: none. */
+/** The exit that this `if` replaces; NULL: none. */
 const loop_exit *loop_exit_at(const loop_exits *exits, const ir_node *statement);
 
 #endif

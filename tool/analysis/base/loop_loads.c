@@ -153,11 +153,11 @@ static ir_variable *add_load(search *s, const ir_node *node) {
     return variable;
 }
 
-static void look(search *s, ir_node *parent, unsigned number) {
+static void find_uses(search *s, ir_node *parent, unsigned number) {
     ir_node *node = parent->children[number];
     if (!is_load(node)) {
         for (unsigned i = 0; i < node->child_count; i++)
-            look(s, node, i);
+            find_uses(s, node, i);
         return;
     }
     ir_variable *variable = add_load(s, node);
@@ -176,7 +176,7 @@ loop_loads *loop_loads_find(arena *a, const ir_unit *unit, const ir_function *fu
                             const ir_node *body) {
     search s = {a, unit, function, ARENA_NEW(a, loop_loads), false};
     for (unsigned i = 0; i < body->child_count; i++)
-        look(&s, (ir_node *)body, i);
+        find_uses(&s, (ir_node *)body, i);
     return s.is_over || s.found->count == 0 ? NULL : s.found;
 }
 

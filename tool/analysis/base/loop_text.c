@@ -44,7 +44,7 @@ static unsigned first_of_group(const ir_unit *unit, unsigned last) {
 }
 
 /* Does the group compile nothing but pragmas? */
-static bool has_pragmas_at_most(const ir_unit *unit, unsigned first, unsigned last) {
+static bool compiles_only_pragmas(const ir_unit *unit, unsigned first, unsigned last) {
     for (unsigned i = first; i <= last; i++) {
         const ir_directive *d = &unit->directives[i];
         if (d->kind == IR_DIRECTIVE_OTHER)
@@ -65,7 +65,7 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
             break;
         if (d->kind == IR_DIRECTIVE_ENDIF) {
             first = first_of_group(unit, next - 1);
-            if (!has_pragmas_at_most(unit, first, next - 1))
+            if (!compiles_only_pragmas(unit, first, next - 1))
                 break;
         } else if (d->kind != IR_DIRECTIVE_PRAGMA) {
             break;
@@ -77,7 +77,7 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
     return begin;
 }
 
-/* ---- in it --------------------------------------------------------------------------------- */
+/* ---- in the loop --------------------------------------------------------------------------- */
 
 /* The text after this word of the pragma and the blanks that follow it; NULL: it begins with
  * another word. */
@@ -104,25 +104,26 @@ static bool is_about_speed(const char *pragma) {
     return false;
 }
 
-/* Macros may have another meaning after it. */
+/* May it change the meaning of macros? */
 static bool is_about_macros(const ir_directive *d) {
     return d->text && (strstr(d->text, "push_macro") || strstr(d->text, "pop_macro"));
 }
 
-bool directive_is_asleep(const ir_unit *unit, const ir_directive *d) {
+bool directive_is_ignored_openmp(const ir_unit *unit, const ir_directive *d) {
     return !unit->dialect.has_openmp && directive_is_openmp_pragma(d);
 }
 
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d) {
     return directive_is_conditional(d) || (d->is_skipped && !is_about_macros(d)) ||
-           directive_is_asleep(unit, d) ||
+           directive_is_ignored_openmp(unit, d) ||
            (unit->dialect.replaces_openmp && directive_is_openmp_pragma(d)) ||
            (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
 }
 
-/* The output is compiled with OpenMP even if this compilation is not. A macro that depends on it,
- * HAVE_OPENMP, counts as any other: if its value differs, the original loop is used. */
-static bool asks_for_openmp(const ir_directive *d) {
+/* Does the directive test _OPENMP? The output is compiled with OpenMP even if this compilation is
+ * not. A program's macro that depends on it, such as HAVE_OPENMP, is treated like any other macro:
+ * if its value differs, the original loop is used. */
+static bool tests_openmp(const ir_directive *d) {
     static const char name[] = "_OPENMP";
     for (const char *at = d->text; at && (at = strstr(at, name)); at += sizeof name - 1)
         if ((at == d->text || !source_is_name_byte(at[-1])) &&
@@ -159,7 +160,7 @@ const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop)
             (d->kind == IR_DIRECTIVE_ELSE && depth == 0) ||
             (d->kind == IR_DIRECTIVE_ENDIF && depth == 0) ||
             (unit->dialect.has_openmp && !unit->dialect.replaces_openmp &&
-             directive_is_conditional(d) && asks_for_openmp(d)))
+             directive_is_conditional(d) && tests_openmp(d)))
             return d;
         depth += d->kind == IR_DIRECTIVE_IF;
         depth -= d->kind == IR_DIRECTIVE_ENDIF;
@@ -177,7 +178,7 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
 
 /* ---- pragmas made by macros, and those in functions ------------------------------------------ */
 
-/* A name split over two lines is not found. */
+/* Is a name split over two lines here? It would not be found. */
 static bool splits_a_name(const char *text, uint32_t at) {
     return text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r') &&
            source_is_name_byte(text[at - 1]);
@@ -198,7 +199,7 @@ const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range) {
 }
 
 bool directive_is_openmp(const ir_directive *d) {
-    return (d->text && strstr(d->text, "omp") && strstr(d->text, "ragma")) || asks_for_openmp(d);
+    return (d->text && strstr(d->text, "omp") && strstr(d->text, "ragma")) || tests_openmp(d);
 }
 
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop) {
@@ -216,8 +217,8 @@ const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *l
     return NULL;
 }
 
-/* Would variables of the file be the threads' own, with OpenMP? */
-static bool has_threads_variables(const ir_unit *unit) {
+/* With OpenMP, would variables of the file be thread-local? */
+static bool has_threadprivate_variables(const ir_unit *unit) {
     static const char word[] = "threadprivate";
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (unit->directives[i].text && strstr(unit->directives[i].text, word))
@@ -228,10 +229,10 @@ static bool has_threads_variables(const ir_unit *unit) {
     return false;
 }
 
-bool function_sleeps(const ir_unit *unit, const ir_function *function) {
+bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *function) {
     if (unit->dialect.has_openmp || !function->is_in_main_file)
         return false;
-    if (has_threads_variables(unit))
+    if (has_threadprivate_variables(unit))
         return true;
     for (unsigned i = loop_text_first_directive(unit, function->range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < function->range.end; i++)
@@ -243,7 +244,7 @@ bool function_sleeps(const ir_unit *unit, const ir_function *function) {
 bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *function,
                                  const ir_node *loop) {
     if (!unit->dialect.has_openmp)
-        return function_sleeps(unit, function);
+        return function_has_ignored_openmp(unit, function);
     for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
          i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++)
         if (directive_is_openmp(&unit->directives[i]))

@@ -42,18 +42,18 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
 
 /** Is it an OpenMP directive in a compilation without OpenMP, which ignores it? */
-bool directive_is_asleep(const ir_unit *unit, const ir_directive *d);
+bool directive_is_ignored_openmp(const ir_unit *unit, const ir_directive *d);
 
 /** A preceding OpenMP directive of the loop, perhaps followed by others, that is compiled or is no
  *  part of the loop's text; NULL: none. */
 const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *loop);
 
-/** Are there OpenMP directives in the function's text, or any that make variables of the file the
- *  threads' own, in a compilation without OpenMP? */
-bool function_sleeps(const ir_unit *unit, const ir_function *function);
+/** In a compilation without OpenMP: does the function's text have OpenMP directives, or does the
+ * file have any that would make variables thread-local? */
+bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *function);
 
-/** Does the loop's translation hold only for compilations that agree with this one about OpenMP?
- *  In the others it stays as written. */
+/** Is the loop's translation valid only for compilations that use OpenMP if this one does? In the
+ *  others the original loop is compiled. */
 bool loop_text_depends_on_openmp(const ir_unit *unit, const ir_function *function,
                                  const ir_node *loop);
 

@@ -37,7 +37,7 @@ static const char *after(const char *text, const char *word) {
     return is_word(at, length, word) ? at + length : NULL;
 }
 
-/* What follows `omp`, in `#pragma omp ...` or `_Pragma("omp ...")`; NULL: it is neither. */
+/* The text after `omp` in `#pragma omp ...` or `_Pragma("omp ...")`; NULL: it is neither. */
 static const char *after_omp(const char *text) {
     const char *at = *text == '#' ? after(text + 1, "pragma") : NULL;
     if (*text == '_' && (at = after(text, "_Pragma")) && (at = after(at, "(")))

@@ -33,24 +33,24 @@ typedef enum openmp_clause_kind {
 typedef struct openmp_item {
     openmp_clause_kind kind;
     reduction_operator op; /* OPENMP_REDUCTION; NONE: by && or || */
-    const char *text;      /* the name, without its section; what the clause encloses; of
-                            * OPENMP_OTHER_CLAUSE the whole clause */
-    const char *section;   /* what its brackets enclose, "][" between two; NULL: there are none */
-    const char *word;      /* the clause's name; of OPENMP_REDUCTION the operator */
+    const char *text;      /* the name, without its section; of a clause without a list the text in
+                            * its parentheses; of OPENMP_OTHER_CLAUSE the whole clause */
+    const char *section; /* the text in the name's brackets, "][" between two; NULL: it has none */
+    const char *word;    /* the clause's name; of OPENMP_REDUCTION the operator */
 } openmp_item;
 
 typedef struct openmp_directive {
     openmp_construct construct;
     unsigned item_count;
     const openmp_item *items;
-    const char *kept; /* the part that is not understood; NULL: none */
+    const char *kept; /* why it must be kept: the part that is not understood; NULL: none */
 } openmp_directive;
 
 /** Is it `#pragma omp ...`, or `_Pragma("omp ...")` in these words? */
 bool directive_is_openmp_pragma(const ir_directive *d);
 
-/** Reads one for which directive_is_openmp_pragma holds: macros that the file defines as numbers
- * are replaced by them; another macro is not understood. The result lives in the arena. */
+/** Parses one for which directive_is_openmp_pragma holds. Macros that the file defines as numbers
+ * are replaced by these; any other macro is not understood. The result lives in the arena. */
 openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *d);
 
 /** The next identifier, number or other byte of `text`, without blanks before it; its length is 0

@@ -26,7 +26,7 @@ static const char *with_text(arena *a, const char *what, const ir_directive *d) 
     return arena_format(a, "%s, in '%s'", what, openmp_plain_text(a, d->text));
 }
 
-/* A clause that the sequential order cannot honour; NULL: there is none. */
+/* A clause whose effect the loop has only with its directive; NULL: none. */
 static const char *only_by_directive(arena *a, const openmp_directive *read) {
     for (unsigned i = 0; i < read->item_count; i++) {
         const openmp_item *item = &read->items[i];
@@ -40,8 +40,8 @@ static const char *only_by_directive(arena *a, const openmp_directive *read) {
     return NULL;
 }
 
-/* Takes the directive as the one above the loop. */
-static void take_above(arena *a, openmp_loop *result, const openmp_directive *read,
+/* Records the directive above the loop. */
+static void note_above(arena *a, openmp_loop *result, const openmp_directive *read,
                        const ir_directive *d) {
     if (read->construct != OPENMP_PARALLEL_FOR)
         result->kept = with_text(a,
@@ -64,7 +64,7 @@ static const char *openmp_function_in(const ir_node *node) {
     return found;
 }
 
-/* The reason why a loop with locks and no directive above it is kept as written. */
+/* Why a loop with locks and no directive above it must keep its directives. */
 static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loop) {
     for (const ir_node *outer = loop->parent; outer; outer = outer->parent) {
         const openmp_loop *around = ir_is_loop(outer) ? openmp_of_loop(a, unit, outer) : NULL;
@@ -94,7 +94,7 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
         const openmp_directive read = openmp_read(a, unit, d);
         const char *kept = read.kept ? read.kept : only_by_directive(a, &read);
         if (is_above)
-            take_above(a, result, &read, d);
+            note_above(a, result, &read, d);
         else if (read.construct <= OPENMP_PARALLEL)
             result->kept = with_text(a, "a region in the loop", d);
         result->has_locks |= !is_above;

@@ -22,8 +22,8 @@ typedef struct blocked_scalar {
 
 /** What is known of the team of `omp for`: reduction/team_loop.h. */
 typedef struct team_facts {
-    bool shares_frame; /* a variable of the function's outermost block is one for all its threads */
-    bool may_be_early; /* threads may come to the loop while others are in one before it */
+    bool shares_frame; /* its threads share the variables of the function's outermost block */
+    bool may_be_early; /* threads may reach the loop while others still execute an earlier one */
 } team_facts;
 
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
@@ -35,7 +35,7 @@ typedef struct fixed_blocks {
     openmp_directive directive;
     bool keeps_counter; /* a clause names the counter, and determines its final value */
     team_facts team;    /* of OPENMP_FOR */
-    bool is_balanced;   /* iterations take the same time, according to `schedule` */
+    bool is_balanced;   /* `schedule` suggests that all iterations take the same time */
 } fixed_blocks;
 
 /** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */

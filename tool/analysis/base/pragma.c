@@ -116,7 +116,7 @@ static bool take_head(reader *r) {
 
 /* ---- one pragma ----------------------------------------------------------------------------- */
 
-static const char *wrong(reader *r, size_t at, uint32_t *offset, const char *message) {
+static const char *error_at(reader *r, size_t at, uint32_t *offset, const char *message) {
     *offset = r->places[at];
     return message;
 }
@@ -124,22 +124,22 @@ static const char *wrong(reader *r, size_t at, uint32_t *offset, const char *mes
 static const char *read_names(reader *r, const char *word, user_pragma *result, uint32_t *offset) {
     VECTOR(const char *) names = {0};
     if (!take(r, "("))
-        return wrong(r, r->at, offset,
-                     arena_format(r->memory, "'%s' takes names: %s(NAME, ...)", word, word));
+        return error_at(r, r->at, offset,
+                        arena_format(r->memory, "'%s' takes names: %s(NAME, ...)", word, word));
     do {
         skip_blanks(r);
         const size_t begin = r->at;
         const char *name = take_word(r);
         if (!*name || isdigit((unsigned char)*name))
-            return wrong(r, begin, offset, "a name is expected here");
-        if (strcmp(word, "pure") == 0 && stateful_deed(name))
-            return wrong(r, begin, offset,
-                         arena_format(r->memory, "'%s' %s, so that it has side effects", name,
-                                      stateful_deed(name)));
+            return error_at(r, begin, offset, "a name is expected here");
+        if (strcmp(word, "pure") == 0 && stateful_effect(name))
+            return error_at(r, begin, offset,
+                            arena_format(r->memory, "'%s' %s, so that it has side effects", name,
+                                         stateful_effect(name)));
         VECTOR_PUSH(r->memory, &names, name);
     } while (take(r, ","));
     if (!take(r, ")"))
-        return wrong(r, r->at, offset, "',' or ')' is expected here");
+        return error_at(r, r->at, offset, "',' or ')' is expected here");
     result->name_count = names.count;
     result->names = names.items;
     return NULL;
@@ -172,18 +172,19 @@ const char *pragma_parse(arena *a, const char *text, user_pragma *result, uint32
         if (strcmp(word, forms[i].word) == 0)
             form = &forms[i];
     if (!form && !*word)
-        return wrong(&r, begin, offset,
-                     arena_format(a, "a pragma of redcc is expected here; %s", valid_pragmas));
+        return error_at(&r, begin, offset,
+                        arena_format(a, "a pragma of redcc is expected here; %s", valid_pragmas));
     if (!form)
-        return wrong(&r, begin, offset,
-                     arena_format(a, "redcc has no pragma '%s'; %s", word, valid_pragmas));
+        return error_at(&r, begin, offset,
+                        arena_format(a, "redcc has no pragma '%s'; %s", word, valid_pragmas));
     const char *problem = form->has_names ? read_names(&r, word, result, offset) : NULL;
     if (problem)
         return problem;
     skip_blanks(&r);
     if (r.text[r.at])
-        return wrong(&r, r.at, offset,
-                     arena_format(a, "nothing is expected after '%s'", text_of(a, word, result)));
+        return error_at(
+            &r, r.at, offset,
+            arena_format(a, "nothing is expected after '%s'", text_of(a, word, result)));
     result->word = form->number;
     result->text = text_of(a, word, result);
     return NULL;

@@ -104,9 +104,9 @@ reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
 }
 
 const char *reason_advice_on_call(arena *a, const char *name, bool has_body) {
-    const char *deed = has_body ? NULL : stateful_deed(name);
-    if (deed)
-        return arena_format(a, "it %s: call it in a separate loop, before or after", deed);
+    const char *effect = has_body ? NULL : stateful_effect(name);
+    if (effect)
+        return arena_format(a, "it %s: call it in a separate loop, before or after", effect);
     return has_body ? "let it return the value, and store it in the loop itself"
                     : advices[REASON_IMPURE_CALL];
 }

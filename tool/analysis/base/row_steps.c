@@ -62,8 +62,8 @@ static const ir_node *element_around(const ir_node *row) {
     }
 }
 
-/* *p, p[0], p->x with a pointer that is stepped itself: the element that it points to. */
-static bool is_behind(const ir_node *row, const ir_variable *pointer) {
+/* Is the row a part of the element that the stepped pointer itself points to: *p, p[0], p->x? */
+static bool is_at_pointer(const ir_node *row, const ir_variable *pointer) {
     if (pointer->type->kind != IR_POINTER || pointer->type->target->size <= 0 ||
         !row->child_count || !expression_is_variable(row->children[0], pointer))
         return false;
@@ -77,7 +77,7 @@ int64_t row_stride(const ir_node *row, const ir_variable *counter) {
     if (!expression_mentions(row, counter))
         return 0;
     row = element_around(row);
-    if (is_behind(row, counter))
+    if (is_at_pointer(row, counter))
         return counter->type->target->size;
     const int64_t steps = row->kind == IR_INDEX && row->type->size > 0 &&
                                   !expression_mentions(row->children[0], counter)

@@ -6,12 +6,12 @@
 #include <stddef.h>
 #include <string.h>
 
-typedef struct deed {
+typedef struct effect {
     const char *what;
     const char *names; /* each between two blanks */
-} deed;
+} effect;
 
-static const deed deeds[] = {
+static const effect effects[] = {
     {"writes output",
      " printf fprintf vprintf vfprintf puts fputs putchar putc fputc fwrite perror "
      "fflush write dprintf putwchar fputwc fputws wprintf fwprintf syslog "},
@@ -40,9 +40,9 @@ static int has_name(const char *names, const char *name) {
     return 0;
 }
 
-const char *stateful_deed(const char *name) {
-    for (size_t i = 0; i < sizeof deeds / sizeof *deeds; i++)
-        if (has_name(deeds[i].names, name))
-            return deeds[i].what;
+const char *stateful_effect(const char *name) {
+    for (size_t i = 0; i < sizeof effects / sizeof *effects; i++)
+        if (has_name(effects[i].names, name))
+            return effects[i].what;
     return NULL;
 }

@@ -5,6 +5,6 @@
 
 /** The effect of a function of this name, as a verb with its object: "writes output"; NULL: it is
  *  not known to print, allocate, keep state, write memory or end the program. */
-const char *stateful_deed(const char *name);
+const char *stateful_effect(const char *name);
 
 #endif

@@ -14,8 +14,9 @@ static bool is_local(const ir_variable *variable) {
     return variable->storage == IR_LOCAL && !variable->address_taken;
 }
 
-/* An integer's values do not wrap around before the loop ends: no object has that many elements. */
-static bool may_go_along(const ir_node *body, const ir_variable *variable) {
+/* Can the header step the variable with the counter? An integer that passes here does not wrap
+ * around before the loop ends: no object has that many elements. */
+static bool can_step_with_counter(const ir_node *body, const ir_variable *variable) {
     const ir_type *type = variable->type;
     const bool is_integer =
         type->kind == IR_INTEGER && (ir_type_never_wraps(type) || type->size == 8);
@@ -31,7 +32,7 @@ static bool is_stepped(const loop_span *span, const ir_variable *variable) {
     return false;
 }
 
-/* w += dw: no row mentions it. */
+/* Adds a variable that the header changes otherwise, w += dw. */
 static bool find_other(const ir_node *step, loop_span *span) {
     const ir_node *target = expression_written(step);
     if (!target || target->kind != IR_VARIABLE || !is_local(target->variable) ||
@@ -43,7 +44,7 @@ static bool find_other(const ir_node *step, loop_span *span) {
     return true;
 }
 
-/* i++, p++; or i += 3, p += 3 */
+/* Adds the variables that the header steps as it does the counter: i++, p++ or i += 3, p += 3. */
 static bool find_stepped(const ir_node *step, loop_span *span) {
     ir_variable *variable;
     int64_t by;
@@ -53,14 +54,14 @@ static bool find_stepped(const ir_node *step, loop_span *span) {
         return find_stepped(step->children[0], span) && find_stepped(step->children[1], span);
     if (!counted_step(step, &variable, &by) || by != span->counted.step ||
         span->stepped_count == MOST_STEPPED || is_stepped(span, variable) ||
-        (variable != span->counted.counter && !may_go_along(span->counted.body, variable)))
+        (variable != span->counted.counter && !can_step_with_counter(span->counted.body, variable)))
         return find_other(step, span);
     span->stepped[span->stepped_count++] = variable;
     return true;
 }
 
 /* Is each variable stepped in one way, and the counter with them? */
-static bool are_apart(const loop_span *span) {
+static bool are_disjoint(const loop_span *span) {
     for (unsigned i = 0; i < span->other_count; i++)
         if (is_stepped(span, span->others[i]) || span->others[i] == span->counted.counter)
             return false;
@@ -72,12 +73,12 @@ bool span_recognise(ir_node *loop, loop_span *span) {
     *span = (loop_span){.loop = loop};
     if (loop->kind != IR_FOR)
         return false;
-    const counted_result counted = counted_recognise_beside(loop);
+    const counted_result counted = counted_recognise_with_others(loop);
     span->counted = counted.loop;
     return counted.is_counted && !counted.loop.stride && counted.loop.step <= MOST_STEP &&
            (counted.loop.step == 1 || counted.loop.counter->type->kind == IR_INTEGER) &&
            (counted.loop.comparison == IR_OP_LESS || counted.loop.comparison == IR_OP_LESS_EQUAL) &&
-           find_stepped(loop->children[2], span) && are_apart(span);
+           find_stepped(loop->children[2], span) && are_disjoint(span);
 }
 
 unsigned span_mentions(const loop_span *span, const ir_node *expression) {

@@ -82,7 +82,7 @@ static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
     const bool is_replaced = unit->dialect.replaces_openmp;
     const openmp_loop *openmp = is_replaced ? j->an->openmp : NULL;
-    if (above && !directive_is_asleep(unit, above) &&
+    if (above && !directive_is_ignored_openmp(unit, above) &&
         (!openmp || above->is_skipped || above->range.begin < text_begin))
         return openmp_reason(j, above);
     return openmp && openmp->kept

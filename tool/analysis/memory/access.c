@@ -283,7 +283,7 @@ static bool is_inside(const ir_node *subscript, const ir_type *array) {
            high < array->count;
 }
 
-/* The rest must be selected by a subscript: not the whole object. */
+/* Is it selected by a subscript or a pointer, so that it is not the whole object? */
 static bool is_selected(const ir_node *lvalue) {
     while (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW))
         lvalue = lvalue->children[0];

@@ -20,16 +20,16 @@ typedef struct access {
     bool is_presumed;    /* the user asserts that it is disjoint from the arrays that the loop
                           * accumulates into */
     bool is_conditional; /* not executed each time the piece is */
-    bool is_behind;      /* a condition of the callee decides whether it is made; with loops, in
-                          * some of their iterations */
+    bool is_behind;      /* a condition of the callee decides whether it is made or, with loops, in
+                          * which of their iterations */
     unsigned loop_count; /* of the callee's loops: the lvalue denotes one element per iteration */
     const source_loop *loops;  /* outermost first. Bounds and lvalue can be computed in all
                                 * iterations whenever the call is executed */
     const ir_node *node;       /* the expression: access, or call */
     const ir_function *callee; /* the function that makes the access; NULL: the text itself */
     update_form form;          /* ACCESS_UPDATE in the text itself */
-    const ir_node *from; /* a search through a[from], a[from + 1], ... up to the element whose */
-    const ir_node *to;   /* subscript is the call's result: the first and the last one read */
+    const ir_node *from; /* of a search (search.h): the first element that it reads; NULL: none */
+    const ir_node *to;   /* of a search: the last one, whose subscript is the call's result */
     const element_bounds *bounds; /* not is_exact: what is accessed is among these; or NULL */
 } access;
 
@@ -44,8 +44,8 @@ typedef struct access_list {
     VECTOR(access) items;
     VECTOR(access_problem) problems;
     bool has_floating_work;     /* floating-point arithmetic is done, here or in callees */
-    bool has_unrepeatable_work; /* a call that another call may not reproduce bit for bit: of a
-                                 * function without a body, or that approximates */
+    bool has_unrepeatable_work; /* a call that a second call may not reproduce bit for bit: its
+                                 * function has no body, or approximates */
     bool may_set_errno;         /* a mathematical function that sets errno is called */
     const char *errno_setter;
     VECTOR(const ir_node *) ends; /* calls of functions that may end the program by an assertion */

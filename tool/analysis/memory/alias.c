@@ -56,17 +56,17 @@ static bool is_open(const ir_type *type) {
     return false;
 }
 
-static bool apart_in_record(const ir_field *a, const ir_field *b) {
+static bool disjoint_in_record(const ir_field *a, const ir_field *b) {
     if (a->is_bit_field || b->is_bit_field)
         return false;
     return !(is_open(a->type) && b->offset >= a->offset) &&
            !(is_open(b->type) && a->offset >= b->offset);
 }
 
-/* Different fields of one record, found before the two paths diverge otherwise. Subscripts between
- * do not matter: in the same element the fields are disjoint, and different elements are disjoint
- * anyway. */
-static bool fields_part(const location *a, const location *b) {
+/* Are these different fields of one record, before the two paths differ in another way? Subscripts
+ * before the fields do not matter: in one element the fields are disjoint, and different elements
+ * are disjoint anyway. */
+static bool fields_are_disjoint(const location *a, const location *b) {
     unsigned count = a->step_count < b->step_count ? a->step_count : b->step_count;
     for (unsigned i = 0; i < count; i++) {
         const location_step *x = &a->steps[i];
@@ -78,20 +78,20 @@ static bool fields_part(const location *a, const location *b) {
         if (x->record != y->record || !x->record || x->record->is_union)
             return false;
         if (x->field != y->field)
-            return apart_in_record(x->field, y->field);
+            return disjoint_in_record(x->field, y->field);
     }
     return false;
 }
 
 /* p->x and q->y, with p and q of one record type: disjoint for any targets. */
-static bool record_fields_part(const location *a, const location *b) {
+static bool pointed_fields_are_disjoint(const location *a, const location *b) {
     if (a->is_punned || b->is_punned || !a->pointer || !b->pointer)
         return false;
     const ir_type *x = a->pointer->type;
     const ir_type *y = b->pointer->type;
     bool same_records = x && y && x->target && y->target && x->target->kind == IR_RECORD &&
                         ir_type_equal(x->target, y->target);
-    return same_records && fields_part(a, b);
+    return same_records && fields_are_disjoint(a, b);
 }
 
 /* Can a pointer found at `other` lead into the named object? */
@@ -121,7 +121,7 @@ static const ir_variable *restricted_pointer(const alias_rules *rules, const loc
     return NULL;
 }
 
-static bool restrict_parts(const alias_rules *rules, const location *a, const location *b) {
+static bool restrict_separates(const alias_rules *rules, const location *a, const location *b) {
     const ir_variable *x = restricted_pointer(rules, a);
     const ir_variable *y = restricted_pointer(rules, b);
     if (x && b->pointer && !expression_mentions(b->pointer, x))
@@ -147,21 +147,21 @@ static overlap compare(const alias_rules *rules, const location *a, const locati
         if (a->object != b->object)
             return a->object->has_other_name || b->object->has_other_name ? OVERLAP_MAYBE
                                                                           : OVERLAP_NO;
-        return fields_part(a, b) ? OVERLAP_NO : OVERLAP_SAME;
+        return fields_are_disjoint(a, b) ? OVERLAP_NO : OVERLAP_SAME;
     }
     if (a->pointer && b->pointer && expression_same(a->pointer, b->pointer))
-        return fields_part(a, b) ? OVERLAP_NO : OVERLAP_SAME;
+        return fields_are_disjoint(a, b) ? OVERLAP_NO : OVERLAP_SAME;
     if (a->object && !is_reachable(rules, a->object, b))
         return OVERLAP_NO;
     if (b->object && !is_reachable(rules, b->object, a))
         return OVERLAP_NO;
     bool same_pointers_known = (a->object || a->pointer) && (b->object || b->pointer);
-    if (same_pointers_known && restrict_parts(rules, a, b))
+    if (same_pointers_known && restrict_separates(rules, a, b))
         return OVERLAP_NO;
     if (rules->strict_aliasing && types_hold && !a->has_union && !b->has_union &&
         !types_may_overlap(a->type, b->type))
         return OVERLAP_NO;
-    if (record_fields_part(a, b))
+    if (pointed_fields_are_disjoint(a, b))
         return OVERLAP_NO;
     if (rules->assume_noalias && same_pointers_known)
         return OVERLAP_NO;

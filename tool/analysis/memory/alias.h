@@ -8,7 +8,7 @@
 typedef enum overlap {
     OVERLAP_NO,    /* proved disjoint */
     OVERLAP_MAYBE, /* unknown: decided by addresses at run time */
-    OVERLAP_SAME   /* of one object or behind one pointer: no guard can hold */
+    OVERLAP_SAME   /* in one object or behind one pointer: no guard could prove them disjoint */
 } overlap;
 
 typedef struct alias_rules {

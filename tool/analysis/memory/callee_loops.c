@@ -106,7 +106,8 @@ static bool is_one_of(const callee_loops *loops, const ir_node *loop) {
 }
 
 /* Are all counted iterations of the loop executed, each of them as far as `node`? */
-static bool comes_to(const callee_loops *loops, const ir_node *loop, const ir_node *node) {
+static bool reaches_in_all_iterations(const callee_loops *loops, const ir_node *loop,
+                                      const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
     return (is_one_of(loops, loop) || counted_constant(loop, &counter, &first, &last)) &&
@@ -126,7 +127,7 @@ static bool is_certain_part(const callee_loops *loops, const ir_node *parent, co
         return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
     case IR_FOR:
         return parent->children[0] == part || parent->children[1] == part ||
-               (ir_loop_body(parent) == part && comes_to(loops, parent, node));
+               (ir_loop_body(parent) == part && reaches_in_all_iterations(loops, parent, node));
     case IR_BLOCK:
     case IR_EXPRESSION:
     case IR_DECLARATION:

@@ -52,7 +52,7 @@ static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
 
-/* Are all variables in it unchanged parameters, and counters of loops around both nodes? */
+/* Is each variable in it an unchanged parameter, or the counter of a loop around both nodes? */
 static bool has_one_value(const rewriting *r, const ir_node *node, const ir_node *first,
                           const ir_node *second) {
     if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {
@@ -72,7 +72,8 @@ static bool is_member_of(const ir_node *lvalue, const ir_node *pointer) {
            expression_same(lvalue->children[0], pointer);
 }
 
-/* Is the load made in any case, here or elsewhere; or another member of the same object read? */
+/* Is memory at the load's address certain to be read: by this load or an equal one, or (which shows
+ * as well that the pointer is valid) is another member of the same object certain to be read? */
 static bool is_certain_load(const rewriting *r, const ir_node *load) {
     if (callee_loops_is_certain(r->loops, load))
         return true;
@@ -98,7 +99,7 @@ static void note_load(rewriting *r, const ir_node *load) {
         return;
     if (is_of_text(r, load))
         r->loads_are_certain &= is_certain_load(r, load);
-    else /* the called function makes it whenever it is called, or its loops do */
+    else /* a called function makes it, whenever it is called or in its loops */
         r->loads_are_certain &= callee_loops_is_certain(r->loops, r->item->node) &&
                                 (r->item->loop_count || !r->item->is_conditional);
 }
@@ -116,7 +117,7 @@ static ir_node *rewrite_value(rewriting *r, const ir_node *node) {
 
 /* ---- variables ------------------------------------------------------------------------------- */
 
-/* The value as a variable of this type holds it. */
+/* The value converted to the type, as by an assignment to a variable. */
 static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
     if (!value->type || ir_type_equal(value->type, type) || !ir_type_is_scalar(type) ||
         type->kind == IR_POINTER)
@@ -264,9 +265,10 @@ static const ir_node *search_element(rewriting *r) {
 
 typedef VECTOR(source_loop) loop_list;
 
-/* The loops of this function that the rewritten row depends on, or whose trip count decides whether
- * it is read at all; outermost first. */
-static bool take_own_loops(rewriting *r, loop_list *list) {
+/* Adds the loops of this function that the rewritten row depends on, or whose trip count decides
+ * whether it is read at all; outermost first. False: the bounds of one are not certain to be
+ * evaluated. */
+static bool add_own_loops(rewriting *r, loop_list *list) {
     source_loop found[CALLEE_MOST_LOOPS];
     unsigned count = 0;
     for (unsigned i = r->loops->count; i-- > 0;) {
@@ -291,9 +293,9 @@ static bool take_own_loops(rewriting *r, loop_list *list) {
     return true;
 }
 
-/* The loops of the called function that makes the access; their bounds are in its caller's
- * terms. */
-static void take_callee_loops(rewriting *r, loop_list *list) {
+/* Adds the loops of the called function that makes the access, with bounds in its caller's terms.
+ */
+static void add_callee_loops(rewriting *r, loop_list *list) {
     r->site = r->item->node;
     for (unsigned i = 0; i < r->item->loop_count; i++) {
         source_loop loop = r->item->loops[i];
@@ -303,9 +305,10 @@ static void take_callee_loops(rewriting *r, loop_list *list) {
     }
 }
 
-/* Can the loops' rows be recorded in time, and only rows that the function reads, or adjacent ones?
- * A loop that may end early accesses consecutive elements, recorded at once. */
-static bool can_be_gone_through(const loop_list *list, const ir_node *row) {
+/* Can the loops' rows be recorded, without any that the function does not read except adjacent
+ * ones? A loop that may end early must be the innermost one, and access consecutive elements, which
+ * are recorded as one range. */
+static bool can_be_recorded(const loop_list *list, const ir_node *row) {
     for (unsigned i = 0; i < list->count; i++)
         if (list->items[i].may_end_early &&
             (i + 1 < list->count || !source_loop_is_span(&list->items[i], row)))
@@ -313,9 +316,9 @@ static bool can_be_gone_through(const loop_list *list, const ir_node *row) {
     return true;
 }
 
-/* With the loops around it. An element that is not read in each iteration may still be recorded, if
- * that evaluates only expressions that are evaluated anyway. */
-static bool take_with_loops(const callee_terms *terms, const access *item, access *result) {
+/* The access with the loops around it. An element that is not read in each iteration may still be
+ * recorded, if that evaluates only expressions that are evaluated anyway. */
+static bool access_with_loops(const callee_terms *terms, const access *item, access *result) {
     callee_loops loops = callee_loops_around(terms->function, item->node);
     if (item->kind != ACCESS_READ || !item->is_exact || !loops.are_known ||
         (!loops.count && !item->loop_count))
@@ -330,13 +333,13 @@ static bool take_with_loops(const callee_terms *terms, const access *item, acces
         item->loop_count ? rewrite(&r, item->lvalue) : rewrite_lvalue(&r, item->lvalue);
     const bool loads_are_certain = r.loads_are_certain;
     loop_list list = {0};
-    bool is_told = take_own_loops(&r, &list);
-    if (is_told)
-        take_callee_loops(&r, &list);
+    bool has_loops = add_own_loops(&r, &list);
+    if (has_loops)
+        add_callee_loops(&r, &list);
     const bool is_behind = !callee_loops_is_certain(&loops, item->node) || item->is_behind ||
                            (item->callee && !item->loop_count && item->is_conditional);
-    if (!is_told || !r.is_exact || !list.count || !loads_are_certain ||
-        (is_behind && expression_has_hazard(row)) || !can_be_gone_through(&list, row))
+    if (!has_loops || !r.is_exact || !list.count || !loads_are_certain ||
+        (is_behind && expression_has_hazard(row)) || !can_be_recorded(&list, row))
         return false;
     *result = *item;
     result->lvalue = row;
@@ -368,7 +371,7 @@ static bool take_conditions(rewriting *r, element_bounds *all, const ir_node *co
     return r->is_exact;
 }
 
-/* Those of a function called, in this one's terms. */
+/* The bounds of a called function's access, in this function's terms. */
 static bool take_bounds_of_callee(rewriting *r, const element_bounds *theirs, element_bounds *all) {
     all->base = rewrite(r, theirs->base);
     all->element = theirs->element;
@@ -392,7 +395,7 @@ static bool take_own_bounds(rewriting *r, element_bounds *all) {
            take_conditions(r, all, conditions.value, conditions.count);
 }
 
-/* NULL: none are known. */
+/* The bounds of the elements that the access may read; NULL: unknown. */
 static const element_bounds *bounds_in_terms(const callee_terms *terms, const access *item) {
     rewriting r = {.terms = terms, .item = item, .is_exact = true, .loads_stay = true};
     element_bounds *all = ARENA_NEW(terms->memory, element_bounds);
@@ -412,7 +415,7 @@ access callee_terms_of(const callee_terms *terms, const access *item) {
     result.lvalue = rewrite_lvalue(&r, item->lvalue);
     result.is_exact = r.is_exact;
     if ((r.is_exact && !(item->is_conditional && r.has_load)) ||
-        take_with_loops(terms, item, &result) || r.is_exact)
+        access_with_loops(terms, item, &result) || r.is_exact)
         return result;
     result.from = search_element(&r);
     result.bounds = result.from ? NULL : bounds_in_terms(terms, item);

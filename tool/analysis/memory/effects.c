@@ -171,7 +171,7 @@ static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
         return;
     /* the body in another file was analysed */
     const bool is_seen = external_kind(w->all->options, function) != EXPORTED_NOTHING;
-    if (!by_user && !is_seen && library_tells_of_thread(function)) {
+    if (!by_user && !is_seen && library_depends_on_thread(function)) {
         const bool is_errno = strcmp(function->name, "__errno_location") == 0;
         access_problem_add(w, REASON_THREAD_STATE, call, is_errno ? "errno" : function->name);
         return;
@@ -220,7 +220,7 @@ static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
 }
 
 /* The access's loops with the arguments in their bounds. Clears is_exact if these cannot be spelled
- * there. */
+ * in the caller. */
 static const source_loop *loops_for_caller(access_walk *w, access *item, const ir_node *call) {
     const ir_function *function = call->children[0]->function;
     source_loop *loops = ARENA_ARRAY(w->memory, source_loop, item->loop_count);
@@ -235,7 +235,7 @@ static const source_loop *loops_for_caller(access_walk *w, access *item, const i
     return loops;
 }
 
-/* With the arguments in them; NULL: they cannot be spelled there. */
+/* The bounds with the arguments in them; NULL: they cannot be spelled in the caller. */
 static const element_bounds *bounds_for_caller(access_walk *w, const element_bounds *of,
                                                const ir_node *call) {
     const ir_function *function = call->children[0]->function;

@@ -7,13 +7,13 @@
 enum { STEP_LIMIT = 8, LOOK_THROUGH_LIMIT = 8 };
 
 /* Constant data of one query. */
-typedef struct question {
+typedef struct query {
     variable_facts *facts;
     const ir_node *scope;
-} question;
+} query;
 
-static location lvalue_location(const question *q, const ir_node *node, unsigned depth);
-static location pointed_location(const question *q, const ir_node *node, unsigned depth);
+static location lvalue_location(const query *q, const ir_node *node, unsigned depth);
+static location pointed_location(const query *q, const ir_node *node, unsigned depth);
 
 static void add_step(location *l, const ir_field *field, const ir_record *record,
                      const ir_node *subscript) {
@@ -26,8 +26,8 @@ static void add_step(location *l, const ir_field *field, const ir_record *record
     l->steps[l->step_count++] = (location_step){field, record, subscript};
 }
 
-/* Moved away from a single object, as v[0].x by &v[0].x + k: undefined in C, but programs and
- * compilers let it range over the whole enclosing object. */
+/* For arithmetic on a pointer to a single object, such as &v[0].x + k: undefined in C, but programs
+ * and compilers let the result be anywhere in the enclosing object. */
 static void leave_single_object(location *l) {
     l->step_count = 0;
     l->is_inexact = true;
@@ -42,7 +42,7 @@ static location unknown_location(void) {
     return (location){.is_inexact = true};
 }
 
-static location member_location(const question *q, const ir_node *node, unsigned depth) {
+static location member_location(const query *q, const ir_node *node, unsigned depth) {
     const ir_node *child = node->children[0];
     bool is_arrow = node->flags & IR_ARROW;
     location l = is_arrow ? pointed_location(q, child, depth) : lvalue_location(q, child, depth);
@@ -71,7 +71,7 @@ static bool is_locale_table(const ir_node *node) {
            library_is_locale_table(node->children[0]);
 }
 
-static location lvalue_location(const question *q, const ir_node *node, unsigned depth) {
+static location lvalue_location(const query *q, const ir_node *node, unsigned depth) {
     location l;
     if (is_locale_table(node)) {
         l = locale_location(node);
@@ -115,8 +115,8 @@ static location lvalue_location(const question *q, const ir_node *node, unsigned
     return l;
 }
 
-/* The object that a pointer read from memory or from a variable points to: its own base. Step 0 is
- * the subscript that may follow. */
+/* The target of a pointer that is read from memory or from a variable. The pointer is its base;
+ * step 0 is the subscript that may follow. */
 static location pointer_base(const ir_node *node) {
     location l = {.pointer = node, .base = node};
     l.steps[0] = (location_step){NULL, NULL, NULL};
@@ -142,7 +142,7 @@ static bool is_result(const ir_node *value) {
 }
 
 /* pointer + n, n + pointer, pointer - n */
-static location moved_location(const question *q, const ir_node *node, unsigned depth) {
+static location moved_location(const query *q, const ir_node *node, unsigned depth) {
     const ir_node *left = node->children[0];
     const bool left_is_pointer =
         left->type && (left->type->kind == IR_POINTER || left->type->kind == IR_ARRAY);
@@ -154,7 +154,7 @@ static location moved_location(const question *q, const ir_node *node, unsigned 
     return l;
 }
 
-static location cast_location(const question *q, const ir_node *node, unsigned depth) {
+static location cast_location(const query *q, const ir_node *node, unsigned depth) {
     const ir_node *operand = node->children[0];
     if (!operand->type || (operand->type->kind != IR_POINTER && operand->type->kind != IR_ARRAY))
         return unknown_location();
@@ -167,19 +167,19 @@ static location cast_location(const question *q, const ir_node *node, unsigned d
 }
 
 /* Moved by a number that is not known. */
-static void move_somewhere(location *l) {
+static void move_by_unknown(location *l) {
     if (l->step_count && !l->steps[l->step_count - 1].field)
         l->steps[l->step_count - 1].subscript = NULL;
     else
         leave_single_object(l);
 }
 
-static location variable_location(const question *q, const ir_node *node, unsigned depth) {
+static location variable_location(const query *q, const ir_node *node, unsigned depth) {
     const ir_node *value = variable_single_definition(q->facts, node->variable);
     const ir_node *start = value ? NULL : variable_walk_start(q->facts, node->variable, q->scope);
     if (start && is_followed(start) && depth < LOOK_THROUGH_LIMIT) {
         location l = pointed_location(q, start, depth + 1);
-        move_somewhere(&l);
+        move_by_unknown(&l);
         return l;
     }
     if (!value)
@@ -195,7 +195,7 @@ static location variable_location(const question *q, const ir_node *node, unsign
     return l;
 }
 
-static location pointed_location(const question *q, const ir_node *node, unsigned depth) {
+static location pointed_location(const query *q, const ir_node *node, unsigned depth) {
     if (is_locale_table(node))
         return locale_location(node);
     if (node->type && node->type->kind == IR_ARRAY) {
@@ -227,6 +227,6 @@ static location pointed_location(const question *q, const ir_node *node, unsigne
 }
 
 location location_of(variable_facts *facts, const ir_node *lvalue, const ir_node *scope) {
-    question q = {facts, scope};
+    query q = {facts, scope};
     return lvalue_location(&q, lvalue, 0);
 }

@@ -80,7 +80,7 @@ const ir_node *search_start(const ir_function *function, const ir_node *read) {
     const ir_node *condition = loop->children[loop->kind == IR_WHILE ? 0 : 1];
     if (!ir_contains(condition, read) || !is_certain_in(condition, read))
         return NULL;
-    /* Between head and loop there are declarations only: nothing leaves before it. */
+    /* Only declarations precede the loop, so that every call reaches it. */
     for (unsigned i = 0; i + 2 < body->child_count; i++)
         if (body->children[i]->kind != IR_DECLARATION)
             return NULL;

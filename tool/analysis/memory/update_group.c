@@ -38,7 +38,7 @@ static bool is_own(const range_of_block *r, const ir_variable *variable) {
     return variable == r->variable || is_declared_in_range(r, variable);
 }
 
-static bool may_stand(const range_of_block *r, const ir_node *node) {
+static bool may_be_between(const range_of_block *r, const ir_node *node) {
     const ir_node *target = expression_written(node);
     switch (node->kind) {
     case IR_BREAK:
@@ -61,11 +61,11 @@ static bool may_stand(const range_of_block *r, const ir_node *node) {
            (target->kind == IR_VARIABLE && is_own(r, target->variable));
 }
 
-static bool all_may_stand(const range_of_block *r, const ir_node *node) {
-    if (!may_stand(r, node))
+static bool all_may_be_between(const range_of_block *r, const ir_node *node) {
+    if (!may_be_between(r, node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!all_may_stand(r, node->children[i]))
+        if (!all_may_be_between(r, node->children[i]))
             return false;
     return true;
 }
@@ -98,9 +98,10 @@ static bool is_plain_scalar(const ir_variable *variable) {
            !variable->type->is_volatile && !variable->type->is_atomic;
 }
 
-/* The variables of the stored value, one of which may hold the loaded one. */
-static bool find_by(range_of_block *r, const ir_node *value, const ir_node *target,
-                    update_group *group) {
+/* Searches the stored value's variables for the one into which an earlier statement loads the
+ * element. */
+static bool find_load(range_of_block *r, const ir_node *value, const ir_node *target,
+                      update_group *group) {
     if (value->kind == IR_VARIABLE && is_plain_scalar(value->variable)) {
         r->variable = value->variable;
         for (r->from = r->to; r->from-- > 0;) {
@@ -109,14 +110,14 @@ static bool find_by(range_of_block *r, const ir_node *value, const ir_node *targ
                 continue;
             bool is_found = occurs_in_range_only(r, value->variable) && !mentions_own(r, target);
             for (unsigned i = r->from; i <= r->to && is_found; i++)
-                is_found = all_may_stand(r, r->block->children[i]);
+                is_found = all_may_be_between(r, r->block->children[i]);
             *group =
                 (update_group){r->block->children[r->from], r->block->children[r->to], element};
             return is_found;
         }
     }
     for (unsigned i = 0; i < value->child_count; i++)
-        if (find_by(r, value->children[i], target, group))
+        if (find_load(r, value->children[i], target, group))
             return true;
     return false;
 }
@@ -132,7 +133,7 @@ bool update_group_of(variable_facts *facts, const ir_node *assignment, update_gr
     range_of_block r = {.facts = facts, .block = block, .store = assignment};
     while (block->children[r.to] != statement)
         r.to++;
-    return find_by(&r, assignment->children[1], assignment->children[0], group);
+    return find_load(&r, assignment->children[1], assignment->children[0], group);
 }
 
 bool update_group_has(const update_group *group, const ir_node *node) {

@@ -86,10 +86,10 @@ static void forget_all_written(bounding *b, const ir_node *node) {
     ir_walk((ir_node *)node, forget_written, b);
 }
 
-/* ---- what stays ------------------------------------------------------------------------------ */
+/* ---- values that do not change --------------------------------------------------------------- */
 
-/* Consists of parameters that the function never writes, and of reads through them. */
-static bool stays(const bounding *b, const ir_node *node) {
+/* Is it a parameter that the function never writes, or a member reached through one? */
+static bool is_unchanged(const bounding *b, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE: {
         const ir_variable *variable = node->variable;
@@ -98,7 +98,7 @@ static bool stays(const bounding *b, const ir_node *node) {
     }
     case IR_MEMBER:
         return node->field && !node->field->is_bit_field && !node->type->is_volatile &&
-               !node->type->is_atomic && stays(b, node->children[0]);
+               !node->type->is_atomic && is_unchanged(b, node->children[0]);
     default:
         return false;
     }
@@ -195,9 +195,9 @@ static bool is_never_negative(bounding *b, const ir_node *node);
 
 static value_bounds integer_of(bounding *b, const ir_node *node);
 
-/* The integer that a value is converted to. A floating value outside of the type's range may become
- * any integer (F.4). In a type of less than 4 bytes any integer might be a subscript of the
- * table. */
+/* Bounds of the integer that a value is converted to. A floating value outside of the type's range
+ * may become any integer (F.4). In a type of less than 4 bytes any integer might be a subscript of
+ * the table. */
 static value_bounds integer_set(bounding *b, const ir_node *value, const ir_type *type) {
     if (value->type && value->type->kind == IR_FLOATING)
         return type->size >= 4 && is_never_negative(b, value) ? (value_bounds){.low_count = 1}
@@ -213,7 +213,7 @@ static value_bounds integer_of(bounding *b, const ir_node *node) {
         return constant > MOST_OFFSET || constant < -MOST_OFFSET
                    ? nothing_known()
                    : exactly((bound_term){NULL, constant});
-    if (stays(b, node))
+    if (is_unchanged(b, node))
         return exactly((bound_term){node, 0});
     switch (node->kind) {
     case IR_VARIABLE:
@@ -230,7 +230,8 @@ static value_bounds integer_of(bounding *b, const ir_node *node) {
 
 /* ---- floating values ------------------------------------------------------------------------- */
 
-static bool needs(bounding *b, const ir_node *value) {
+/* Adds the condition that the value is not negative; false: there are too many. */
+static bool require(bounding *b, const ir_node *value) {
     bounds_conditions *all = &b->conditions;
     unsigned i = 0;
     while (i < all->count && !expression_same(all->value[i], value))
@@ -267,7 +268,7 @@ static bool is_sign_of_parts(bounding *b, const ir_node *node) {
     case IR_BINARY:
         if (node->op == IR_OP_SUBTRACT) { /* v - least */
             const known_value left = value_of(b, node->children[0]);
-            return left.has_least && left.least && stays(b, node->children[1]) &&
+            return left.has_least && left.least && is_unchanged(b, node->children[1]) &&
                    expression_same(left.least, node->children[1]);
         }
         if (node->op == IR_OP_MULTIPLY && expression_is_plain(node) &&
@@ -293,11 +294,11 @@ static bool is_never_negative(bounding *b, const ir_node *node) {
     }
     if (node->kind == IR_NUMBER)
         return true; /* the sign is an operator */
-    if (stays(b, node))
-        return needs(b, node);
+    if (is_unchanged(b, node))
+        return require(b, node);
     if (node->kind == IR_VARIABLE) {
         const known_value known = used(b, node->variable);
-        return known.has_least && (!known.least || needs(b, known.least));
+        return known.has_least && (!known.least || require(b, known.least));
     }
     if (node->kind == IR_CAST)
         return is_never_negative(b, node->children[0]);
@@ -309,7 +310,7 @@ static known_value value_of(bounding *b, const ir_node *node) {
         return (known_value){.integer = integer_of(b, node)};
     if (node->kind == IR_VARIABLE && known_of(b, node->variable))
         return used(b, node->variable);
-    if (stays(b, node))
+    if (is_unchanged(b, node))
         return (known_value){.has_least = true, .least = node};
     return (known_value){.has_least = is_never_negative(b, node)};
 }
@@ -342,7 +343,7 @@ static void refine(bounding *b, const ir_variable *variable, ir_operator op, con
     if (variable->type->kind == IR_FLOATING) {
         if ((op == IR_OP_GREATER || op == IR_OP_GREATER_EQUAL) && !known.has_least &&
             bound->type->kind == IR_FLOATING && bound->type->size == variable->type->size &&
-            (stays(b, bound) || bound->kind == IR_NUMBER)) {
+            (is_unchanged(b, bound) || bound->kind == IR_NUMBER)) {
             known.has_least = true;
             known.least = bound->kind == IR_NUMBER ? NULL : bound;
         }

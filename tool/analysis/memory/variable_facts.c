@@ -105,7 +105,7 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
-/* For a call of a function by its name, through this argument. */
+/* The effect of a call, which names its function, through this argument. */
 static parameter_effect effect_of_argument(const variable_facts *facts, const ir_node *call,
                                            const ir_node *argument) {
     for (unsigned i = 1; i < call->child_count; i++)
@@ -309,8 +309,8 @@ static bool is_restricted(variable_facts *facts, const ir_variable *variable) {
     if (!variable_is_automatic(variable) || !variable->type->is_restrict ||
         variable->address_taken || fact->write_count > allowed)
         return false;
-    /* A block's restrict pointer is exclusive from its declaration on; assigned later, less is
-     * known. */
+    /* A block's restrict pointer is exclusive from its declaration on. If it is assigned later,
+     * less is known. */
     if (allowed && (!fact->declarator || fact->definition_place != fact->declarator))
         return false;
     for (unsigned i = 0; i < fact->occurrences.count; i++)

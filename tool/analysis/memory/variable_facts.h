@@ -15,7 +15,7 @@ typedef struct variable_fact {
     unsigned step_count;  /* of them, p++, p += e and the like */
     const ir_node *definition;       /* the value of the last assignment, if it is a plain `=` */
     const ir_node *definition_place; /* the declarator or IR_ASSIGN of it */
-    const ir_node *start;            /* the same of the last one that is no step */
+    const ir_node *start;            /* the value of the last assignment that is no step */
     const ir_node *declarator;
     enum { EXPOSURE_NOT_ASKED, EXPOSURE_YES, EXPOSURE_NO } exposure;
     enum { ESCAPE_NOT_ASKED, ESCAPE_IN_PROGRESS, ESCAPE_YES, ESCAPE_NO } escape;
@@ -54,8 +54,8 @@ unsigned expression_last_id(const ir_node *node);
  *  assignment; NULL otherwise. */
 const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable);
 
-/** The value that a local pointer is set to, where all its other assignments are steps, below
- *  `scope`, which contains the first one as well; NULL: it is no such pointer. */
+/** The first value of a local pointer whose other assignments are all steps, if all of them are
+ * inside `scope`; NULL: it is no such pointer. */
 const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
                                    const ir_node *scope);
 

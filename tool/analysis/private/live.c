@@ -214,7 +214,7 @@ bool variable_is_live_after(variable_facts *facts, const openmp_loop *openmp, co
     if (variable->function && openmp_keeps_value(unit, openmp, loop, variable))
         return false;
     if (!variable->function || (text_openmp_in(unit->arena, unit, variable->function) &&
-                                !function_sleeps(unit, variable->function)))
+                                !function_has_ignored_openmp(unit, variable->function)))
         return true;
     /* The loop itself may be reached again, by a jump or in a loop around it. */
     if (!occurs_elsewhere(facts, loop, variable) && !(ways_of(&s, loop) & WAY_READS))

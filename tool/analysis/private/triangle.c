@@ -45,7 +45,7 @@ static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_fir
 /* Both counters have one type, so that both count the same numbers. */
 static bool recognise(const loop_analysis *j, ir_node *loop, triangle *it) {
     const ir_variable *row = j->counted.counter;
-    const counted_result result = counted_recognise_beside(loop);
+    const counted_result result = counted_recognise_with_others(loop);
     const counted_loop *inner = &result.loop;
     const bool is_inclusive = inner->comparison == IR_OP_LESS_EQUAL;
     int64_t offset;

@@ -175,7 +175,7 @@ static bool note_mention(ir_node *node, void *context) {
     return true;
 }
 
-static mention look_for(const ir_node *body, const ir_variable *variable) {
+static mention find_mentions(const ir_node *body, const ir_variable *variable) {
     mention m = {body, variable, false, false, false};
     ir_walk(variable->function->body, note_mention, &m);
     return m;
@@ -186,7 +186,7 @@ static mention look_for(const ir_node *body, const ir_variable *variable) {
 static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     for (unsigned i = 0; i < s->bindings.count; i++)
         if (s->bindings.items[i].value.kind == VALUE_POINTER) {
-            const mention m = look_for(body, s->bindings.items[i].variable);
+            const mention m = find_mentions(body, s->bindings.items[i].variable);
             if (!m.is_declared_in_body && m.is_outside) {
                 run_give_up(r, body, "a pointer to it is left behind");
                 return false;
@@ -216,7 +216,7 @@ static bool bind_constant(ir_node *node, void *context) {
     return true;
 }
 
-/* const int dimension = 3; before the loop */
+/* Binds the constants declared outside the body, such as const int dimension = 3. */
 static void bind_constants(const run *r, const ir_node *body, state *head) {
     constants known = {r->prover->scratch, body, head};
     ir_walk(r->function->body, bind_constant, &known);
@@ -279,7 +279,7 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     const char *unfit = find_unfit(variable);
     if (unfit != NULL)
         return unknown_result(NULL, unfit);
-    const mention m = look_for(body, variable);
+    const mention m = find_mentions(body, variable);
     if (m.is_declared_in_body)
         return (private_result){.verdict = PRIVATE_PROVED, .is_written = true};
     if (m.has_label)
@@ -304,8 +304,7 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     return result;
 }
 
-/* For a pointer anywhere into any object: accesses do not matter, only where its value is
- * stored. */
+/* May the function store the address? The object's size and the position in it do not matter. */
 static bool keeps_address(must_write *prover, const ir_function *function, unsigned index) {
     value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count);
     arguments[index] = (value){VALUE_POINTER, false, 0};

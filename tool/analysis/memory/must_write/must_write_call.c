@@ -255,7 +255,8 @@ static value call_summarised(run *r, state *s, const ir_node *node, const ir_fun
     return summary->result;
 }
 
-/* Evaluates the arguments, each with the state before all of them. */
+/* Evaluates the arguments, each with the state before all of them. Returns whether one of them
+ * points to the object. */
 static bool evaluate_arguments(run *r, state *s, const ir_node *node, value *arguments) {
     const unsigned count = node->child_count - 1;
     bool is_passed = false;

@@ -118,7 +118,7 @@ static value evaluate_assignment(run *r, state *s, const ir_node *node) {
     value v = run_evaluate(r, s, node->children[1]);
     run_end_unsequenced(&u, s);
     if (node->op != IR_OP_NONE) {
-        /* the sum is computed in a type that the tree does not show: only the target's own */
+        /* the tree shows only the target's type, not the one in which the result is computed */
         const ir_node sum = {.op = node->op,
                              .type = target->type,
                              .children = node->children,
@@ -158,7 +158,7 @@ static value evaluate_unary(run *r, state *s, const ir_node *node) {
         return evaluate_increment(r, s, node);
     case IR_OP_ADDRESS:
         p = run_locate(r, s, operand);
-        if (p.variable != NULL) /* then its value does not change only by its name */
+        if (p.variable != NULL) /* then it may change other than by its name */
             return run_give_up(r, node, "the address of a variable is taken");
         if (p.kind == PLACE_OBJECT) {
             v.kind = VALUE_POINTER;
@@ -382,7 +382,7 @@ void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type
     const size_t length = node->range.end - node->range.begin;
     const bool is_object_declared_here = node->kind == IR_DECLARATOR && node->variable == r->object;
     if (type != NULL && memchr(begin, '[', length) == NULL)
-        run_give_up(r, node, why); /* a typedef's */
+        run_give_up(r, node, why); /* the length is in a typedef */
     if (!is_object_declared_here && text_mentions(begin, length, r->object->name))
         run_give_up(r, node, why);
     for (unsigned i = 0; i < s->bindings.count; i++)

@@ -38,16 +38,15 @@ static bool offset_of(const ir_node *node, offset_value *to) {
            !__builtin_add_overflow(to->number, number, &to->number);
 }
 
-/* Is the variable invariant in the loop? counted_recognise has checked that it is not written by
- * name; it has no other names. */
-static bool stays(run *r, const ir_node *loop, const ir_variable *variable) {
+/* Is the variable invariant in the loop: neither written by name, nor through a pointer? */
+static bool is_invariant(run *r, const ir_node *loop, const ir_variable *variable) {
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable->function == r->function && variable != r->object &&
            !variable_is_written_in(loop, variable) &&
            (!variable->address_taken || !address_kept_outside(r->prover, loop, variable));
 }
 
-int64_t run_known_rounds(run *r, const ir_node *loop) {
+int64_t run_known_trip_count(run *r, const ir_node *loop) {
     assert(ir_is_loop(loop));
     const counted_result found = counted_recognise((ir_node *)loop);
     const counted_loop *it = &found.loop;
@@ -57,9 +56,10 @@ int64_t run_known_rounds(run *r, const ir_node *loop) {
         !offset_of(it->lower, &first) || !offset_of(it->bound, &bound) ||
         first.variable != bound.variable || it->counter == first.variable ||
         !is_wide_integer(it->counter->type) || it->counter->address_taken ||
-        it->counter->type->size < first.variable->type->size || !stays(r, loop, first.variable))
+        it->counter->type->size < first.variable->type->size ||
+        !is_invariant(r, loop, first.variable))
         return -1;
-    const int64_t rounds =
+    const int64_t trip_count =
         bound.number - first.number + (it->comparison == IR_OP_LESS_EQUAL ? 1 : 0);
-    return rounds > 0 ? rounds : 0;
+    return trip_count > 0 ? trip_count : 0;
 }

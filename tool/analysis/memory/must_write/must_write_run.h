@@ -150,6 +150,6 @@ bool address_kept_outside(must_write *prover, const ir_node *body, const ir_vari
 
 /** The trip count of a `for` whose first value and bound are one variable plus constants, unless it
  *  is left before. -1: unknown. */
-int64_t run_known_rounds(run *r, const ir_node *loop);
+int64_t run_known_trip_count(run *r, const ir_node *loop);
 
 #endif

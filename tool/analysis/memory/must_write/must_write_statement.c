@@ -105,7 +105,7 @@ static state *bindings_copy(run *r, const state *s) {
 /* Is the trip count known, though the condition is not? Then the rounds are executed. */
 static bool execute_known_rounds(run *r, state *s, const loop_parts *loop, state *breaks) {
     const int64_t rounds =
-        loop->counted && run_step(r, loop->body, 64) ? run_known_rounds(r, loop->counted) : -1;
+        loop->counted && run_step(r, loop->body, 64) ? run_known_trip_count(r, loop->counted) : -1;
     if (rounds < 0 || rounds > MOST_ROUNDS)
         return false;
     for (int64_t round = 0; round < rounds && s->is_reachable && r->unknown == NULL; round++) {
