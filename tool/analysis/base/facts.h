@@ -200,8 +200,8 @@ typedef struct loop_source {
 } loop_source;
 
 /** An inner `for` with step 1 over a triangle, `for (j = i + c; j < end; j++)` or `for (j = end; j
- * < i + c; j++)` with the loop's counter i, which has step 1. Iteration k has `offset` + end - i
- *  turns, or (is_below) `offset` + i - end, or none. */
+ * < i + c; j++)` with the loop's counter i, which has step 1. Its trip count in iteration i is
+ * `offset` + end - i, or (is_below) `offset` + i - end; if that is negative, 0. */
 typedef struct triangle {
     const ir_node *loop; /* NULL: none */
     const ir_node *end;  /* of numbers and of variables that the loop does not change */
@@ -221,12 +221,13 @@ typedef struct private_variable {
     bool is_step_wanted; /* is_stepped: its last value is used, because it is live-out */
     bool is_in_slice;    /* is_stepped: the inspector uses it */
     int64_t step;
-    const ir_node *by; /* is_stepped: its step is multiplied by this integer expression of invariant
-                        * local variables; NULL: no factor */
-    bool is_down;      /* `by` is subtracted */
-    triangle turns;    /* is_stepped: each turn of this inner loop steps it, not the iteration */
-    const ir_node *entry;       /* is_stepped: its value on entry, if the header sets it; NULL: the
-                                 * value that it has before the loop */
+    const ir_node *stride; /* is_stepped: each iteration also adds this integer expression of
+                            * invariant local variables; NULL: nothing */
+    bool is_down;          /* `stride` is subtracted */
+    triangle inner;       /* is_stepped: not each iteration of the loop, but each of this inner loop
+                           * steps it */
+    const ir_node *entry; /* is_stepped: its value on entry, if the header sets it; NULL: the
+                           * value that it has before the loop */
     bool is_declared_in_header; /* with the counter: it does not exist outside of the loop. Its type
                                  * can be spelled */
 } private_variable;
@@ -341,8 +342,8 @@ typedef struct own_element {
 
 /** An inner `for` of the slice, that counts up (LESS, LESS_EQUAL) to its bound, whose iterations
  *  only record rows, perhaps in nested spans with invariant headers. Rows that mention its stepped
- *  variables are consecutive elements of arrays, with a step of s the rows of s such elements: the
- *  first and the last iteration determine the whole range. */
+ *  variables are consecutive elements of arrays. (With a step of s an iteration has s such rows.)
+ * So the first and the last iteration determine the whole range. */
 typedef struct loop_span {
     const ir_node *loop;
     counted_loop counted;

@@ -43,7 +43,8 @@ static bool is_subscript(const ir_node *node) {
     return node->kind == IR_INDEX;
 }
 
-/* A function that is called makes it whenever it is called, once, and of this very lvalue. */
+/* Is the access made in each iteration? If a called function makes it: once in each call, and of
+ * exactly this lvalue. */
 static bool is_certain(const access *a) {
     return !a->is_conditional &&
            (!a->callee || (a->lvalue && a->is_exact && !a->is_behind && !a->loop_count));
@@ -59,13 +60,13 @@ static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     return false;
 }
 
-bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load) {
+bool base_is_in_object_read(const loop_analysis *j, const ir_node *load) {
     const ir_node *pointer = ir_any(load, is_subscript) ? NULL : dereferenced(load);
     return pointer && list_dereferences(&j->found, pointer);
 }
 
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
-    /* If another element of the array exists, this one need not. */
+    /* That the loop reads another element of the array does not prove that this one exists. */
     if (ir_any(base, is_subscript) && base->type && base->type->kind != IR_ARRAY)
         return is_read_anyway(j, base);
     const ir_node *pointer = dereferenced(base);

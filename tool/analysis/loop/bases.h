@@ -10,8 +10,9 @@
  *  optional one that may be null. For an element of an array: if that element is read anyway. */
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base);
 
-/** Is the load of a member of an object, reached only by members and pointers, of which each
- *  iteration reads another member? Then it may be made even if the program does not. */
-bool base_is_beside_what_is_read(const loop_analysis *j, const ir_node *load);
+/** Does `load` read a member of an object of which each iteration reads another member? Then it may
+ *  be made even if the program does not make it. Only for objects reached by members and pointers,
+ *  without subscripts. */
+bool base_is_in_object_read(const loop_analysis *j, const ir_node *load);
 
 #endif

@@ -19,7 +19,8 @@ typedef struct dependence {
     bool has_update; /* an update that depends on the counter */
 } dependence;
 
-/* In any form: other variables that the header sets or steps do not make it longer. */
+/* Accepts loops in any counted form: other variables that the header steps do not make them longer.
+ */
 bool candidate_is_tiny(const ir_node *loop) {
     enum { TINY = 16 };
     const counted_result counted = counted_recognise_analysed((ir_node *)loop);

@@ -9,12 +9,12 @@
 
 enum { DEEPEST = 8 }; /* definitions that are followed */
 
-typedef struct question {
+typedef struct query {
     variable_facts *facts;
     const ir_node *loop;
     const ir_node *lvalue;
     unsigned depth;
-} question;
+} query;
 
 /* The kinds of terms in an address. */
 typedef struct terms {
@@ -27,7 +27,7 @@ typedef struct terms {
     bool has_short;  /* the same, of a constant range */
 } terms;
 
-static bool is_varying(const question *q, const ir_node *node) {
+static bool is_varying(const query *q, const ir_node *node) {
     return !variation_is_invariant(q->facts, q->loop, node);
 }
 
@@ -70,7 +70,7 @@ static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
 
 /* The only value that the loop gives a local pointer, other than by steps; NULL: there is none, or
  * several. */
-static const ir_node *value_in_loop(const question *q, const ir_variable *variable) {
+static const ir_node *value_in_loop(const query *q, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(q->facts, variable);
     const ir_node *value = NULL;
     for (unsigned i = 0; i < fact->writes.count; i++) {
@@ -89,7 +89,7 @@ static const ir_node *value_in_loop(const question *q, const ir_variable *variab
 
 /* Is a pointer in the address loaded from memory, a different one in each iteration? In a table of
  * rows, row[i][j], each row counts as a separate array. */
-static bool is_by_loaded_pointer(question *q, const ir_node *lvalue) {
+static bool is_by_loaded_pointer(query *q, const ir_node *lvalue) {
     bool has_subscript;
     for (const ir_node *node = without_casts(lvalue); node;) {
         const ir_node *pointer = pointer_of(node, &has_subscript);
@@ -153,7 +153,7 @@ static const ir_node *bound_of(const ir_node *inner) {
     return condition->children[side];
 }
 
-static const ir_node *defined(const question *q, const ir_node *node) {
+static const ir_node *defined(const query *q, const ir_node *node) {
     node = without_casts(node);
     for (unsigned i = 0; i < DEEPEST && node->kind == IR_VARIABLE; i++) {
         const ir_node *value = variable_single_definition(q->facts, node->variable);
@@ -164,8 +164,8 @@ static const ir_node *defined(const question *q, const ir_node *node) {
     return node;
 }
 
-/* first[i] and first[i + 1] */
-static bool is_segment(const question *q, const ir_node *start, const ir_node *bound) {
+/* Is the range from first[i] to first[i + 1]? */
+static bool is_segment(const query *q, const ir_node *start, const ir_node *bound) {
     int64_t one;
     start = defined(q, start);
     bound = defined(q, bound);
@@ -179,7 +179,7 @@ static bool is_segment(const question *q, const ir_node *start, const ir_node *b
 }
 
 /* The inner `for` around the lvalue whose header sets and steps the variable; NULL: none. */
-static const ir_node *inner_loop_of(const question *q, const ir_variable *variable) {
+static const ir_node *inner_loop_of(const query *q, const ir_variable *variable) {
     for (const ir_node *outer = q->lvalue->parent; outer && outer != q->loop; outer = outer->parent)
         if (outer->kind == IR_FOR && start_in(outer->children[0], variable) &&
             variable_is_written_in(outer->children[2], variable))
@@ -189,7 +189,7 @@ static const ir_node *inner_loop_of(const question *q, const ir_variable *variab
 
 /* ---- terms ---------------------------------------------------------------------------------- */
 
-static void add_range(question *q, const ir_node *inner, const ir_variable *variable, terms *t) {
+static void add_range(query *q, const ir_node *inner, const ir_variable *variable, terms *t) {
     const ir_variable *counter;
     int64_t first, last;
     const ir_node *start = start_in(inner->children[0], variable);
@@ -205,7 +205,7 @@ static void add_range(question *q, const ir_node *inner, const ir_variable *vari
         t->has_long = true;
 }
 
-static void add_terms(question *q, const ir_node *node, bool is_factor, terms *t) {
+static void add_terms(query *q, const ir_node *node, bool is_factor, terms *t) {
     node = without_casts(node);
     if (!is_varying(q, node))
         return;
@@ -244,7 +244,7 @@ static void add_all(terms *to, const terms *from) {
 
 /* The terms of the address, subscript by subscript: an independent value in one of them makes rows
  * of the others. */
-static terms terms_of(question *q, const ir_node *lvalue) {
+static terms terms_of(query *q, const ir_node *lvalue) {
     terms all = {0};
     const ir_node *node = without_casts(lvalue);
     while (node && (is_load(node) || node->kind == IR_BINARY || node->kind == IR_VARIABLE)) {
@@ -281,7 +281,7 @@ static terms terms_of(question *q, const ir_node *lvalue) {
 }
 
 conflict_kind conflict_of(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
-    question q = {facts, loop, lvalue, 0};
+    query q = {facts, loop, lvalue, 0};
     assert(ir_is_loop(loop) && expression_is_lvalue(lvalue));
     if (variation_is_irregular(facts, loop, lvalue))
         return CONFLICT_SHARED;

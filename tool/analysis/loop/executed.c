@@ -9,7 +9,7 @@
 
 typedef VECTOR(counter_limit) limit_list;
 
-/* Is the comparison of counter and bound, converted as C does, one of the numbers? */
+/* Does C compare counter and bound as numbers, without a conversion that may change one of them? */
 static bool compares_numbers(const ir_type *counter, const ir_node *bound) {
     int64_t constant;
     const bool counts_signed = counter->is_signed || counter->size < 4;
@@ -35,8 +35,8 @@ static bool is_counter(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_VARIABLE && node->variable == j->counted.counter;
 }
 
-static void take_comparison(const loop_analysis *j, limit_list *list, const ir_node *condition,
-                            bool holds) {
+static void add_comparison(const loop_analysis *j, limit_list *list, const ir_node *condition,
+                           bool holds) {
     const ir_node *left = condition->children[0], *right = condition->children[1];
     const bool is_left = is_counter(j, left);
     if (!is_left && !is_counter(j, right))
@@ -49,11 +49,11 @@ static void take_comparison(const loop_analysis *j, limit_list *list, const ir_n
         VECTOR_PUSH(j->an->memory, list, limit);
 }
 
-/* The condition is known to hold, or not to. */
-static void take_condition(const loop_analysis *j, limit_list *list, const ir_node *condition,
-                           bool holds) {
+/* Adds the limits that follow if the condition holds, or if it does not. */
+static void add_condition(const loop_analysis *j, limit_list *list, const ir_node *condition,
+                          bool holds) {
     if (condition->kind == IR_UNARY && condition->op == IR_OP_NOT) {
-        take_condition(j, list, condition->children[0], !holds);
+        add_condition(j, list, condition->children[0], !holds);
     } else if (is_counter(j, condition)) {
         ir_node *zero = ir_new(j->an->memory, IR_NUMBER, condition->type, 0);
         zero->text = "0";
@@ -63,29 +63,29 @@ static void take_condition(const loop_analysis *j, limit_list *list, const ir_no
         VECTOR_PUSH(j->an->memory, list, limit);
     } else if (condition->kind == IR_BINARY) {
         if (condition->op == (holds ? IR_OP_AND : IR_OP_OR)) {
-            take_condition(j, list, condition->children[0], holds);
-            take_condition(j, list, condition->children[1], holds);
+            add_condition(j, list, condition->children[0], holds);
+            add_condition(j, list, condition->children[1], holds);
         } else if (condition->op >= IR_OP_LESS && condition->op <= IR_OP_NOT_EQUAL) {
-            take_comparison(j, list, condition, holds);
+            add_comparison(j, list, condition, holds);
         }
     }
 }
 
-/* Does control that reaches the end of this statement's text always jump to the next iteration? */
+/* Is the statement `continue`, perhaps in braces? */
 static bool is_continue(const ir_node *statement) {
     while (statement->kind == IR_BLOCK && statement->child_count == 1)
         statement = statement->children[0];
     return statement->kind == IR_CONTINUE;
 }
 
-/* `if (t == 0) continue;` above it in the same block. */
-static void take_jumps_above(const loop_analysis *j, limit_list *list, const ir_node *block,
-                             const ir_node *below) {
+/* Adds the limits by `if (t == 0) continue;` above it in the same block. */
+static void add_jumps_above(const loop_analysis *j, limit_list *list, const ir_node *block,
+                            const ir_node *below) {
     for (unsigned i = 0; i < block->child_count && block->children[i] != below; i++) {
         const ir_node *statement = block->children[i];
         if (statement->kind == IR_IF && statement->child_count == 2 &&
             is_continue(statement->children[1]))
-            take_condition(j, list, statement->children[0], false);
+            add_condition(j, list, statement->children[0], false);
     }
 }
 
@@ -99,12 +99,12 @@ unsigned executed_limits(const loop_analysis *j, const ir_node *node,
         const bool is_chosen = (parent->kind == IR_IF || parent->kind == IR_CONDITIONAL) &&
                                parent->children[0] != below;
         if (is_chosen)
-            take_condition(j, &list, parent->children[0], parent->children[1] == below);
+            add_condition(j, &list, parent->children[0], parent->children[1] == below);
         else if (parent->kind == IR_BINARY && parent->children[1] == below &&
                  (parent->op == IR_OP_AND || parent->op == IR_OP_OR))
-            take_condition(j, &list, parent->children[0], parent->op == IR_OP_AND);
+            add_condition(j, &list, parent->children[0], parent->op == IR_OP_AND);
         else if (parent->kind == IR_BLOCK)
-            take_jumps_above(j, &list, parent, below);
+            add_jumps_above(j, &list, parent, below);
         else if (parent->kind == IR_SWITCH)
             list.count = 0; /* its labels may follow any condition inside */
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Obstacles to rewriting a loop's text, or to counting its iterations, for any computation. */
+/* Reasons against rewriting a loop's text, or counting its iterations, whatever it computes. */
 #include "analysis/loop/gate.h"
 
 #include <assert.h>
@@ -52,7 +52,7 @@ static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
         return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro) : (reason){0};
     }
     uint32_t from = block->range.begin;
-    /* else a macro makes it, perhaps with other text */
+    /* without a brace here, a macro makes it, perhaps with other text */
     static const char *const braces[] = {"{", "<%", "?\?<"};
     for (unsigned i = 0; i < sizeof braces / sizeof *braces; i++)
         if (strncmp(s->text + from, braces[i], strlen(braces[i])) == 0)
@@ -150,8 +150,8 @@ reason check_text(const loop_analysis *j) {
 
 /* ---- jumps ----------------------------------------------------------------------------------- */
 
-/* The number of loops and switches inside of the analysed loop around the statement, and the number
- * of switches: a case without one belongs to a switch around the loop, which leads into it. */
+/* `loops_and_switches` and `switches` count those around the statement inside the analysed loop. A
+ * case without a switch there belongs to one around the loop, which jumps into it. */
 static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                          unsigned switches) {
     const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
@@ -197,7 +197,7 @@ static bool is_errno(const ir_node *node) {
            strcmp(node->children[0]->function->name, "__errno_location") == 0;
 }
 
-/* A caller of the function may read it as well. */
+/* Not only in the loop's function: a caller may read it as well. */
 static bool file_reads_errno(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && ir_any(unit->functions[i]->body, is_errno))
@@ -205,7 +205,7 @@ static bool file_reads_errno(const ir_unit *unit) {
     return false;
 }
 
-/* An update whose value is used; how it is used hardly matters. */
+/* Refuses an update of a shared element whose value is used, however it is used. */
 static reason check_values(const loop_analysis *j, const access_list *found) {
     for (unsigned i = 0; i < found->items.count; i++) {
         const access *a = &found->items.items[i];
@@ -265,7 +265,7 @@ static reason check_counter(const loop_analysis *j, const access_result *result)
     return (reason){0};
 }
 
-/* Obstacles that do not depend on single accesses. */
+/* Reasons that do not depend on single accesses. */
 static reason check_all(const loop_analysis *j, const access_list *found) {
     const ir_unit *unit = j->an->unit;
     reason why = check_values(j, found);

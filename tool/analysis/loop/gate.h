@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Obstacles to rewriting a loop, for any computation. */
+/** Reasons against rewriting a loop, whatever it computes. */
 #ifndef ANALYSIS_GATE_H
 #define ANALYSIS_GATE_H
 

@@ -3,7 +3,7 @@
 
 #include "analysis/base/loop_loads.h"
 
-/* The first variable of the path: changed by its name only, and not in the loop. */
+/* Is the variable through which it is loaded unchanged in the loop? */
 static bool begins_fixed(const analyser *an, const ir_node *loop, const loop_loads *loads,
                          const loop_load *load) {
     return loop_loads_has(loads, load->through) ||

@@ -113,7 +113,7 @@ bool analysis_header_declares(const loop_analysis *j, const ir_variable *variabl
     return start && start->is_declared && variable->type->spelling;
 }
 
-bool analysis_leaves(const loop_analysis *j, const ir_node *node) {
+bool analysis_is_unchanged(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
            !node->variable->address_taken && !node->type->is_volatile &&
            node->variable != j->counted.counter &&
@@ -121,7 +121,7 @@ bool analysis_leaves(const loop_analysis *j, const ir_node *node) {
 }
 
 bool analysis_is_fixed(const loop_analysis *j, const ir_node *node) {
-    return node->kind == IR_NUMBER || analysis_leaves(j, node);
+    return node->kind == IR_NUMBER || analysis_is_unchanged(j, node);
 }
 
 bool analysis_is_update(const loop_analysis *j, const ir_node *statement) {
@@ -141,8 +141,8 @@ const char *analysis_name(const loop_analysis *j, const ir_node *lvalue) {
     return root ? root->name : expression_text(j->an->memory, lvalue);
 }
 
-/* The steps from a base to its elements: b[i], *(b + i), (*b).x. */
-static bool leads_on(const ir_node *parent, const ir_node *node) {
+/* Is `parent` a step from a base to its elements: b[i], *(b + i), (*b).x? */
+static bool is_step_to_element(const ir_node *parent, const ir_node *node) {
     const bool is_left = parent->child_count > 0 && parent->children[0] == node;
     const bool is_pointer = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;
     if (parent->kind == IR_BINARY)
@@ -158,7 +158,7 @@ bool has_address_as_value(const ir_node *node, const ir_node *base) {
     if (!ir_is_expression(node) || !node->type || !expression_same(node, base))
         return false;
     while (node->parent && ir_is_expression(node->parent) && node->parent->type &&
-           leads_on(node->parent, node))
+           is_step_to_element(node->parent, node))
         node = node->parent;
     const ir_node *user = node->parent;
     const bool is_taken = user->kind == IR_UNARY && user->op == IR_OP_ADDRESS;

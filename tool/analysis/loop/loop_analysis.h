@@ -21,7 +21,7 @@ typedef struct analyser {
     unit_text *text;
     const user_pragmas *pragmas;
     const openmp_loop *openmp; /* of the loop that it is for */
-    bool keeps_own; /* elements of an iteration's own may be stored to after all iterations */
+    bool keeps_own;            /* variables may replace own elements (own.h) */
 } analyser;
 
 /** The classification of an access of the loop. */
@@ -32,7 +32,7 @@ typedef enum access_class {
     CLASS_SELF,      /* a read, in an update's statement, of the updated element; all accesses to a
                       * scalar that the loop accumulates into */
     CLASS_FORWARDED, /* a read of a value that the iteration has stored: it is forwarded */
-    CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
+    CLASS_SHARED     /* a read of memory that other iterations may read, too */
 } access_class;
 
 typedef struct loop_access {
@@ -43,10 +43,10 @@ typedef struct loop_access {
     reduction_operator op; /* CLASS_REDUCTION */
     bool needs_guard;      /* CLASS_SHARED: may overlap an array, according to the analysis; or
                             * is_scalar */
-    bool is_scalar;        /* CLASS_SELF: an update of a scalar that is_guarded; or the first read
-                            * of an own element that is */
-    bool meets_scalars;    /* CLASS_SHARED: may be one of these */
-    bool meets_arrays;     /* CLASS_SHARED: may overlap an array; else needs_guard for a scalar */
+    bool is_scalar;     /* CLASS_SELF: an update of a scalar whose is_guarded is set; or the first
+                         * read of an own element whose is_guarded is set */
+    bool meets_scalars; /* CLASS_SHARED: may overlap one of these */
+    bool meets_arrays;  /* CLASS_SHARED: may overlap an array; else needs_guard for a scalar */
 } loop_access;
 
 typedef struct loop_array {
@@ -73,8 +73,8 @@ typedef struct left_out {
 } left_out;
 
 /** Facts about the analysed loop. A check gets it as const, with the results of earlier checks, and
- *  returns its own result: with a `why` other than REASON_NONE if it found an obstacle, the rest
- *  then being invalid. verdict.c combines the results. A check that adds facts in several steps
+ *  returns its own result. If the result's `why` is not REASON_NONE, the rest of it is invalid.
+ * verdict.c combines the results. A check that adds facts in several steps
  *  works on a copy. */
 typedef struct loop_analysis {
     const analyser *an;
@@ -117,20 +117,21 @@ reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *nod
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name);
 
 /** Does anything below `node` use an address in the array with this base as a value, as in `h == p`
- *  or `&h[i] - q`? A function that gets it is analysed by its accesses. */
+ *  or `&h[i] - q`? Passing it to a function does not count: the function's accesses are analysed.
+ */
 bool has_address_as_value(const ir_node *node, const ir_node *base);
 
 /** Does the loop's text declare the variable? */
 bool analysis_declares(const loop_analysis *j, const ir_variable *variable);
 
-/** Variables other than the counter that the header sets: the variable's entry; NULL: none. */
+/** The entry of a variable, other than the counter, that the header sets; NULL: it does not. */
 const loop_start *analysis_start_of(const loop_analysis *j, const ir_variable *variable);
 /** Is it declared in the header, with a type with which a copy can be declared elsewhere? */
 bool analysis_header_declares(const loop_analysis *j, const ir_variable *variable);
 
-/** A local variable that changes only by its name, and is loop-invariant. */
-bool analysis_leaves(const loop_analysis *j, const ir_node *node);
-/** A number, or such a variable. */
+/** Is it a local variable that changes only by its name, and not in the loop? */
+bool analysis_is_unchanged(const loop_analysis *j, const ir_node *node);
+/** Is it a number, or such a variable? */
 bool analysis_is_fixed(const loop_analysis *j, const ir_node *node);
 
 /** Is this statement one of the updates found? */

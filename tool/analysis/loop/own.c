@@ -19,7 +19,7 @@
 
 enum { MOST_OWN = 16 };
 
-/* ---- what such an element looks like --------------------------------------------------------- */
+/* ---- its form -------------------------------------------------------------------------------- */
 
 /* The counter, possibly cast to a type that is at least as wide, plus or minus invariants:
  * different iterations have different values, even if sums wrap around. */
@@ -41,7 +41,7 @@ static bool is_array(const loop_analysis *j, const ir_node *base) {
     return base->kind == IR_VARIABLE && base->variable->storage != IR_THREAD_LOCAL &&
            (base->type->kind == IR_ARRAY
                 ? base->type->count > 0 && !ir_declarator_in(j->loop, base->variable)
-                : base->type->kind == IR_POINTER && analysis_leaves(j, base));
+                : base->type->kind == IR_POINTER && analysis_is_unchanged(j, base));
 }
 
 /* An element of an inner array that certainly exists: its subscript is constant and in range. */
@@ -107,7 +107,7 @@ static first_use first_use_of(const loop_analysis *j, const ir_node *element) {
                                                                     : FIRST_UNKNOWN;
 }
 
-/* Is each store to the element a statement by itself? */
+/* Is each store to the element a separate statement? */
 static bool stores_alone(const loop_analysis *j, const ir_node *element) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -122,18 +122,18 @@ static bool stores_alone(const loop_analysis *j, const ir_node *element) {
     return true;
 }
 
-/* Is its address taken, or may it be named without being read? */
-static bool has_other_use(const ir_node *node, const ir_node *element) {
+/* Is its address taken? */
+static bool takes_its_address(const ir_node *node, const ir_node *element) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
         expression_same(node->children[0], element))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (has_other_use(node->children[i], element))
+        if (takes_its_address(node->children[i], element))
             return true;
     return false;
 }
 
-/* An element behind a pointer, or in an object, with its own type. */
+/* The element's location, with its type as that of the access. */
 static location location_of_element(const loop_analysis *j, const ir_node *element) {
     location where = location_of(j->an->facts, element, j->loop);
     where.type = element->type;
@@ -151,8 +151,8 @@ static bool is_other_part(const loop_analysis *j, const loop_access *other,
 }
 
 /* May the other access touch the element that belongs to another iteration? */
-static overlap meets(const loop_analysis *j, const loop_access *other, const ir_node *element,
-                     const location *where, first_use first) {
+static overlap overlap_between(const loop_analysis *j, const loop_access *other,
+                               const ir_node *element, const location *where, first_use first) {
     if (!other->access.lvalue)
         return other->access.kind == ACCESS_READ ? OVERLAP_MAYBE : OVERLAP_SAME;
     if (is_other_part(j, other, element))
@@ -168,13 +168,13 @@ static bool may_be_own(const loop_analysis *j, const ir_node *element, own_eleme
     *item = (own_element){.element = element, .is_stored_first = first == FIRST_STORED};
     if (!has_type(element->type) || where.is_inexact || where.is_punned || where.has_union ||
         where.has_bit_field || !where.base || first == FIRST_UNKNOWN || !stores_alone(j, element) ||
-        has_other_use(j->loop, element))
+        takes_its_address(j->loop, element))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
         if (is_of(other, element))
             continue;
-        const overlap found = meets(j, other, element, &where, first);
+        const overlap found = overlap_between(j, other, element, &where, first);
         if (found == OVERLAP_SAME)
             return false;
         item->is_guarded |= found == OVERLAP_MAYBE &&
@@ -184,7 +184,7 @@ static bool may_be_own(const loop_analysis *j, const ir_node *element, own_eleme
     return true;
 }
 
-/* ---- the loop's ------------------------------------------------------------------------------ */
+/* ---- all of the loop ------------------------------------------------------------------------- */
 
 int own_named(const loop_analysis *j, const ir_node *node) {
     for (unsigned i = 0; i < j->own.count; i++)

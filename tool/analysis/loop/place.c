@@ -13,7 +13,7 @@ bool slice_is_safe_anywhere(const ir_node *row) {
     return !expression_has_load(row, true) && !expression_has_hazard(row);
 }
 
-/* Is this load made in each iteration under any conditions, with the same address? */
+/* Does each iteration also make an equal load elsewhere, under no condition? */
 static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
@@ -24,7 +24,7 @@ static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     return false;
 }
 
-/* Nothing in it changes during an iteration. */
+/* Do all variables in it have one value throughout an iteration? */
 static bool is_steady(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_VARIABLE && node->variable != j->counted.counter &&
         variable_written_in(j->an->facts, j->loop, node->variable))
@@ -44,8 +44,7 @@ bool slice_is_safe_here(const loop_analysis *j, const ir_node *node, bool as_add
     bool is_array = node->type && node->type->kind == IR_ARRAY;
     if (!as_address && !is_array && node->kind != IR_VARIABLE && expression_is_lvalue(node) &&
         expression_has_load(node, false))
-        return is_steady(j, node) &&
-               (is_made_anyway(j, node) || base_is_beside_what_is_read(j, node));
+        return is_steady(j, node) && (is_made_anyway(j, node) || base_is_in_object_read(j, node));
     if (expression_is_hazard(node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++) {

@@ -28,8 +28,8 @@
 
 static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span);
 
-/* Are the rows of the inner loop independent of the outer one's stepped variables? */
-static bool stays_in(const loop_span *outer, const loop_span *inner) {
+/* Is the inner loop's header independent of the outer one's stepped variables? */
+static bool has_independent_header(const loop_span *outer, const loop_span *inner) {
     for (unsigned i = 0; i < 3; i++)
         if (span_mentions(outer, inner->loop->children[i]) > 0)
             return false;
@@ -72,23 +72,23 @@ static bool is_idle(const loop_analysis *j, const ir_node *loop) {
 }
 
 /* Does the slice have only spans, and no jumps, below the node? */
-static bool is_left_out(const loop_analysis *j, const loop_span *span, ir_node *node) {
+static bool has_only_spans(const loop_analysis *j, const loop_span *span, ir_node *node) {
     loop_span inner;
     const bool holds = j->slice.holds[node->id];
     if (holds && node->kind == IR_FOR && is_idle(j, node))
-        return is_left_out(j, span, node->children[3]);
+        return has_only_spans(j, span, node->children[3]);
     if (holds && node->kind == IR_FOR)
-        return is_span(j, node, &inner) && stays_in(span, &inner);
+        return is_span(j, node, &inner) && has_independent_header(span, &inner);
     if ((holds && node->kind != IR_BLOCK) || node->kind == IR_BREAK)
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_left_out(j, span, node->children[i]))
+        if (!has_only_spans(j, span, node->children[i]))
             return false;
     return true;
 }
 
-static bool tells_row(const loop_analysis *j, const loop_span *span, const ir_node *place,
-                      const ir_node *row) {
+static bool records_row(const loop_analysis *j, const loop_span *span, const ir_node *place,
+                        const ir_node *row) {
     return span_is_recorded(span, row) &&
            (span_mentions(span, row) == 0 || !is_stepped_below(j, span, place, row));
 }
@@ -99,8 +99,8 @@ static bool is_another(const ir_node *row, const ir_node *other) {
            !syntax_same(row->children[1], other->children[1]);
 }
 
-/* Do consecutive iterations leave out no row? Rows in between may be updated by other iterations of
- * the analysed loop. */
+/* Do consecutive iterations of the span access all rows? Other iterations of the analysed loop
+ * might update rows in between. */
 static bool has_all_rows(const loop_analysis *j, const loop_span *span, const ir_node *row,
                          bool is_update) {
     int64_t count = 1;
@@ -119,7 +119,7 @@ static bool has_all_rows(const loop_analysis *j, const loop_span *span, const ir
     return count >= span->counted.step;
 }
 
-static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
+static bool records_only_spans(const loop_analysis *j, const loop_span *span) {
     const ir_node *body = span->counted.body;
     unsigned count = 0;
     for (unsigned i = 0; i < j->updates.count; i++) {
@@ -127,7 +127,7 @@ static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
         if (!ir_contains(body, update->statement))
             continue;
         count++;
-        if (!tells_row(j, span, update->statement, update->row) ||
+        if (!records_row(j, span, update->statement, update->row) ||
             !has_all_rows(j, span, update->row, true))
             return false;
     }
@@ -136,7 +136,7 @@ static bool tells_spans_only(const loop_analysis *j, const loop_span *span) {
         if (read->extent != EXTENT_TOUCHED || !read->place || !ir_contains(body, read->place))
             continue;
         count++;
-        if (read->loop_count || !tells_row(j, span, read->place, read->row) ||
+        if (read->loop_count || !records_row(j, span, read->place, read->row) ||
             !has_all_rows(j, span, read->row, false))
             return false;
     }
@@ -155,8 +155,8 @@ static bool is_in_loop(const loop_analysis *j, const ir_node *node) {
     return node->id > j->loop->id && node->id <= expression_last_id(j->loop);
 }
 
-/* Does a statement of the slice, other than this loop's header, use its value, or a recorded row?
- */
+/* Is the variable's value used by a statement of the slice other than the span's increment, or by a
+ * recorded row? */
 static bool is_read_in_slice(const loop_analysis *j, const loop_span *span,
                              const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
@@ -190,7 +190,7 @@ static bool may_leave_steps_out(const loop_analysis *j, const loop_span *span) {
 
 static bool is_span(const loop_analysis *j, ir_node *node, loop_span *span) {
     return node->kind == IR_FOR && j->slice.holds[node->id] && span_recognise(node, span) &&
-           is_left_out(j, span, (ir_node *)span->counted.body) && tells_spans_only(j, span) &&
+           has_only_spans(j, span, (ir_node *)span->counted.body) && records_only_spans(j, span) &&
            may_leave_steps_out(j, span);
 }
 

@@ -6,7 +6,8 @@
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 
-/* A counter of a called function, in its access in the caller's terms (access.loops). */
+/* Is it a counter of a called function? It occurs in that function's accesses in the caller's terms
+ * (access.loops). */
 static bool is_of_callee(variable_facts *facts, const ir_node *loop, const ir_variable *variable) {
     const ir_node *outer = variable_fact_of(facts, variable)->declarator;
     while (loop->parent)

@@ -18,8 +18,8 @@ typedef struct affine_form {
     int64_t multiple;
 } affine_form;
 
-/** In the loop's own counter alone; looks through no definitions. The number is affine: C's value
- *  equals it only if no operation wraps around (exact.h). */
+/** The expression as an affine form of the loop's own counter; looks through no definitions. The
+ *  mathematical value is affine: C's equals it only if no operation wraps around (exact.h). */
 affine_form variation_affine(variable_facts *facts, const ir_node *loop, const ir_variable *counter,
                              const ir_node *expression);
 

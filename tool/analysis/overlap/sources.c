@@ -48,7 +48,8 @@ static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     }
 }
 
-/* A pointer read from memory at a changing address: the row then jumps. */
+/* Does the row depend on a pointer read from memory at a changing address? Then it is not monotonic
+ * in the counter. */
 static bool has_moving_load(const loop_analysis *j, const ir_node *row) {
     for (unsigned i = 0; i < row->child_count; i++) {
         const ir_node *child = row->children[i];
@@ -164,7 +165,7 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
            !may_fall_below(&address, counter);
 }
 
-/* The range of the row is known before the inspection. */
+/* Plans a row whose range is known before the inspection; false: it is not. */
 static bool plan_known(const loop_analysis *j, const loop_access *read, bool can_be_recorded,
                        source_plan *plan) {
     row_address address;
@@ -205,7 +206,7 @@ static bool is_repeated(const loop_analysis *j, const loop_source *item) {
     return is_same;
 }
 
-/* The inspector records the row's address. */
+/* Plans a row whose address the inspector records. */
 static source_plan plan_touched(const loop_analysis *j, const loop_access *read, loop_source item,
                                 bool of_contents) {
     const ir_node *node = read->access.node;
@@ -222,8 +223,8 @@ static source_plan plan_touched(const loop_analysis *j, const loop_access *read,
     return (source_plan){is_safe && slice_can_record(j, &item, node, place), item};
 }
 
-/* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read only the
- * first ones. The object may end there. */
+/* Is it *(T (*)[n])p: n elements behind a pointer (callee_terms.c), of which some executions read
+ * only the first ones? The object may end after these. */
 static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;

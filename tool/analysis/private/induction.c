@@ -3,8 +3,8 @@
  * v = v0 + c (t - t0): if every iteration adds the same c to v, exactly once in any case, each
  * iteration can begin with a copy that has the sequential loop's value there, and execute its text
  * unchanged. The sum is computed modulo 2^64 and converted to v's type: the sequential loop has the
- * same value unless it overflows. If it is each turn of an inner loop that adds c, the same holds
- * with the number of turns in the iterations before t (triangle.h).
+ * same value unless it overflows. If each iteration of an inner loop adds c, the same holds with
+ * the number of inner iterations before t (triangle.h).
  */
 #include "analysis/private/induction.h"
 
@@ -39,14 +39,15 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
             !(declarator && ir_contains(j->loop, declarator)));
 }
 
-/* All steps of a variable must be made by the iterations, or all by the turns of one loop. */
-static bool is_step_of_turns(const loop_analysis *j, const ir_node *write, bool is_first,
+/* All steps of a variable must be made by the loop's iterations, or all by those of one inner loop.
+ */
+static bool is_step_of_inner(const loop_analysis *j, const ir_node *write, bool is_first,
                              private_variable *item) {
-    triangle turns;
-    if (!triangle_around(j, write, &turns) || item->variable->type->kind == IR_POINTER ||
-        (!is_first && item->turns.loop != turns.loop))
+    triangle inner;
+    if (!triangle_around(j, write, &inner) || item->variable->type->kind == IR_POINTER ||
+        (!is_first && item->inner.loop != inner.loop))
         return false;
-    item->turns = turns;
+    item->inner = inner;
     return true;
 }
 
@@ -63,14 +64,14 @@ static bool sum_steps(const loop_analysis *j, const ir_variable *variable, priva
         int64_t step;
         if (!ir_contains(j->loop, write) || (start && write == start->node))
             continue;
-        if (is_executed_once(j, write) ? item->turns.loop != NULL
-                                       : !is_step_of_turns(j, write, is_first, item))
+        if (is_executed_once(j, write) ? item->inner.loop != NULL
+                                       : !is_step_of_inner(j, write, is_first, item))
             return false;
         is_first = false;
         if (counted_step(write, &stepped, &step) && stepped == variable)
             sum += step;
-        else if (item->turns.loop || item->by ||
-                 !(item->by = stride_added(j->loop, write, variable, &item->is_down)))
+        else if (item->inner.loop || item->stride ||
+                 !(item->stride = stride_added(j->loop, write, variable, &item->is_down)))
             return false;
     }
     item->step = sum;
@@ -105,7 +106,7 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
 }
 
 /* Is the variable's value at the end of an iteration unused? */
-static bool is_left_behind(const loop_analysis *j, const ir_variable *variable) {
+static bool is_unused_at_end(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     private_variable item = {.variable = (ir_variable *)variable};
     return variable == j->counted.counter || (declarator && ir_contains(j->loop, declarator)) ||
@@ -124,7 +125,7 @@ bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, co
             return false;
     }
     return variable_is_automatic(variable) && variable->function == j->function &&
-           !variable->address_taken && !variable->has_other_name && is_left_behind(j, variable);
+           !variable->address_taken && !variable->has_other_name && is_unused_at_end(j, variable);
 }
 
 static bool take_steps(loop_analysis *j, const ir_node *part) {
@@ -138,8 +139,8 @@ static bool take_steps(loop_analysis *j, const ir_node *part) {
     return true;
 }
 
-/* May the initialisation also be made before the loop, when the original repeats it? The verdict on
- * the variable is made at its write in the loop. */
+/* May the initialisation be made before the loop even if the original loop, which runs if a guard
+ * fails, repeats it? Whether the variable is private is decided at its write in the loop. */
 static bool is_start_of_own(const loop_analysis *j, const loop_start *start) {
     const ir_variable *v = start->variable;
     return variable_is_automatic(v) && v->function == j->function && !v->address_taken &&

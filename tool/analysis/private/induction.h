@@ -8,12 +8,12 @@
 
 /** Does each iteration step the variable by one constant: only by `v++`, `v += c` and the like,
  *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
- *  its value at the beginning of an iteration; false: not, and nothing is changed. */
+ *  its value at the beginning of an iteration. False: nothing is changed. */
 bool induction_take(loop_analysis *own, const ir_variable *variable);
 
-/** Is the step, `v++` within `statement`, executed once in each iteration, and v, which changes
- *  only by name, unused from the statement on in the rest of it? Then the iteration may omit the
- *  statement. */
+/** Is the step, `v++` within `statement`, executed once in each iteration, and is v, which changes
+ *  only by name, not used otherwise in the statement or later in the iteration? Then the iteration
+ *  may omit the statement. */
 bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step);
 
 typedef struct step_result {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Backward liveness of one variable, computed forward: the possible first uses of it on the paths
- * from the end of the loop. Structured control only; a label anywhere in the function makes every
+ * Liveness of one variable after a loop: the possible first uses of it on the paths from the end of
+ * the loop. Structured control only; a label anywhere in the function makes every
  * other occurrence count. So does a compiled OpenMP directive: its clauses read variables and
  * privatise them, which the tree does not show.
  */
@@ -14,43 +14,43 @@
 
 /* Paths of control through a piece of the program up to the first use of the variable. A path that
  * first writes all of it, or ends the function, does not count. */
-typedef enum way {
-    WAY_READS = 1,    /* reads it first */
-    WAY_PASSES = 2,   /* reaches the following code without a use */
-    WAY_BREAKS = 4,   /* the same: reaches a break out of the piece */
-    WAY_CONTINUES = 8 /* the same: reaches a continue */
-} way;
-typedef unsigned ways; /* of enum way */
+typedef enum path {
+    PATH_READS = 1,    /* reads it first */
+    PATH_PASSES = 2,   /* reaches the following code without a use */
+    PATH_BREAKS = 4,   /* the same: reaches a break out of the piece */
+    PATH_CONTINUES = 8 /* the same: reaches a continue */
+} path;
+typedef unsigned paths; /* of enum path */
 
 typedef struct search {
     const ir_variable *variable;
     const ir_node *loop; /* the analysed one: its body reads no earlier value */
 } search;
 
-static ways ways_of(const search *s, const ir_node *node);
+static paths paths_of(const search *s, const ir_node *node);
 
-static ways then(ways first, ways second) {
-    return first & WAY_PASSES ? (first & ~(ways)WAY_PASSES) | second : first;
+static paths then(paths first, paths second) {
+    return first & PATH_PASSES ? (first & ~(paths)PATH_PASSES) | second : first;
 }
 
-/* The paths after such jumps. */
-static ways landed(ways all, ways jumps) {
-    return all & jumps ? (all & ~jumps) | WAY_PASSES : all;
+/* Paths that end in these jumps continue after the piece. */
+static paths landed(paths all, paths jumps) {
+    return all & jumps ? (all & ~jumps) | PATH_PASSES : all;
 }
 
-static ways jumps_in(const ir_node *node) {
-    ways jumps = node->kind == IR_BREAK      ? WAY_BREAKS
-                 : node->kind == IR_CONTINUE ? WAY_CONTINUES
-                                             : 0;
+static paths jumps_in(const ir_node *node) {
+    paths jumps = node->kind == IR_BREAK      ? PATH_BREAKS
+                  : node->kind == IR_CONTINUE ? PATH_CONTINUES
+                                              : 0;
     for (unsigned i = 0; i < node->child_count; i++)
         jumps |= jumps_in(node->children[i]);
     return jumps;
 }
 
 /* Paths through code that is executed in an unknown order, if at all. */
-static ways any_ways(const search *s, const ir_node *node) {
-    return WAY_PASSES | jumps_in(node) |
-           (expression_mentions(node, s->variable) ? (ways)WAY_READS : 0);
+static paths any_paths(const search *s, const ir_node *node) {
+    return PATH_PASSES | jumps_in(node) |
+           (expression_mentions(node, s->variable) ? (paths)PATH_READS : 0);
 }
 
 /* Does it contain a case of an enclosing switch? */
@@ -64,113 +64,114 @@ static bool holds_case(const ir_node *node) {
 }
 
 /* Statements one after another; a switch may enter at its cases. */
-static ways ways_in_order(const search *s, const ir_node *node) {
-    ways all = WAY_PASSES;
+static paths paths_in_order(const search *s, const ir_node *node) {
+    paths all = PATH_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
-        all = then(holds_case(child) ? all | WAY_PASSES : all, ways_of(s, child));
+        all = then(holds_case(child) ? all | PATH_PASSES : all, paths_of(s, child));
     }
     return all;
 }
 
 /* Operands and initialisers, in any order. */
-static ways ways_in_any_order(const search *s, const ir_node *node) {
-    ways all = WAY_PASSES;
+static paths paths_in_any_order(const search *s, const ir_node *node) {
+    paths all = PATH_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
-        const ways one = ways_of(s, node->children[i]);
-        all = one & all & WAY_PASSES ? all | one : (all | one) & ~(ways)WAY_PASSES;
+        const paths one = paths_of(s, node->children[i]);
+        all = one & all & PATH_PASSES ? all | one : (all | one) & ~(paths)PATH_PASSES;
     }
     return all;
 }
 
-static ways ways_of_assignment(const search *s, const ir_node *node) {
+static paths paths_of_assignment(const search *s, const ir_node *node) {
     const ir_node *target = node->children[0];
     const bool is_whole =
         node->op == IR_OP_NONE && target->kind == IR_VARIABLE && target->variable == s->variable;
-    return is_whole ? then(ways_of(s, node->children[1]), 0) : ways_in_any_order(s, node);
+    return is_whole ? then(paths_of(s, node->children[1]), 0) : paths_in_any_order(s, node);
 }
 
-static ways ways_of_choice(const search *s, const ir_node *node) {
-    const ways last = node->child_count > 2 ? ways_of(s, node->children[2]) : WAY_PASSES;
-    return then(ways_of(s, node->children[0]), ways_of(s, node->children[1]) | last);
+static paths paths_of_choice(const search *s, const ir_node *node) {
+    const paths last = node->child_count > 2 ? paths_of(s, node->children[2]) : PATH_PASSES;
+    return then(paths_of(s, node->children[0]), paths_of(s, node->children[1]) | last);
 }
 
 /* ---- loops --------------------------------------------------------------------------------- */
 
 /* From the end of the body until the loop ends or the body begins again. */
-static ways ways_of_step(const search *s, const ir_node *loop) {
+static paths paths_of_step(const search *s, const ir_node *loop) {
     if (loop->kind == IR_FOR)
-        return then(ways_of(s, loop->children[2]), ways_of(s, loop->children[1]));
-    return ways_of(s, loop->children[loop->kind == IR_WHILE ? 0 : 1]);
+        return then(paths_of(s, loop->children[2]), paths_of(s, loop->children[1]));
+    return paths_of(s, loop->children[loop->kind == IR_WHILE ? 0 : 1]);
 }
 
 /* From a point in the body until the loop ends; `all`: the paths from there to the body's end. */
-static ways ways_out(const search *s, const ir_node *loop, ways all) {
-    const ways step = ways_of_step(s, loop);
-    all = then(landed(all, WAY_CONTINUES), step);
-    if (all & WAY_PASSES)
-        all |= then(landed(ways_of(s, ir_loop_body(loop)), WAY_CONTINUES), step);
-    return landed(all, WAY_BREAKS);
+static paths paths_out(const search *s, const ir_node *loop, paths all) {
+    const paths step = paths_of_step(s, loop);
+    all = then(landed(all, PATH_CONTINUES), step);
+    if (all & PATH_PASSES)
+        all |= then(landed(paths_of(s, ir_loop_body(loop)), PATH_CONTINUES), step);
+    return landed(all, PATH_BREAKS);
 }
 
-static ways ways_of_loop(const search *s, const ir_node *loop) {
+static paths paths_of_loop(const search *s, const ir_node *loop) {
     if (loop->kind == IR_DO)
-        return ways_out(s, loop, ways_of(s, ir_loop_body(loop)));
-    const ways head = loop->kind == IR_FOR
-                          ? then(ways_of(s, loop->children[0]), ways_of(s, loop->children[1]))
-                          : ways_of(s, loop->children[0]);
+        return paths_out(s, loop, paths_of(s, ir_loop_body(loop)));
+    const paths head = loop->kind == IR_FOR
+                           ? then(paths_of(s, loop->children[0]), paths_of(s, loop->children[1]))
+                           : paths_of(s, loop->children[0]);
     if (loop == s->loop && loop->kind == IR_FOR)
         return head;
-    return then(head, WAY_PASSES | ways_out(s, loop, ways_of(s, ir_loop_body(loop))));
+    return then(head, PATH_PASSES | paths_out(s, loop, paths_of(s, ir_loop_body(loop))));
 }
 
-static ways ways_of_switch(const search *s, const ir_node *node) {
-    return then(ways_of(s, node->children[0]),
-                WAY_PASSES | landed(ways_of(s, node->children[1]), WAY_BREAKS));
+static paths paths_of_switch(const search *s, const ir_node *node) {
+    return then(paths_of(s, node->children[0]),
+                PATH_PASSES | landed(paths_of(s, node->children[1]), PATH_BREAKS));
 }
 
 /* ---- all kinds ----------------------------------------------------------------------------- */
 
-static ways ways_of_statement(const search *s, const ir_node *node) {
+static paths paths_of_statement(const search *s, const ir_node *node) {
     switch (node->kind) {
     case IR_IF:
-        return holds_case(node) ? any_ways(s, node) : ways_of_choice(s, node);
+        return holds_case(node) ? any_paths(s, node) : paths_of_choice(s, node);
     case IR_FOR:
     case IR_WHILE:
     case IR_DO:
-        return holds_case(node) ? any_ways(s, node) : ways_of_loop(s, node);
+        return holds_case(node) ? any_paths(s, node) : paths_of_loop(s, node);
     case IR_SWITCH:
-        return ways_of_switch(s, node);
+        return paths_of_switch(s, node);
     case IR_BREAK:
-        return WAY_BREAKS;
+        return PATH_BREAKS;
     case IR_CONTINUE:
-        return WAY_CONTINUES;
+        return PATH_CONTINUES;
     case IR_RETURN:
-        return then(ways_in_order(s, node), 0);
+        return then(paths_in_order(s, node), 0);
     default:
-        return ways_in_order(s, node);
+        return paths_in_order(s, node);
     }
 }
 
-static ways ways_of(const search *s, const ir_node *node) {
+static paths paths_of(const search *s, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
-        return node->variable == s->variable ? WAY_READS : WAY_PASSES;
+        return node->variable == s->variable ? PATH_READS : PATH_PASSES;
     case IR_DECLARATOR:
-        return then(ways_in_order(s, node),
-                    node->variable == s->variable && node->child_count ? 0 : WAY_PASSES);
+        return then(paths_in_order(s, node),
+                    node->variable == s->variable && node->child_count ? 0 : PATH_PASSES);
     case IR_ASSIGN:
-        return ways_of_assignment(s, node);
+        return paths_of_assignment(s, node);
     case IR_CONDITIONAL:
-        return ways_of_choice(s, node);
+        return paths_of_choice(s, node);
     case IR_BINARY:
         if (node->op == IR_OP_AND || node->op == IR_OP_OR)
-            return then(ways_of(s, node->children[0]), WAY_PASSES | ways_of(s, node->children[1]));
-        return node->op == IR_OP_COMMA ? ways_in_order(s, node) : ways_in_any_order(s, node);
+            return then(paths_of(s, node->children[0]),
+                        PATH_PASSES | paths_of(s, node->children[1]));
+        return node->op == IR_OP_COMMA ? paths_in_order(s, node) : paths_in_any_order(s, node);
     case IR_OPAQUE:
-        return any_ways(s, node);
+        return any_paths(s, node);
     default:
-        return node->kind < IR_BLOCK ? ways_in_any_order(s, node) : ways_of_statement(s, node);
+        return node->kind < IR_BLOCK ? paths_in_any_order(s, node) : paths_of_statement(s, node);
     }
 }
 
@@ -190,18 +191,18 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
 }
 
 /* The paths from the end of `node` to the end of its enclosing statement. */
-static ways ways_behind(const search *s, const ir_node *node, ways all) {
+static paths paths_after(const search *s, const ir_node *node, paths all) {
     const ir_node *parent = node->parent;
     if (ir_is_loop(parent) && node == ir_loop_body(parent))
-        return ways_out(s, parent, all);
+        return paths_out(s, parent, all);
     const bool is_in_order = parent->kind == IR_BLOCK || parent->kind == IR_DECLARATION;
     const bool is_chosen = parent->kind == IR_IF || parent->kind == IR_SWITCH;
     if (is_chosen && node != parent->children[0])
-        return parent->kind == IR_SWITCH ? landed(all, WAY_BREAKS) : all;
+        return parent->kind == IR_SWITCH ? landed(all, PATH_BREAKS) : all;
     for (unsigned i = 0; i < parent->child_count; i++) {
         const ir_node *child = parent->children[i];
         if (is_in_order ? child->id > node->id : child != node)
-            all = then(all, is_in_order ? ways_of(s, child) : any_ways(s, child));
+            all = then(all, is_in_order ? paths_of(s, child) : any_paths(s, child));
     }
     return all;
 }
@@ -217,15 +218,15 @@ bool variable_is_live_after(variable_facts *facts, const openmp_loop *openmp, co
                                 !function_has_ignored_openmp(unit, variable->function)))
         return true;
     /* The loop itself may be reached again, by a jump or in a loop around it. */
-    if (!occurs_elsewhere(facts, loop, variable) && !(ways_of(&s, loop) & WAY_READS))
+    if (!occurs_elsewhere(facts, loop, variable) && !(paths_of(&s, loop) & PATH_READS))
         return false;
     const ir_node *body = loop;
     while (body->parent)
         body = body->parent;
     if (ir_any(body, is_label))
         return true;
-    ways all = WAY_PASSES;
-    for (const ir_node *node = loop; node->parent && !(all & WAY_READS); node = node->parent)
-        all = ways_behind(&s, node, all);
-    return all & WAY_READS;
+    paths all = PATH_PASSES;
+    for (const ir_node *node = loop; node->parent && !(all & PATH_READS); node = node->parent)
+        all = paths_after(&s, node, all);
+    return all & PATH_READS;
 }

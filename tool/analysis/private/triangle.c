@@ -6,7 +6,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/executed.h"
 
-static bool may_leave_turns(const ir_node *body) {
+static bool may_skip_iterations(const ir_node *body) {
     return ir_has_kind(body, IR_BREAK) || ir_has_kind(body, IR_CONTINUE) ||
            ir_has_kind(body, IR_RETURN) || ir_has_kind(body, IR_GOTO) ||
            ir_has_kind(body, IR_LABEL) || ir_has_kind(body, IR_OPAQUE) ||
@@ -42,7 +42,7 @@ static bool is_plain_end(const ir_node *end, const ir_type *counter, bool is_fir
            (end->type->size == counter->size || (counter->is_signed && !is_first));
 }
 
-/* Both counters have one type, so that both count the same numbers. */
+/* Both counters must have one type, so that both count the same numbers. */
 static bool recognise(const loop_analysis *j, ir_node *loop, triangle *it) {
     const ir_variable *row = j->counted.counter;
     const counted_result result = counted_recognise_with_others(loop);
@@ -73,5 +73,5 @@ bool triangle_around(const loop_analysis *j, const ir_node *node, triangle *it) 
            ir_contains(outer->body, loop) && executed_in_each(j, loop) &&
            (executed_certainly_in(loop->children[2], node) ||
             executed_certainly_in(loop->children[3], node)) &&
-           !may_leave_turns(loop->children[3]) && recognise(j, loop, it);
+           !may_skip_iterations(loop->children[3]) && recognise(j, loop, it);
 }

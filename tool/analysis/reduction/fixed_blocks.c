@@ -15,10 +15,10 @@ typedef struct search {
     const analyser *an;
     const ir_function *function;
     ir_node *loop;
-    const char *why; /* the first obstacle; NULL: none so far */
+    const char *why; /* the first reason against it; NULL: none so far */
 } search;
 
-static void obstacle(search *s, const char *format, const char *name) {
+static void refuse(search *s, const char *format, const char *name) {
     if (!s->why)
         s->why = arena_format(s->an->memory, format, name);
 }
@@ -66,13 +66,13 @@ static bool is_accepted(const ir_variable *variable) {
 static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks) {
     const ir_variable *counter = NULL;
     if (item->kind <= OPENMP_REDUCTION && !(counter = variable_of(s, item->text)))
-        obstacle(s, "a clause with '%s', which is no variable", item->text);
+        refuse(s, "a clause with '%s', which is no variable", item->text);
     else if (item->kind == OPENMP_REDUCTION && !reduces_scalar(s, item))
-        obstacle(s, "'%s', an array, is reduced beside a scalar", item->text);
+        refuse(s, "'%s', an array, is reduced beside a scalar", item->text);
     else if (item->kind == OPENMP_REDUCTION && !is_accepted(counter))
-        obstacle(s, "'%s' is reduced, which is no plain number", item->text);
+        refuse(s, "'%s' is reduced, which is no plain number", item->text);
     else if (item->kind == OPENMP_OTHER_CLAUSE)
-        obstacle(s, "the clause '%s'", item->text);
+        refuse(s, "the clause '%s'", item->text);
     else if (item->kind == OPENMP_SCHEDULE)
         blocks->is_balanced = strstr(item->text, "static") != NULL;
 }
@@ -133,14 +133,14 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
         counted->steps_first || !is_integer(counted->lower) || !is_integer(counted->bound) ||
         counted->counter->type->kind != IR_INTEGER || counted->counter->type->size > 8 ||
         counted->counter->type->is_volatile)
-        obstacle(s, "%s", "the loop's header, which is no counter from one integer to another");
+        refuse(s, "%s", "the loop's header, which is no counter from one integer to another");
     else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header) ||
              syntax_editable_statement(s->loop, s->function->body) != s->loop)
-        obstacle(s, "%s", "the loop's header, which a macro makes");
+        refuse(s, "%s", "the loop's header, which a macro makes");
     return found.loop;
 }
 
-/* A jump that would leave out iterations of other threads. */
+/* Does a pragma in the loop contain the word? */
 static bool has_directive_named(const search *s, const char *word) {
     const ir_unit *unit = s->an->unit;
     for (unsigned i = loop_text_first_directive(unit, s->loop->range.begin);
@@ -151,8 +151,8 @@ static bool has_directive_named(const search *s, const char *word) {
     return false;
 }
 
-/* Inline but not static: it cannot hold static data. The word may be that of `__inline__`, not of
- * `noinline`. */
+/* Is the function inline but not static? Then it cannot hold static data. `__inline__` counts,
+ * `noinline` does not. */
 static bool is_shared_inline(const ir_function *function, const source *text) {
     if (function->linkage.is_static)
         return false;
@@ -179,8 +179,8 @@ static bool has_explicit_schedule(const fixed_blocks *blocks) {
     return false;
 }
 
-/* Does a group of conditional directives hold the function's beginning, but not the loop? In
- * another compilation the function may begin otherwise, with other types. */
+/* Does a group of conditional directives contain the function's beginning, but not the loop? In
+ * another compilation the function may begin differently, with other types. */
 static bool begins_under_condition(const search *s) {
     const ir_unit *unit = s->an->unit;
     int depth = 0;
@@ -198,21 +198,21 @@ static void check_body(search *s, const fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     if (has_directive_named(s, "cancel") || has_directive_named(s, "ordered") ||
         has_directive_named(s, "scan"))
-        obstacle(s, "%s", "a directive in the loop that speaks of its iterations");
+        refuse(s, "%s", "a directive in the loop that speaks of its iterations");
     if (text_pragma_macro(s->an->memory, unit, s->loop->range))
-        obstacle(s, "%s", "a macro in the loop that may make a directive");
+        refuse(s, "%s", "a macro in the loop that may make a directive");
     if (blocks->is_balanced && has_explicit_schedule(blocks) &&
         calls_named(blocks->directive.construct == OPENMP_FOR ? s->function->body : s->loop,
                     "omp_get_thread_num"))
-        obstacle(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
+        refuse(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
     if (begins_under_condition(s))
-        obstacle(s, "'%s' has several beginnings", s->function->name);
+        refuse(s, "'%s' has several beginnings", s->function->name);
     if (openmp_has_devices(unit))
-        obstacle(s, "%s", "code for devices in the file");
+        refuse(s, "%s", "code for devices in the file");
     if (is_shared_inline(s->function, unit->source))
-        obstacle(s, "'%s' is inline but not static: it cannot hold static data", s->function->name);
+        refuse(s, "'%s' is inline but not static: it cannot hold static data", s->function->name);
     if (s->function->has_errors || unit->dialect.refusing_option)
-        obstacle(s, "%s", "the function, which is not understood");
+        refuse(s, "%s", "the function, which is not understood");
 }
 
 /* Sets keeps_counter: does a clause name the counter, which is declared outside of the loop? */

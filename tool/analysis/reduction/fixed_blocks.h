@@ -5,8 +5,8 @@
  * distributes the blocks; each begins with the neutral element, and the results are combined in the
  * order of the blocks. That is an execution of the loop which OpenMP permits: as by a team with a
  * thread for each block (OpenMP 4.5, 2.7.1 and 2.15.3.6: which thread executes which iterations,
- * and in which order the copies are combined, is open). So nothing needs to be shown of the loop's
- * body but that it does not ask for the thread's number in a way that `schedule` fixes.
+ * and in which order the copies are combined, is open). So the loop's body need only be shown not
+ * to depend on thread numbers that `schedule` fixes.
  */
 #ifndef ANALYSIS_FIXED_BLOCKS_H
 #define ANALYSIS_FIXED_BLOCKS_H

@@ -49,12 +49,12 @@ static bool is_simple_element(const ir_node *node) {
 }
 
 /* Does the node, or a part of it, assign a variable of the subscripts? */
-static bool moves(const loop_analysis *j, const ir_node *element, const ir_node *node) {
+static bool changes_address(const loop_analysis *j, const ir_node *element, const ir_node *node) {
     if (element->kind == IR_VARIABLE && ir_type_is_scalar(element->type) &&
         variable_written_in(j->an->facts, node, element->variable))
         return true;
     for (unsigned i = 0; i < element->child_count; i++)
-        if (moves(j, element->children[i], node))
+        if (changes_address(j, element->children[i], node))
             return true;
     return false;
 }
@@ -94,7 +94,7 @@ static const ir_node *statement_of(const loop_analysis *j, const loop_access *st
         if (later->id >= statement->id && later != j->counted.increment &&
             !(j->counted.increment && !j->counted.steps_inside &&
               ir_contains(later, j->counted.increment)) &&
-            (has_entry(later) || moves(j, target, later)))
+            (has_entry(later) || changes_address(j, target, later)))
             return NULL;
     }
     return statement;
@@ -112,14 +112,15 @@ static bool is_below(const ir_node *statement, const ir_node *node) {
     return place && place->id > statement->id;
 }
 
-/* A read that may use the stored value. */
-static bool is_taker(const loop_access *read, const ir_node *statement, const ir_node *target) {
+/* Is it a read that may use the stored value? */
+static bool may_use_value(const loop_access *read, const ir_node *statement,
+                          const ir_node *target) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
            read->access.lvalue == read->access.node && read->access.is_exact &&
            expression_same(read->access.lvalue, target) && is_below(statement, read->access.node);
 }
 
-/* h[o[t]] += o[t]: all is read before h is written. */
+/* Does the statement read everything before it writes, as h[o[t]] += o[t] does? */
 static bool reads_before_it_writes(const ir_node *statement, const loop_access *write) {
     const ir_node *update = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
     return update && (update->kind == IR_ASSIGN || ir_is_increment(update)) &&
@@ -133,21 +134,22 @@ static bool comes_between(const loop_analysis *j, const loop_access *write,
     if (!place || place->id < statement->id)
         return false; /* before the store, or in an iteration that does not reach it */
     for (unsigned i = 0; i < j->access_count; i++) {
-        const ir_node *taker = j->accesses[i].access.node;
-        if (!is_taker(&j->accesses[i], statement, target))
+        const ir_node *read = j->accesses[i].access.node;
+        if (!may_use_value(&j->accesses[i], statement, target))
             continue;
-        const ir_node *reads = statement_around(taker, statement->parent);
+        const ir_node *reads = statement_around(read, statement->parent);
         if (place->id < reads->id || (place == reads && !reads_before_it_writes(place, write)))
             return true;
     }
     return false;
 }
 
-/* Is each access that may be of the element such a read, the store itself, or after both? */
+/* Is the element accessed only by the store and such reads, and may no other write change it
+ * between them? */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
-        if (other == store || is_taker(other, statement, store->access.lvalue))
+        if (other == store || may_use_value(other, statement, store->access.lvalue))
             continue;
         const overlap meets = locations_overlap(&j->an->rules, &other->where, &store->where);
         if (meets == OVERLAP_SAME || (meets == OVERLAP_MAYBE && other->access.kind != ACCESS_READ &&
@@ -163,7 +165,8 @@ static bool is_read_everywhere(const loop_analysis *j, const ir_node *statement,
                                const ir_node *target, const ir_node *node) {
     if (node != target && expression_same(node, target)) {
         for (unsigned i = 0; i < j->access_count; i++)
-            if (j->accesses[i].access.node == node && is_taker(&j->accesses[i], statement, target))
+            if (j->accesses[i].access.node == node &&
+                may_use_value(&j->accesses[i], statement, target))
                 return true;
         return false;
     }
@@ -180,7 +183,7 @@ bool forward_take(loop_analysis *j, const loop_access *store) {
         !is_read_everywhere(j, statement, target, j->loop))
         return false;
     for (unsigned i = 0; i < j->access_count; i++)
-        if (is_taker(&j->accesses[i], statement, target))
+        if (may_use_value(&j->accesses[i], statement, target))
             j->accesses[i].class = CLASS_FORWARDED;
     const forwarded_store item = {statement, target, value_of(store)};
     VECTOR_PUSH(j->an->memory, &j->forwards, item);

@@ -2,12 +2,12 @@
 /*
  * A loop below `parallel for` may be executed as a team of one thread executes it, in the order of
  * the sequential loop (OpenMP 4.5, 2.5.1 and 2.7.1: which thread executes which iterations, and
- * when, is open). Clauses make that another loop than the one without directives:
- *   - what is private has no value, or a copy, and the original keeps its own: openmp_keeps_value;
- *     so it must be a local variable to which nothing but its name leads, or a pointer would lead
- * to the original;
- *   - what is reduced is a copy that begins with the neutral element: the same sum, if nothing in
- *     the loop reads it and all updates are by the operator of the clause.
+ * when, is open). Clauses make it differ from the loop without directives:
+ *   - a private variable begins without a value, or with a copy, and the original keeps its value
+ *     (openmp_keeps_value). So it must be a local variable that is reached only by its name: a
+ *     pointer would lead to the original;
+ *   - a reduced variable is a copy that begins with the neutral element. The result is the same if
+ *     nothing in the loop reads it and all updates are by the clause's operator.
  */
 #include "analysis/reduction/protection.h"
 
@@ -17,7 +17,7 @@
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
 
-static const char *kept(const loop_analysis *j, const char *format, const char *name) {
+static const char *message(const loop_analysis *j, const char *format, const char *name) {
     return arena_format(j->an->memory, format, name);
 }
 
@@ -105,7 +105,7 @@ static const char *check_reduction(const loop_analysis *j, const openmp_item *it
         if (array->base->kind != IR_VARIABLE || array->base->variable != variable)
             continue;
         if (array->op != item->op || array->order_is_kept)
-            return kept(j, other, item->text);
+            return message(j, other, item->text);
         *protects = true;
         found++;
     }
@@ -113,10 +113,10 @@ static const char *check_reduction(const loop_analysis *j, const openmp_item *it
         if (j->scalars.items[i].variable != variable)
             continue;
         if (operator_of(&j->scalars.items[i]) != item->op)
-            return kept(j, other, item->text);
+            return message(j, other, item->text);
         found++;
     }
-    return found && occurs_in_updates_only(j, variable) ? NULL : kept(j, other, item->text);
+    return found && occurs_in_updates_only(j, variable) ? NULL : message(j, other, item->text);
 }
 
 /* Does the loop accumulate in it, or in a part of it? */
@@ -140,18 +140,18 @@ static const char *check_private(const loop_analysis *j, const openmp_item *item
         return NULL;
     if (!variable_is_automatic(variable) || variable->function != j->function ||
         variable->has_other_name || variable_escapes(j->an->facts, variable))
-        return kept(j, "'%s' is private, and may be reached by other means than its name",
-                    item->text);
+        return message(j, "'%s' is private, and may be reached by other means than its name",
+                       item->text);
     if (ir_type_is_variably_modified(variable->type) || variable->type->is_volatile ||
         variable->type->is_atomic ||
         (variable->type->kind == IR_ARRAY && item->kind != OPENMP_PRIVATE))
-        return kept(j, "'%s' is private, with a type of which no copy is made", item->text);
+        return message(j, "'%s' is private, with a type of which no copy is made", item->text);
     if (is_accumulated(j, variable))
-        return kept(j, "'%s' is private, and accumulated in", item->text);
+        return message(j, "'%s' is private, and accumulated in", item->text);
     return NULL;
 }
 
-/* Are all names of an expression that is copied variables? */
+/* Generated code copies the clause's expression: all names in it must be variables. */
 static const char *check_expression(const loop_analysis *j, const openmp_item *item) {
     size_t length;
     for (const char *at = openmp_token(item->text, &length); length > 0;
@@ -159,7 +159,7 @@ static const char *check_expression(const loop_analysis *j, const openmp_item *i
         const char *name = arena_copy(j->an->memory, at, length);
         if (openmp_is_name(item->text, at) &&
             !openmp_variable(j->an->unit, j->loop, j->function, name))
-            return kept(j, "a clause with '%s', which is no variable", name);
+            return message(j, "a clause with '%s', which is no variable", name);
     }
     return NULL;
 }
@@ -171,14 +171,14 @@ static const char *check_item(const loop_analysis *j, const openmp_item *item, b
         return NULL;
     const ir_variable *variable = openmp_variable(j->an->unit, j->loop, j->function, item->text);
     if (!variable)
-        return kept(j, "a clause with '%s', which is no variable", item->text);
+        return message(j, "a clause with '%s', which is no variable", item->text);
     return item->kind == OPENMP_REDUCTION ? check_reduction(j, item, variable, protects)
                                           : check_private(j, item, variable);
 }
 
 /* ---- atomic and critical ------------------------------------------------------------------- */
 
-/* The statement that begins there. */
+/* The outermost statement that begins at `place`. */
 static const ir_node *statement_at(const ir_node *node, uint32_t place) {
     if (node->kind >= IR_BLOCK && node->range.begin == place)
         return node;
@@ -205,7 +205,7 @@ static const char *check_lock(const loop_analysis *j, const ir_directive *d,
         found |= construct == OPENMP_CRITICAL
                      ? ir_contains(statement, j->scalars.items[i].statement)
                      : statement == j->scalars.items[i].statement;
-    return found ? NULL : kept(j, "'%s', which protects no update", d->text);
+    return found ? NULL : message(j, "'%s', which protects no update", d->text);
 }
 
 static const char *check_locks(const loop_analysis *j, bool *protects) {

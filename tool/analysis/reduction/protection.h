@@ -5,8 +5,8 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Why the loop cannot be executed without its directives, in sequential order; of a loop all of
- *  whose accesses are known. Nothing, of a loop without directives. */
+/** Why the loop cannot be executed without its directives, in sequential order; REASON_NONE if it
+ *  can, or has none. All accesses of the loop must be known. */
 reason check_protection(const loop_analysis *j);
 
 #endif

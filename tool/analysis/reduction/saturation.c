@@ -30,7 +30,7 @@ static int64_t highest_of(const ir_type *type) {
     return bits < 63 ? ((int64_t)1 << bits) - 1 : INT64_MAX; /* no constant is above it */
 }
 
-/* Both operands are compared as the numbers that they are. */
+/* Are both operands compared as numbers, without a conversion that changes one of them? */
 static bool compares_numbers(const ir_type *counter, const ir_node *constant, int64_t *value) {
     return constant->type && constant->type->kind == IR_INTEGER &&
            (constant->type->is_signed || !counter->is_signed) &&

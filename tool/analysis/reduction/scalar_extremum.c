@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The compared values are kept, one per iteration, and compared in order after the loop, with the
+ * The compared values are stored, one per iteration, and compared in order after the loop, with the
  * sequential loop's comparison, so that NaNs, signed zeros and equal values have the same effect.
  */
 #include "analysis/reduction/scalar_extremum.h"
@@ -76,7 +76,7 @@ static bool is_choice(const loop_analysis *j, const ir_node *choice, scalar_upda
     return found->variable != NULL;
 }
 
-/* At most once in each iteration. */
+/* Is it executed at most once in each iteration? */
 static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
         if (!outer || ir_is_loop(outer))

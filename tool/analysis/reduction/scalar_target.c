@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * Additions to such a scalar in the loop are made after it: nothing else may read or write it
- * meanwhile. For other objects, and for pointers, that must be proved. Its type is an argument as
- * well: an iteration that updates the object finds it with the object's type (C17 6.5p7), and
+ * meanwhile. For other objects, and for pointers, that must be proved. Types may be used for the
+ * proof: an iteration that updates the object finds it with the object's type (C17 6.5p7), and
  * overlapping stores of another type are excluded like all others.
  */
 #include "analysis/reduction/scalar_target.h"
@@ -10,19 +10,20 @@
 #include "analysis/base/expression.h"
 
 static bool is_steady_pointer(const loop_analysis *j, const ir_node *node) {
-    return analysis_leaves(j, node) && node->type->kind == IR_POINTER;
+    return analysis_is_unchanged(j, node) && node->type->kind == IR_POINTER;
 }
 
-static bool stays(const loop_analysis *j, const ir_node *node) {
+static bool is_invariant(const loop_analysis *j, const ir_node *node) {
     const ir_node *first = ir_child(node, 0);
     switch (node->kind) {
     case IR_VARIABLE:
         return node->variable->storage != IR_THREAD_LOCAL && !analysis_declares(j, node->variable);
     case IR_MEMBER:
-        return node->flags & IR_ARROW ? is_steady_pointer(j, first) : stays(j, first);
+        return node->flags & IR_ARROW ? is_steady_pointer(j, first) : is_invariant(j, first);
     case IR_INDEX:
         return (ir_child(node, 1)->flags & IR_HAS_VALUE) &&
-               (first->type->kind == IR_ARRAY ? stays(j, first) : is_steady_pointer(j, first));
+               (first->type->kind == IR_ARRAY ? is_invariant(j, first)
+                                              : is_steady_pointer(j, first));
     default:
         return node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE &&
                is_steady_pointer(j, first);
@@ -35,13 +36,13 @@ static location location_of_target(const loop_analysis *j, const ir_node *target
     return where;
 }
 
-bool scalar_target_stays(const loop_analysis *j, const ir_node *target) {
+bool scalar_target_is_invariant(const loop_analysis *j, const ir_node *target) {
     const location where = location_of_target(j, target);
-    return target->kind != IR_VARIABLE && stays(j, target) && !where.is_inexact &&
+    return target->kind != IR_VARIABLE && is_invariant(j, target) && !where.is_inexact &&
            !where.is_punned && !where.has_union && !where.has_bit_field;
 }
 
-/* e[0] and e[1], m.x[2].y and m.x[0].y: with different constants in one place. */
+/* Are these different elements by their constants: e[0] and e[1], m.x[2].y and m.x[0].y? */
 static bool are_other_elements(const ir_node *a, const ir_node *b) {
     if (!a || !b || a->kind != b->kind)
         return false;
@@ -54,7 +55,7 @@ static bool are_other_elements(const ir_node *a, const ir_node *b) {
              a->children[1]->value != b->children[1]->value));
 }
 
-overlap scalar_target_meets(const loop_analysis *j, const ir_node *target) {
+overlap scalar_target_overlap(const loop_analysis *j, const ir_node *target) {
     overlap worst = OVERLAP_NO;
     const location where = location_of_target(j, target);
     for (unsigned i = 0; i < j->access_count; i++) {

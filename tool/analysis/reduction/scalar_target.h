@@ -6,9 +6,9 @@
 #include "analysis/loop/loop_analysis.h"
 
 /** Is it one object in all iterations, reached through invariants: m.x, e[2], *p, p->energy? */
-bool scalar_target_stays(const loop_analysis *j, const ir_node *target);
+bool scalar_target_is_invariant(const loop_analysis *j, const ir_node *target);
 
 /** May the loop access it other than by this expression, according to the analysis? */
-overlap scalar_target_meets(const loop_analysis *j, const ir_node *target);
+overlap scalar_target_overlap(const loop_analysis *j, const ir_node *target);
 
 #endif

@@ -78,7 +78,7 @@ static bool is_executed_once(const ir_node *loop) {
     return loop->kind == IR_DO && expression_constant(loop->children[1], &again) && !again;
 }
 
-/* At most once in each iteration. */
+/* Is it executed at most once in each iteration? */
 static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
         if (!outer || (ir_is_loop(outer) && !is_executed_once(outer)))
@@ -86,8 +86,8 @@ static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statem
     return true;
 }
 
-/* A write other than to private memory passed to a call: s += energy(x, stress). That this memory
- * is the iteration's is shown as for all writes. */
+/* Does the statement write anything else? Local objects that a called function writes do not count,
+ * as in s += energy(x, stress): that they are private is shown as for all writes. */
 static bool has_other_write(const loop_analysis *j, const ir_node *statement,
                             const loop_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -133,32 +133,34 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     return true;
 }
 
-/* A variable, or an object that is equally invariant. */
+/* Is the target a variable from outside the loop, or another object that is the same in all
+ * iterations? */
 static bool is_scalar(const loop_analysis *j, const loop_access *write, bool *is_guarded) {
     const ir_node *target = write->access.lvalue;
     if (target->kind == IR_VARIABLE) {
         *is_guarded = !variable_is_automatic(target->variable) &&
-                      scalar_target_meets(j, target) == OVERLAP_MAYBE;
+                      scalar_target_overlap(j, target) == OVERLAP_MAYBE;
         return !is_declared_within(j, target->variable);
     }
     if (target != write->access.node || !ir_type_is_scalar(target->type) ||
-        !scalar_target_stays(j, target))
+        !scalar_target_is_invariant(j, target))
         return false;
-    const overlap meets = scalar_target_meets(j, target);
+    const overlap meets = scalar_target_overlap(j, target);
     *is_guarded = meets == OVERLAP_MAYBE;
     return meets != OVERLAP_SAME;
 }
 
-static bool is_of_one(const scalar_update *a, const scalar_update *b) {
+static bool have_same_target(const scalar_update *a, const scalar_update *b) {
     return expression_same(a->target, b->target);
 }
 
 /* If operands of one update of a scalar form a series, those of its other updates belong to it. */
 static void join_series(loop_analysis *j, scalar_update *found) {
     for (unsigned i = 0; i < j->scalars.count; i++)
-        found->is_series |= j->scalars.items[i].is_series && is_of_one(&j->scalars.items[i], found);
+        found->is_series |=
+            j->scalars.items[i].is_series && have_same_target(&j->scalars.items[i], found);
     for (unsigned i = 0; found->is_series && i < j->scalars.count; i++)
-        if (is_of_one(&j->scalars.items[i], found))
+        if (have_same_target(&j->scalars.items[i], found))
             j->scalars.items[i].is_series = true;
 }
 
@@ -224,13 +226,13 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
         const scalar_update *other = &j->scalars.items[i];
         const bool is_fit =
             repeated->is_series ? is_of_series(other, repeated) : commute(other->op, repeated->op);
-        if (is_of_one(other, repeated) && !is_fit)
+        if (have_same_target(other, repeated) && !is_fit)
             return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement, name_of(j, other));
     }
     return (reason){0};
 }
 
-/* For a member, an element, the target of a pointer: it must be accessed only by its updates. */
+/* Checks that a member, an element or a pointer's target is accessed only by its updates. */
 static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -241,8 +243,8 @@ static reason check_target_alone(const loop_analysis *j, const scalar_update *up
     return (reason){0};
 }
 
-/* The variable is accessed only by its updates, the recorded iteration by one. Possible aliases are
- * compared at run time (sources.c). */
+/* Checks that the variable is accessed only by its updates; the `place` of an extremum only by this
+ * one. Possible aliases are compared at run time (sources.c). */
 static reason check_alone(const loop_analysis *j, const scalar_update *update,
                           ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};

@@ -10,7 +10,7 @@
  *  applied in order after the loop. False: it is none; nothing is changed. */
 bool scalar_take_update(loop_analysis *j, loop_access *write);
 
-/** Called when all writes are analysed: nothing else in the loop reads or writes the scalars. */
+/** Checks, when all writes are classified, that nothing else in the loop reads or writes them. */
 reason check_scalars(const loop_analysis *j);
 
 #endif

@@ -66,7 +66,7 @@ static bool is_private(const team_loop *it, const ir_variable *variable) {
 
 /* ---- what a static schedule promises ------------------------------------------------------- */
 
-/* Is it a copy of the loop's own, or declared in it? */
+/* Does a clause of the loop make it private, or is it declared in the loop? */
 static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
     for (unsigned i = 0; i < it->blocks->directive.item_count; i++)
         if (it->blocks->directive.items[i].kind <= OPENMP_REDUCTION &&
@@ -77,7 +77,7 @@ static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
            (variable->function == it->function && is_in(variable->range, it->loop->range));
 }
 
-/* A variable of the thread's own in which it may keep something from one loop to the next. */
+/* A private variable in which a thread may keep a value from one loop to the next; NULL: none. */
 static const char *kept_by_thread(const team_loop *it, const ir_node *node) {
     if (node->kind == IR_VARIABLE && is_private(it, node->variable) &&
         !is_of_loop(it, node->variable))
@@ -104,8 +104,9 @@ static bool may_call_loops(const team_loop *it, const ir_node *node) {
     return false;
 }
 
-/* Has a compiled directive of the region, other than the loop's, the word? */
-static bool region_says(const team_loop *it, const char *word) {
+/* Does a compiled directive of the region, other than the loop's, contain the word, or may a macro
+ * make one? */
+static bool region_has_word(const team_loop *it, const char *word) {
     const ir_unit *unit = it->an->unit;
     const uint32_t own = loop_text_begin(unit, it->loop);
     for (unsigned i = loop_text_first_directive(unit, it->region->range.begin);
@@ -121,17 +122,17 @@ static bool region_says(const team_loop *it, const char *word) {
 
 /* Is it the only loop that the region's team shares? */
 static bool is_alone(const team_loop *it) {
-    return it->region && !may_call_loops(it, it->region) && !region_says(it, "for");
+    return it->region && !may_call_loops(it, it->region) && !region_has_word(it, "for");
 }
 
-typedef enum schedule { SCHEDULE_NOT_GIVEN, SCHEDULE_STATIC, SCHEDULE_BY_TURNS } schedule;
+typedef enum schedule { SCHEDULE_NOT_GIVEN, SCHEDULE_STATIC, SCHEDULE_DYNAMIC } schedule;
 
-/* `runtime` may be any. */
+/* `runtime`, which may be any, counts as static. */
 static schedule schedule_of(const fixed_blocks *blocks) {
     for (unsigned i = 0; i < blocks->directive.item_count; i++) {
         const openmp_item *item = &blocks->directive.items[i];
         if (item->kind == OPENMP_SCHEDULE)
-            return strstr(item->text, "dynamic") || strstr(item->text, "guided") ? SCHEDULE_BY_TURNS
+            return strstr(item->text, "dynamic") || strstr(item->text, "guided") ? SCHEDULE_DYNAMIC
                                                                                  : SCHEDULE_STATIC;
     }
     return SCHEDULE_NOT_GIVEN;
@@ -139,7 +140,7 @@ static schedule schedule_of(const fixed_blocks *blocks) {
 
 /* ---- the verdict --------------------------------------------------------------------------- */
 
-/* Threads that leave a cancelled region do not come to its barriers. */
+/* Threads that leave a cancelled region do not reach its barriers. */
 static bool is_cancelled_somewhere(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
@@ -173,8 +174,8 @@ const char *team_of_loop(const analyser *an, const ir_function *function, const 
     blocks->team.shares_frame = shares_frame(&it);
     const schedule given = schedule_of(blocks);
     blocks->team.may_be_early =
-        given != SCHEDULE_BY_TURNS &&
-        (!it.region || may_call_loops(&it, it.region) || region_says(&it, "nowait"));
+        given != SCHEDULE_DYNAMIC &&
+        (!it.region || may_call_loops(&it, it.region) || region_has_word(&it, "nowait"));
     const char *own = given == SCHEDULE_STATIC && !is_alone(&it) ? kept_by_thread(&it, loop) : NULL;
     return own ? arena_format(an->memory,
                               "by 'schedule(static)' each thread may keep values of its "

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * `omp for`, by the team of a region around it: may its iterations be distributed in another way?
- * The variables that it reduces must be the team's. Its schedule promises something if it is given
- * as `static`: other such loops of the region, with as many iterations, have the same thread for
- * each (OpenMP 4.5, 2.7.1). Data in memory that threads share is safe behind barriers, which
- * replace `nowait` (2.7: "an implementation may omit the barrier"); what a thread has for itself is
- * not.
+ * The team must share the variables that it reduces. A schedule given as `static` is a promise: in
+ * other such loops of the region, with as many iterations, the same thread executes each iteration
+ * (OpenMP 4.5, 2.7.1). Data in shared memory are safe behind barriers, which replace `nowait` (2.7:
+ * "an implementation may omit the barrier"); a thread's private data are not.
  */
 #ifndef ANALYSIS_TEAM_LOOP_H
 #define ANALYSIS_TEAM_LOOP_H

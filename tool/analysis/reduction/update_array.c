@@ -21,7 +21,7 @@ bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *updat
             variable_walk_start(j->an->facts, root, j->loop));
 }
 
-static bool stays(const loop_analysis *j, const ir_node *base) {
+static bool base_is_invariant(const loop_analysis *j, const ir_node *base) {
     return base->type && base->type->kind == IR_ARRAY
                ? variation_is_fixed(j->an->facts, j->loop, base)
                : variation_is_invariant(j->an->facts, j->loop, base);
@@ -46,7 +46,7 @@ const ir_node *update_table_of(const loop_analysis *j, const ir_node *base) {
     enum { MOST_POINTERS = 8 };
     const ir_node *table = base;
     for (unsigned i = 0; table && i <= MOST_POINTERS; i++) {
-        if (stays(j, table))
+        if (base_is_invariant(j, table))
             return table == base || is_filled_here(j, table) ? NULL : table;
         if (table->kind != IR_INDEX && table->kind != IR_MEMBER)
             return NULL;
@@ -71,8 +71,8 @@ static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *ta
     return true;
 }
 
-/* h[0]++ in addition to h[k]++: one element of an array that is also updated by subscripts.
- * Repeated stores of the same element justify a separate loop. */
+/* Is this update of a fixed element, h[0]++, of an array that is also updated at varying subscripts,
+ * h[k]++? */
 static bool is_updated_besides(const loop_analysis *j, const loop_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (update->access.kind == ACCESS_UPDATE &&
@@ -91,7 +91,7 @@ bool update_check_base(loop_analysis *j, const loop_access *update, const char *
     if (!where->base || where->base == target || (!where->object && !where->pointer) ||
         (!ir_contains(target, where->base) && !update_is_by_local_pointer(j, update)))
         return analysis_refuse(j, REASON_BASE_VARIES, target, name);
-    if (!stays(j, where->base))
+    if (!base_is_invariant(j, where->base))
         return where->base->kind == IR_INDEX || where->base->kind == IR_MEMBER
                    ? check_table(j, where->base, target, name)
                    : analysis_refuse(j, REASON_BASE_VARIES, where->base, name);
@@ -153,8 +153,8 @@ static bool add_array(loop_analysis *j, const loop_access *update, update_kind k
     return true;
 }
 
-/* Against the array's other updates: add_array compared with the first only, which may be of
- * another field. */
+/* Compares the update with the array's others: add_array compared it only with the first, which may
+ * be of another field. */
 static bool check_neighbours(loop_analysis *j, const loop_access *update, update_kind kind,
                              loop_array *array, unsigned number) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -177,8 +177,8 @@ bool update_array_find(loop_analysis *j, const loop_access *update, update_kind 
 }
 
 /* ---- rows of pointers to records -------------------------------------------------------------
- * p = &b[k]; ... p->x += v: the row is b[k].x, where k is still what it was. Spans see how it
- * steps.
+ * p = &b[k]; ... p->x += v: the row is b[k].x, if k has not changed since. Spelled so, spans can see
+ * how it steps.
  */
 
 /* Does it mention, besides numbers, only the loop's counter and variables of the iteration? */
@@ -222,7 +222,7 @@ static bool is_made_before(const loop_analysis *j, const ir_node *element,
 /* For an update through p = &b[k]: b[k]; NULL: it has another form. */
 static const ir_node *element_of_pointer(const loop_analysis *j, const loop_access *update,
                                          const ir_node *statement) {
-    if (!update_is_by_local_pointer(j, update) || !stays(j, update->where.base))
+    if (!update_is_by_local_pointer(j, update) || !base_is_invariant(j, update->where.base))
         return NULL;
     const ir_node *pointer =
         variable_single_definition(j->an->facts, ir_root_variable(update->access.form.target));

@@ -6,7 +6,7 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Does the order of the updates matter? */
+/** The operator of an update, and whether the order of such updates matters. */
 typedef struct update_kind {
     reduction_operator op;
     bool needs_order;

@@ -15,7 +15,7 @@ static bool is_subscript_below(const ir_node *subscript, int64_t count) {
     return count > 0 && counted_range(subscript, &low, &high) && low >= 0 && high < count;
 }
 
-/* *(T (*)[n])p with a p to T: n elements from p's target on (effects.c). */
+/* Is it *(T (*)[n])p with a p to T: n elements from p's target on (callee_terms.c)? */
 static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *cast = lvalue->children[0];
     return cast->kind == IR_CAST && is_parameter(cast->children[0], parameter) &&
@@ -114,7 +114,8 @@ static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
            is_member_of(record, parameter);
 }
 
-/* Parameters as numbers, and integer members of the record that `parameter` points to. */
+/* Does it consist of parameters that are numbers, and of integer members of the record that
+ * `parameter` points to? */
 static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) {
     if (node->kind == IR_VARIABLE)
         return node->variable->storage == IR_PARAMETER && ir_type_is_scalar(node->type) &&
@@ -190,7 +191,7 @@ static bool keeps_type(const update_form *form) {
             (form->value->type && form->value->type->kind == IR_INTEGER));
 }
 
-/* *d += e, by one operator, and no other read of the element. */
+/* Sets the operator if all writes are updates by one, as *d += e, and nothing else reads the part. */
 static void find_operator(const access_list *known, const written_part *part, update_call *found) {
     unsigned writes = 0;
     for (unsigned i = 0; i < known->items.count; i++) {
@@ -216,7 +217,7 @@ static const access_list *summary_of(const loop_analysis *j, const ir_node *call
     return known && !known->problems.count ? known : NULL;
 }
 
-/* By the address of an element or row. */
+/* The target of a call that gets the address of an element or row: add(&h[k], v). */
 static const ir_node *target_by_address(const loop_analysis *j, const ir_node *call,
                                         const access_list *known, written_part *part) {
     const ir_variable *parameter = part->parameter;
@@ -236,7 +237,7 @@ static bool is_by_member(const written_part *part) {
     return base && base->kind == IR_MEMBER;
 }
 
-/* By an array and separate subscripts. */
+/* The target of a call that gets an array and separate subscripts: add_at(h, k, v). */
 static const ir_node *target_by_subscript(const loop_analysis *j, const ir_node *call,
                                           const access_list *known, written_part *part) {
     const ir_node *array = argument_for(call, part->parameter);

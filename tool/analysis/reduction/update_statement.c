@@ -31,7 +31,7 @@ static bool is_write_of(const ir_node *expression, const ir_node *element) {
     return written && expression_same(written, element);
 }
 
-/* Assignments of the element only, and conditions on them. */
+/* Does the statement only assign the element, perhaps under conditions? */
 static bool writes_only(const ir_node *statement, const ir_node *element) {
     switch (statement->kind) {
     case IR_EMPTY:

@@ -63,8 +63,7 @@ static bool is_updated_too(const loop_analysis *j, const loop_access *store) {
     return false;
 }
 
-/* Is the stored memory read inside of an update's subscripts, or in the definition of a local
- * integer? */
+/* Is the stored memory read as an integer? Then it probably decides a subscript. */
 static bool decides_subscripts(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -250,14 +249,14 @@ static bool check_update(loop_analysis *j, loop_access *update) {
     return true;
 }
 
-/* The bytes of a row are not divided between owners if the array consists of such rows. */
+/* Is the target a scalar, or a row of an array of such rows? Then no two owners share its bytes. */
 static bool is_whole_row(const loop_access *update) {
     const ir_node *target = update->access.lvalue;
     return ir_type_is_scalar(target->type) ||
            (target->kind == IR_INDEX && expression_same(update->where.base, target->children[0]));
 }
 
-/* A function gets the address of the element that it updates. */
+/* Checks an update by a function that gets the address of the element. */
 static bool check_call(loop_analysis *j, loop_access *write) {
     unsigned number;
     const update_call found = update_call_of(j, write->access.node);
@@ -350,7 +349,7 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     return refuse_store(j, store);
 }
 
-/* A secondary counter, which other statements read: otherwise its steps are a scalar sum. */
+/* Accepts a secondary counter that other statements read; if none does, its steps are a scalar sum. */
 static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -429,7 +428,7 @@ static bool check_plain_reads(loop_analysis *j) {
 }
 
 static bool check_writes(loop_analysis *j) {
-    /* Updates first: an obstacle in them is a better reason than one in a store. */
+    /* Updates first: a reason found in them is a better one than one found in a store. */
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
             loop_access *a = &j->accesses[i];

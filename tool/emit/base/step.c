@@ -14,9 +14,9 @@
 static const char *stride_text(loop_text *loop, const private_variable *item) {
     const ir_type *type = item->variable->type;
     const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
-    if (!item->by)
+    if (!item->stride)
         return arena_format(loop->arena, "(redcc_word)%lld", (long long)(item->step * size));
-    const char *by = loop_operand(loop, item->by);
+    const char *by = loop_operand(loop, item->stride);
     if (size != 1)
         by = arena_format(loop->arena, "%lld * (redcc_word)%s", (long long)size, by);
     return arena_format(loop->arena, "((redcc_word)%lld %c (redcc_word)%s)",
@@ -25,7 +25,7 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
 
 /** The number of turns of the first iteration; may be negative, which means none. */
 static const char *turns_text(loop_text *loop, const private_variable *item) {
-    const triangle *turns = &item->turns;
+    const triangle *turns = &item->inner;
     const char *end = loop_operand(loop, turns->end);
     const long long offset = (long long)turns->offset;
     return turns->is_below
@@ -36,10 +36,10 @@ static const char *turns_text(loop_text *loop, const private_variable *item) {
 /** How many steps precede an iteration. */
 static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
                               const char *iteration) {
-    if (!item->turns.loop)
+    if (!item->inner.loop)
         return arena_format(loop->arena, "(redcc_word)%s", iteration);
     return arena_format(loop->arena, "redcc_turns_%s(%s, %s)",
-                        item->turns.is_below ? "below" : "above", first, iteration);
+                        item->inner.is_below ? "below" : "above", first, iteration);
 }
 
 /** Its type, at a place where the type's name may be undeclared. */
@@ -53,9 +53,9 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
         const char *name = origin_variable(loop->arena, item->variable);
-        if (item->by && !by_header) /* the loop is known to iterate, and to evaluate it */
+        if (item->stride && !by_header) /* the loop is known to iterate, and to evaluate it */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
-        if (item->turns.loop && !by_header)
+        if (item->inner.loop && !by_header)
             writer_line(out, "const redcc_int redcc__turns_%u = %s;", i, turns_text(loop, item));
         if (!item->is_stepped || by_header != (item->entry != NULL))
             continue;
@@ -73,7 +73,7 @@ const char *stepped_value(loop_text *loop, unsigned number) {
     if (!item->is_stepped)
         return "";
     const char *stride =
-        item->by ? arena_format(loop->arena, "redcc__by_%u", number) : stride_text(loop, item);
+        item->stride ? arena_format(loop->arena, "redcc__by_%u", number) : stride_text(loop, item);
     const char *turns = arena_format(loop->arena, "redcc__turns_%u", number);
     return arena_format(loop->arena, " = (__typeof__(%s))(redcc__from_%u + %s * %s)",
                         origin_variable(loop->arena, item->variable), number, stride,
@@ -89,7 +89,7 @@ void write_stepped_values(loop_text *loop, writer *out) {
         if (item->is_stepped && item->is_step_wanted)
             writer_line(out, "%s = (__typeof__(%s))(%s + %s * %s);", name, name, from,
                         stride_text(loop, item),
-                        count_text(loop, item, item->turns.loop ? turns_text(loop, item) : "",
+                        count_text(loop, item, item->inner.loop ? turns_text(loop, item) : "",
                                    "redcc__trip"));
     }
 }

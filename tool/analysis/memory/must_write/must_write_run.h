@@ -82,7 +82,7 @@ void run_read_set(run *r, const state *s, const ir_node *node, byte_set bytes);
 /** Records a write of exactly these bytes, or of some of them. */
 void run_write(run *r, state *s, const ir_node *node, int64_t begin, int64_t end, bool is_exact);
 
-/** The value as an object of the type holds it after assignment or cast. */
+/** The value after an assignment or cast to the type. */
 value run_convert(run *r, const ir_node *node, value v, const ir_type *type);
 
 /** May evaluating it have side effects, according to its form? */
@@ -118,17 +118,17 @@ place run_variable_place(const run *r, const ir_variable *variable);
 place run_locate(run *r, state *s, const ir_node *node);
 /** Reads the lvalue `node` that lies there; arrays decay. */
 value run_load(run *r, state *s, const ir_node *node, const place *p);
-/** Assigns to the lvalue `target` that lies there; gives the value it then has. */
+/** Assigns to the lvalue `target` that lies there; returns the value it then has. */
 value run_store(run *r, state *s, const ir_node *target, const place *p, value v);
 
 /* ---- expressions and statements -------------------------------------------------------------- */
 
 /** The value of an expression, its effects applied to the state. */
 value run_evaluate(run *r, state *s, const ir_node *expression);
-/** As an operand whose value is not used: x; (void)x; */
+/** Evaluates an expression whose value is not used: x; (void)x; */
 void run_discard(run *r, state *s, const ir_node *expression);
-/** As run_evaluate, but a pointer into the object must not be the value, because it would be
- *  lost. */
+/** As run_evaluate, for a place where a pointer into the object could not be followed: gives up if
+ *  the value is one. */
 void run_evaluate_closed(run *r, state *s, const ir_node *expression);
 /** Gives up if C text that is not in the tree (the size of an array type) may read the object. */
 void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type *type);

@@ -3,7 +3,7 @@
 
 enum {
     /* A loop with a known trip count is executed up to this many times. */
-    MOST_ROUNDS = 1 << 14
+    MOST_ITERATIONS = 1 << 14
 };
 
 static state *scratch_copy(run *r, const state *s) {
@@ -56,7 +56,7 @@ typedef struct loop_parts {
 } loop_parts;
 
 /* Body and increment; the state after them. Breaks are joined into *breaks. */
-static void execute_round(run *r, state *s, const loop_parts *loop, state *breaks) {
+static void execute_iteration(run *r, state *s, const loop_parts *loop, state *breaks) {
     state *const outer_break = r->on_break, *const outer_continue = r->on_continue;
     state continues = {.is_reachable = false};
     r->on_break = breaks;
@@ -74,20 +74,20 @@ static value evaluate_condition(run *r, state *s, const loop_parts *loop) {
     return loop->condition == NULL ? always : run_evaluate(r, s, loop->condition);
 }
 
-/* Executes any number of rounds, from the state before the condition. Writes in a round do not
- * count in later ones; the values of variables are joined until they no longer change. */
-static void execute_any_rounds(run *r, state *s, const loop_parts *loop, state *breaks) {
+/* Executes any number of iterations, from the state before the condition. Writes in one iteration
+ * do not count in later ones; the values of variables are joined until they no longer change. */
+static void execute_any_iterations(run *r, state *s, const loop_parts *loop, state *breaks) {
     state *head = scratch_copy(r, s);
     while (r->unknown == NULL) {
         *s = state_copy(r->prover->scratch, head);
         const value condition = evaluate_condition(r, s, loop);
         const bool is_endless = condition.kind == VALUE_INTEGER && condition.number != 0;
         if (condition.kind == VALUE_INTEGER && condition.number == 0)
-            return; /* head is as precise as the first round: no round happens */
-        state *round = scratch_copy(r, s);
-        execute_round(r, round, loop, breaks);
+            return; /* head is as precise as the first iteration: no iteration happens */
+        state *iteration = scratch_copy(r, s);
+        execute_iteration(r, iteration, loop, breaks);
         state *next = scratch_copy(r, head);
-        join(r, loop->body, next, round);
+        join(r, loop->body, next, iteration);
         s->is_reachable = s->is_reachable && !is_endless;
         if (!run_step(r, loop->body, 4 * state_weight(head)) || state_same_bindings(next, head))
             return;
@@ -102,41 +102,42 @@ static state *bindings_copy(run *r, const state *s) {
     return scratch_copy(r, &bindings);
 }
 
-/* Is the trip count known, though the condition is not? Then the rounds are executed. */
-static bool execute_known_rounds(run *r, state *s, const loop_parts *loop, state *breaks) {
-    const int64_t rounds =
+/* Is the trip count known, though the condition is not? Then the iterations are executed. */
+static bool execute_known_iterations(run *r, state *s, const loop_parts *loop, state *breaks) {
+    const int64_t iterations =
         loop->counted && run_step(r, loop->body, 64) ? run_known_trip_count(r, loop->counted) : -1;
-    if (rounds < 0 || rounds > MOST_ROUNDS)
+    if (iterations < 0 || iterations > MOST_ITERATIONS)
         return false;
-    for (int64_t round = 0; round < rounds && s->is_reachable && r->unknown == NULL; round++) {
-        execute_round(r, s, loop, breaks);
+    for (int64_t iteration = 0; iteration < iterations && s->is_reachable && r->unknown == NULL;
+         iteration++) {
+        execute_iteration(r, s, loop, breaks);
         if (s->is_reachable)
             evaluate_condition(r, s, loop);
     }
     return true;
 }
 
-/* Executes the loop from its condition on, round by round while the condition is known. */
+/* Executes the loop from its condition on, iteration by iteration while the condition is known. */
 static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks) {
     const bool has_effects = loop->condition != NULL && run_has_effects(r, loop->condition);
     byte_set repeated = {NULL, 0}; /* the bytes written when the variables last stayed the same */
-    for (unsigned round = 0; s->is_reachable && r->unknown == NULL; round++) {
+    for (unsigned iteration = 0; s->is_reachable && r->unknown == NULL; iteration++) {
         state *before = has_effects ? scratch_copy(r, s) : bindings_copy(r, s);
         if (!run_step(r, loop->body, state_weight(before)))
             return;
         const value condition = evaluate_condition(r, s, loop);
         if (condition.kind == VALUE_INTEGER && condition.number == 0)
             return;
-        if (condition.kind != VALUE_INTEGER && round == 0 && !has_effects &&
-            execute_known_rounds(r, s, loop, breaks))
+        if (condition.kind != VALUE_INTEGER && iteration == 0 && !has_effects &&
+            execute_known_iterations(r, s, loop, breaks))
             return;
-        if (condition.kind != VALUE_INTEGER || round == MOST_ROUNDS) {
+        if (condition.kind != VALUE_INTEGER || iteration == MOST_ITERATIONS) {
             if (has_effects)
                 *s = *before; /* the state before the condition */
-            execute_any_rounds(r, s, loop, breaks);
+            execute_any_iterations(r, s, loop, breaks);
             return;
         }
-        execute_round(r, s, loop, breaks);
+        execute_iteration(r, s, loop, breaks);
         if (!s->is_reachable || !state_same_bindings(s, before))
             continue;
         if (repeated.words != NULL && byte_set_includes(repeated, s->written)) {
@@ -169,7 +170,7 @@ static void execute_loop_statement(run *r, state *s, const ir_node *node) {
     } else {
         loop.body = node->children[0];
         loop.condition = node->children[1];
-        execute_round(r, s, &loop, &breaks);
+        execute_iteration(r, s, &loop, &breaks);
     }
     execute_loop(r, s, &loop, &breaks);
     join(r, node, s, &breaks);

@@ -21,7 +21,6 @@ value value_integer(int64_t number, const ir_type *type) {
     return number_fits(number, type) ? v : value_other;
 }
 
-/* The value as an object of the type holds it after assignment or cast. */
 value run_convert(run *r, const ir_node *node, value v, const ir_type *type) {
     if (v.kind == VALUE_INTEGER)
         return value_integer(v.number, type);
@@ -30,7 +29,8 @@ value run_convert(run *r, const ir_node *node, value v, const ir_type *type) {
     return v;
 }
 
-/* A negative operand of an unsigned one is converted: not followed. */
+/* Does a conversion change a negative operand, because the other one is unsigned? Then the result
+ * is not followed. */
 static bool converts_sign(const ir_node *node, value left, value right) {
     const ir_type *a = node->children[0]->type, *b = node->children[1]->type;
     return (left.number < 0 && !b->is_signed) || (right.number < 0 && !a->is_signed);
