@@ -46,7 +46,7 @@ static bool is_blank_splice(const char *backslash, const char *end) {
     return at > backslash + 1 && at < end && (*at == '\n' || *at == '\r');
 }
 
-/* The construct that the splice may divide, judged by the word before it: _Pragma, or the prefix of
+/* The construct that the splice may divide, going by the word before it: _Pragma, or the prefix of
  * a raw string. NULL: neither. */
 static const char *split_word(const char *text, const char *splice) {
     static const char *const prefixes[] = {"R", "L", "LR", "u", "uR", "U", "UR", "u8", "u8R"};

@@ -22,12 +22,12 @@ static void add_touch(const loop_analysis *j, touch_list *list, const loop_sourc
 }
 
 /* In add(h + s[t], v) and add_at(h, s[t], v) the row is assembled from copies of the arguments. */
-static bool is_put_together(const reduction_update *update) {
+static bool is_assembled(const reduction_update *update) {
     return !ir_contains(update->statement, update->row);
 }
 
 static bool is_read_for_row(const reduction_update *update, const loop_access *read) {
-    if (is_put_together(update))
+    if (is_assembled(update))
         return read->access.lvalue && !read->access.callee &&
                ir_contains(update->statement, read->access.node) &&
                expression_occurrences(update->row, read->access.lvalue);
@@ -193,7 +193,7 @@ static bool add_search(loop_analysis *j, const loop_access *read) {
 
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript);
 
-/* This read determines subscripts, and cannot be compared. */
+/* Records that no plan is reused: the read determines subscripts, and cannot be compared. */
 static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
     if (j->slice.is_verifiable)
         j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
@@ -337,12 +337,12 @@ static void add_sources(loop_analysis *j, const bool *keep) {
             add_read(j, read, is_in_slice(j, keep, read));
     }
     for (unsigned i = 0; i < j->updates.count && j->slice.has_rows; i++)
-        if (is_put_together(&j->updates.items[i]))
+        if (is_assembled(&j->updates.items[i]))
             add_loads_of(j, &(loop_source){.row = j->updates.items[i].row}, NULL);
 }
 
-static bool take_slice(loop_analysis *j, const touch_list *touches, reason_id why,
-                       const char *name) {
+static bool set_slice(loop_analysis *j, const touch_list *touches, reason_id why,
+                      const char *name) {
     slice result = slice_compute(j, touches->count, touches->items);
     if (result.obstacle)
         return analysis_refuse(j, why, result.obstacle, name);
@@ -373,7 +373,7 @@ static bool has_sum_in_memory(const loop_analysis *j) {
 /* The slice reads before the loop: it must not read a sum in memory, or another iteration's own
  * element. Own elements have known places, and the slice's reads at known places are compared with
  * them before the slice is executed. */
-static bool are_scalars_apart(loop_analysis *j) {
+static bool check_scalars_unread(loop_analysis *j) {
     const bool has_sum = has_sum_in_memory(j);
     bool meets = false;
     for (unsigned i = 0; i < j->sources.count; i++)
@@ -393,7 +393,7 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         const slice_touch item = {j->updates.items[i].row, 0, NULL, j->updates.items[i].statement};
         VECTOR_PUSH(j->an->memory, &touches, item);
     }
-    if (!take_slice(j, &touches, REASON_INDEX_EXPENSIVE, j->arrays.items[0].array.name))
+    if (!set_slice(j, &touches, REASON_INDEX_EXPENSIVE, j->arrays.items[0].array.name))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *read = &j->accesses[i];
@@ -403,20 +403,20 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         if (!plan.is_possible || plan.source.extent != EXTENT_TOUCHED)
             continue;
         add_touch(j, &touches, &plan.source);
-        if (!take_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
+        if (!set_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
             return false;
     }
     /* Sources found in the slice are recorded at their places, which may add to it. */
-    bool is_settled = false;
-    for (unsigned round = 0; round < 3 && !is_settled; round++) {
+    bool is_stable = false;
+    for (unsigned round = 0; round < 3 && !is_stable; round++) {
         const bool *before = j->slice.holds;
         add_sources(j, before);
         for (unsigned i = 0; i < j->sources.count; i++)
             if (j->sources.items[i].extent == EXTENT_TOUCHED)
                 add_touch(j, &touches, &j->sources.items[i]);
-        if (!take_slice(j, &touches, REASON_MAY_ALIAS, j->arrays.items[0].array.name))
+        if (!set_slice(j, &touches, REASON_MAY_ALIAS, j->arrays.items[0].array.name))
             return false;
-        is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
+        is_stable = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->slice.holds);
     if (j->left_out.exits) { /* the check before reusing a plan would make reads that the program
@@ -424,9 +424,9 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         j->slice.unkept = (unkept_read){"a condition to leave", j->loop->range};
         j->slice.is_verifiable = false;
     }
-    j->slice.is_verifiable = j->slice.is_verifiable && is_settled && has_rows;
+    j->slice.is_verifiable = j->slice.is_verifiable && is_stable && has_rows;
     j->slice.has_floating_work |= !has_rows; /* of the rows */
-    if (!are_scalars_apart(j))
+    if (!check_scalars_unread(j))
         return false;
     if (!is_small(j))
         return analysis_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
@@ -452,8 +452,8 @@ static slice_result result_of(const loop_analysis *own) {
                           .slice = own->slice};
 }
 
-/* May both forms of the loop round differently? Then their subscripts would differ as well. */
-static bool is_compiled_unlike(const loop_analysis *j) {
+/* May two copies of the loop's text round differently? Then their subscripts might differ. */
+static bool may_round_differently(const loop_analysis *j) {
     return j->function->has_other_attributes || unit_text_has_own_options(j->an->text);
 }
 
@@ -463,7 +463,7 @@ slice_result check_slice(const loop_analysis *j) {
     if (is_found)
         find_slice_of_reads(&all);
     if (is_found || all.why.id != REASON_INDEX_EXPENSIVE || j->left_out.exits ||
-        is_compiled_unlike(j))
+        may_round_differently(j))
         return result_of(&all);
     loop_analysis reads = analysis_copy(j);
     return result_of(find_slice(&reads, false) ? &reads : &all);

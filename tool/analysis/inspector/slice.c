@@ -177,7 +177,8 @@ static bool concerns(const ir_field *needed, const ir_field *written) {
     return !needed || !written || needed == written;
 }
 
-static bool is_noted(slicer *s, needed_part part) {
+/* Notes the part; returns whether it was noted before. */
+static bool note_part(slicer *s, needed_part part) {
     for (unsigned i = 0; i < s->needed.count; i++)
         if (s->needed.items[i].variable == part.variable &&
             (!s->needed.items[i].field || s->needed.items[i].field == part.field))
@@ -195,7 +196,7 @@ static bool is_in_update(const slicer *s, const ir_node *node) {
 
 static void need_part(slicer *s, needed_part part) {
     const ir_variable *variable = part.variable;
-    if (!is_of_iteration(s, variable) || is_noted(s, part))
+    if (!is_of_iteration(s, variable) || note_part(s, part))
         return;
     const ir_node *loop = s->j->loop;
     const variable_fact *fact = variable_fact_of(s->j->an->facts, variable);
@@ -247,7 +248,8 @@ static void need_call(slicer *s, const ir_node *call) {
                            !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
 }
 
-/* Live-out values are written by the executor: the slice is executed as well. */
+/* Does the node write memory that is not private to the iteration? Only the executor may write it.
+ */
 static bool writes_shared(const slicer *s, const ir_node *node) {
     if (node->kind != IR_CALL && !expression_written(node))
         return false;
@@ -269,7 +271,7 @@ static void need_forward(slicer *s, const forwarded_store *store) {
     keep_around(s, store->statement, NULL);
 }
 
-/* As a variable that is written by the statements that store to it. */
+/* Like a variable, the element needs the statements that store to it. */
 static void need_own(slicer *s, unsigned number) {
     const uint64_t bit = (uint64_t)1 << number;
     if (s->own & bit)
@@ -378,8 +380,9 @@ static bool is_wild(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* Does a statement change only variables that are declared in `scope`? NULL: in the loop. */
-static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope) {
+/* Does the statement change only variables that are declared in `scope`? True if `scope` is NULL.
+ */
+static bool changes_only(const slicer *s, const ir_node *node, const ir_node *scope) {
     if (!scope)
         return true;
     const ir_node *target = expression_written(node);
@@ -387,7 +390,7 @@ static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope)
     if (target && (!root || root->type->kind == IR_POINTER || !is_declared_in(s, root, scope)))
         return target->kind == IR_VARIABLE && root && is_declared_in(s, root, scope);
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!stays_in(s, node->children[i], scope))
+        if (!changes_only(s, node->children[i], scope))
             return false;
     return true;
 }
@@ -399,16 +402,16 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
     switch (node->kind) {
     case IR_EXPRESSION:
     case IR_DECLARATOR:
-        return slice_is_safe_here(s->j, node, false) && stays_in(s, node, scope);
+        return slice_is_safe_here(s->j, node, false) && changes_only(s, node, scope);
     case IR_BREAK: /* it would leave a loop too early */
         return false;
     case IR_IF:
         return slice_is_safe_here(s->j, node->children[0], false);
     default:
-        return !has_own_condition(node) ||
-               (counted_constant(node, &counter, &first, &last) &&
-                ((stays_in(s, node->children[0], scope) && stays_in(s, node->children[2], scope)) ||
-                 counted_constant_sets(s->j->counted.body, counter)));
+        return !has_own_condition(node) || (counted_constant(node, &counter, &first, &last) &&
+                                            ((changes_only(s, node->children[0], scope) &&
+                                              changes_only(s, node->children[2], scope)) ||
+                                             counted_constant_sets(s->j->counted.body, counter)));
     }
 }
 
@@ -449,7 +452,7 @@ static bool is_in_block(const slicer *s, const ir_node *node) {
             (s->touches[i].loop_count || !span_is_recorded(&span, s->touches[i].row) ||
              !slice_is_safe_here(s->j, s->touches[i].row, true)))
             return false;
-    for (unsigned i = 0; i < s->j->sources.count; i++) /* no more of it may be compared */
+    for (unsigned i = 0; i < s->j->sources.count; i++) /* no read in it may be one to compare */
         if (s->j->sources.items[i].is_subscript && s->j->sources.items[i].place &&
             ir_contains(span.counted.body, s->j->sources.items[i].place))
             return false;
@@ -472,12 +475,12 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
-        const bool can_go = is_safe && is_safe_behind(s, outer, outer, outer);
-        if (can_go && !is_wanted && outer->kind == IR_IF && is_in_block(s, outer))
+        const bool can_enter = is_safe && is_safe_behind(s, outer, outer, outer);
+        if (can_enter && !is_wanted && outer->kind == IR_IF && is_in_block(s, outer))
             continue;
         if (try_to_keep(s, outer, true))
             continue;
-        if ((is_wanted || !can_go) && !try_to_keep(s, outer, false) && !can_go)
+        if ((is_wanted || !can_enter) && !try_to_keep(s, outer, false) && !can_enter)
             fail(s, outer);
     }
     for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop;

@@ -445,7 +445,8 @@ static bool reads_first(const loop_analysis *j, const access *update) {
     return false;
 }
 
-/* Against every update of the array: they may be of different fields. */
+/* The closest overlap of the read with any update of the array: these may be of different fields.
+ */
 static overlap overlap_with_array(const loop_analysis *j, const loop_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -476,7 +477,7 @@ static bool refuse_overlap(loop_analysis *j, const loop_access *read, const loop
     return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
 }
 
-/* The extent can be determined, or the loop is refused. */
+/* Marks the read for the guard if its extent can be determined; else refuses the loop. */
 static bool check_guard(loop_analysis *j, loop_access *read) {
     if (source_plan_of(j, read, false).is_possible) {
         read->needs_guard = true;
@@ -488,14 +489,14 @@ static bool check_guard(loop_analysis *j, loop_access *read) {
                            analysis_name(j, read->access.lvalue));
 }
 
-static bool hangs_on(const location *a, const location *b) {
+static bool has_same_base(const location *a, const location *b) {
     if (a->object || b->object)
         return a->object == b->object;
     return a->pointer && b->pointer && expression_same(a->pointer, b->pointer);
 }
 
-/* rows[i][c] read and rows[k][c] updated: the rows belong to one table, and overlap at least if i
- * == k. */
+/* Do read and updated rows belong to one table, as rows[i][c] and rows[k][c] do? They overlap at
+ * least if i == k. */
 static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
                              const loop_array *array) {
     const ir_node *x = read->where.pointer, *y = array->where.pointer;
@@ -565,7 +566,7 @@ static bool check_reads(loop_analysis *j) {
             if (meets == OVERLAP_SAME ||
                 (meets == OVERLAP_MAYBE && is_of_same_table(j, read, array)))
                 return refuse_overlap(j, read, array);
-            if (hangs_on(&read->where, &array->where))
+            if (has_same_base(&read->where, &array->where))
                 array->array.is_interleaved = true; /* another field, read through the same base */
             read->meets_arrays |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
         }

@@ -10,8 +10,8 @@ typedef struct source_plan {
     loop_source source;
 } source_plan;
 
-/** The way to determine the extent of a read. `of_contents`: it must contain only bytes that are
- *  really read, because they will be compared. */
+/** How to determine the extent of a read. `of_contents`: it must contain only bytes that are really
+ *  read, because they will be compared. */
 source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool of_contents);
 
 /** The first and the last element that a look-up reads of a row, if access.to is set: it reads all

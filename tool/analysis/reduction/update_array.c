@@ -71,8 +71,8 @@ static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *ta
     return true;
 }
 
-/* Is this update of a fixed element, h[0]++, of an array that is also updated at varying subscripts,
- * h[k]++? */
+/* Is this update of a fixed element, h[0]++, of an array that is also updated at varying
+ * subscripts, h[k]++? */
 static bool is_updated_besides(const loop_analysis *j, const loop_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (update->access.kind == ACCESS_UPDATE &&
@@ -177,8 +177,8 @@ bool update_array_find(loop_analysis *j, const loop_access *update, update_kind 
 }
 
 /* ---- rows of pointers to records -------------------------------------------------------------
- * p = &b[k]; ... p->x += v: the row is b[k].x, if k has not changed since. Spelled so, spans can see
- * how it steps.
+ * p = &b[k]; ... p->x += v: the row is b[k].x, if k has not changed since. Spelled so, spans can
+ * see how it steps.
  */
 
 /* Does it mention, besides numbers, only the loop's counter and variables of the iteration? */

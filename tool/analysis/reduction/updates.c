@@ -349,7 +349,8 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     return refuse_store(j, store);
 }
 
-/* Accepts a secondary counter that other statements read; if none does, its steps are a scalar sum. */
+/* Accepts a secondary counter that other statements read; if none does, its steps are a scalar sum.
+ */
 static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {
