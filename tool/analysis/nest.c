@@ -248,8 +248,8 @@ static bool contains_transformed(const loop_search *s, unsigned from, const ir_n
     return false;
 }
 
-/* Adds a verdict about the loop's scalars. It replaces the loop's own verdict if it is
- * VERDICT_BLOCKS, or if that is VERDICT_NOT_A_REDUCTION. */
+/* Adds a verdict about a loop's scalars. If the loop has one already, a new VERDICT_BLOCKS replaces
+ * it, and any new verdict replaces VERDICT_NOT_A_REDUCTION. */
 static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].loop == verdict.loop) {

@@ -284,6 +284,8 @@ static void add_loads_of(loop_analysis *j, const loop_source *recorded, const lo
     }
 }
 
+/* Adds what a read contributes: to the key or the compared sources, if it determines subscripts; to
+ * the guarded sources, if it needs a guard. */
 static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript) {
     source_plan contents = {0};
     bool is_keyed = false;

@@ -415,9 +415,9 @@ static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node
     }
 }
 
-/* The same for all kept parts below `node` that follow `from`. */
-static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *from,
-                           const ir_node *scope) {
+/* Is it safe to enter all kept parts below `node` that follow `from`? */
+static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *from,
+                          const ir_node *scope) {
     if (node->id > from->id && s->keep[node->id] && !is_safe_to_enter(s, node, scope))
         return false;
     const bool is_header = node->kind == IR_FOR && node->id > from->id && s->keep[node->id];
@@ -425,7 +425,7 @@ static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *
         return true;
     for (unsigned i = is_header ? 3 : 0; i < node->child_count; i++)
         if (!ir_is_expression(node->children[i]) &&
-            !is_safe_behind(s, node->children[i], from, scope))
+            !is_safe_after(s, node->children[i], from, scope))
             return false;
     return true;
 }
@@ -475,7 +475,7 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
-        const bool can_enter = is_safe && is_safe_behind(s, outer, outer, outer);
+        const bool can_enter = is_safe && is_safe_after(s, outer, outer, outer);
         if (can_enter && !is_wanted && outer->kind == IR_IF && is_in_block(s, outer))
             continue;
         if (try_to_keep(s, outer, true))
@@ -504,7 +504,7 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
             (!slice_is_safe_here(s->j, touches[i].row, true) ||
              !slice_loops_are_constant(touches[i].loop_count, touches[i].loops)))
             return false;
-    return is_safe_behind(s, body, jump, loop == s->j->loop ? NULL : body);
+    return is_safe_after(s, body, jump, loop == s->j->loop ? NULL : body);
 }
 
 /* Does it skip code that may end the loop or the program? */

@@ -4,7 +4,7 @@
 #include "analysis/base/loop_loads.h"
 
 /* Is the variable through which it is loaded unchanged in the loop? */
-static bool begins_fixed(const analyser *an, const ir_node *loop, const loop_loads *loads,
+static bool starts_unchanged(const analyser *an, const ir_node *loop, const loop_loads *loads,
                          const loop_load *load) {
     return loop_loads_has(loads, load->through) ||
            (!variable_escapes(an->facts, load->through) &&
@@ -16,7 +16,7 @@ bool loads_stay(const analyser *an, const ir_node *loop, const loop_loads *loads
     access_collect(an->effects, loop, &list);
     for (unsigned i = 0; i < loads->count; i++) {
         const loop_load *load = &loads->items[i];
-        if (!begins_fixed(an, loop, loads, load))
+        if (!starts_unchanged(an, loop, loads, load))
             return false;
         const location from = location_of(an->facts, load->variable->stands_for, loop);
         for (unsigned k = 0; k < list.items.count; k++) {

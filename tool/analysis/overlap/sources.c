@@ -232,9 +232,9 @@ static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
 
 /* ---- between bounds -------------------------------------------------------------------------- */
 
-/* Does the loop write nothing there, apart from arrays and scalars that are compared with the read
- * at run time? */
-static bool is_written_by_none(const loop_analysis *j, const ir_node *load) {
+/* Does the loop not write the loaded memory, apart from arrays and scalars that are compared with
+ * the read at run time? */
+static bool is_not_written(const loop_analysis *j, const ir_node *load) {
     const location where = location_of(j->an->facts, load, j->loop);
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
@@ -262,7 +262,7 @@ static bool can_be_read_before(const loop_analysis *j, const ir_node *node) {
                can_be_read_before(j, node->children[0]);
     case IR_MEMBER:
         if (!node->field || node->field->is_bit_field || node->field->offset < 0 ||
-            (ir_type_is_scalar(type) && !is_written_by_none(j, node)))
+            (ir_type_is_scalar(type) && !is_not_written(j, node)))
             return false;
         return (node->flags & IR_ARROW || node->children[0]->kind == IR_MEMBER) &&
                can_be_read_before(j, node->children[0]);

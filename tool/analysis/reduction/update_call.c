@@ -230,7 +230,7 @@ static const ir_node *target_by_address(const loop_analysis *j, const ir_node *c
     return target;
 }
 
-/* Is the array reached through a member, which the call does not name? */
+/* Is the array a member of the argument, so that the call's text does not name it? */
 static bool is_by_member(const written_part *part) {
     const ir_node *base = part->element;
     while (base && base->kind == IR_INDEX)
