@@ -77,7 +77,7 @@ bool is_captured(const loop_facts *facts, const ir_variable *variable) {
 
 enum { LARGEST_COPIED_RECORD = 64 };
 
-/** A private copy per thread lets the compiler keep it in a register. */
+/** A copy per thread can be kept in a register by the compiler. */
 bool is_copied_in(const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->kind == IR_RECORD) {
