@@ -255,7 +255,7 @@ static const char *translate_for_compiler(session *s, translation *t) {
     t->predefined = list_predefined(s, t);
     if (t->predefined && try_translator(s, t) == OUTCOME_CHANGED)
         return NULL;
-    return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
+    return arena_format(s->memory, "it tests which compiler this is (%s)", asked);
 }
 
 /* Shows the output of the user's own --report. The translator writes one kind of report: if the
@@ -359,7 +359,7 @@ static const char *mapped(session *s, const char *path) {
 static void add_prefix_maps(session *s, word_list *list, const translation *t) {
     arena *a = s->memory;
     const char *source = mapped(s, t->source->text);
-    if (s->real.is_clang) { /* its -ffile-prefix-map changes "./x.c" in every __FILE__ as well */
+    if (s->real.is_clang) { /* clang's -ffile-prefix-map would change "./x.c" in every __FILE__ */
         words_add(a, list, arena_format(a, "-fdebug-prefix-map=%s=%s", t->text, source));
         return;
     }

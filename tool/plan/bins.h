@@ -57,7 +57,7 @@ typedef struct bins_nest {
  * operands are read when it is applied (bins_span.c). */
 typedef struct bins_span {
     const ir_node *loop;      /* NULL: none */
-    const loop_span *counted; /* its header */
+    const loop_span *counted; /* the loop's header */
     int64_t first;            /* the counter's first value */
     unsigned variable_count;  /* the iteration's variables whose values the record keeps: */
     const ir_variable *variables[MOST_RECORD_OPERANDS];

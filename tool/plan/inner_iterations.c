@@ -19,7 +19,7 @@ enum {
 typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the loop */
-    const ir_node *block; /* its body */
+    const ir_node *block; /* the loop's body */
     unsigned rest;        /* index of the first statement of the rest */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];

@@ -17,7 +17,7 @@ typedef enum lane_reason {
 /** The result for one loop for which lanes were requested. */
 typedef struct lanes_outcome {
     lane_reason why;
-    ir_range range; /* of the reason, or of the loop, in the main file */
+    ir_range range; /* the place of the reason, or the loop, in the main file */
 } lanes_outcome;
 
 /** For example "used-below"; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */

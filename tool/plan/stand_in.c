@@ -38,7 +38,7 @@ static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable
     const size_t length = strlen(variable->name);
     unsigned mentions = 0;
     for (uint32_t at = body->range.begin; at < body->range.end; at++) {
-        if (text[at] == '\\' || text[at] == '?') { /* words may have another spelling */
+        if (text[at] == '\\' || text[at] == '?') { /* a splice, \u or trigraph changes a word */
             if (text[at] == '\\' || text[at + 1] == '?')
                 return false;
             continue;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One report on many files: merges the reports of the processes, of which each file has one. */
+/** One report on many files, each of which a separate process analyses: merges their reports. */
 #ifndef JOINED_REPORT_H
 #define JOINED_REPORT_H
 

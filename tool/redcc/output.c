@@ -46,8 +46,8 @@ static mode_t default_mode(void) {
 
 static const char *write_beside(arena *a, const char *path, const char *target, mode_t mode,
                                 const char *text, size_t length) {
-    char *beside = arena_format(a, "%s.XXXXXX", target);
-    const int file = mkstemp(beside);
+    char *temporary = arena_format(a, "%s.XXXXXX", target);
+    const int file = mkstemp(temporary);
     if (file < 0)
         return failure(a, path);
     bool ok = write_all(file, text, length) && fchmod(file, mode) == 0;
@@ -56,13 +56,13 @@ static const char *write_beside(arena *a, const char *path, const char *target, 
         ok = false;
         reason = errno;
     }
-    if (ok && rename(beside, target) != 0) {
+    if (ok && rename(temporary, target) != 0) {
         ok = false;
         reason = errno;
     }
     if (ok)
         return NULL;
-    unlink(beside);
+    unlink(temporary);
     errno = reason;
     return failure(a, path);
 }

@@ -304,7 +304,7 @@ typedef struct analysed_file {
     string_list headers; /* those in place of their #include directives */
 } analysed_file;
 
-/** How a file is analysed. */
+/** What the analysis of a file depends on. */
 typedef struct analysing {
     arena *memory;
     const options *options;

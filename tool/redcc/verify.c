@@ -144,7 +144,7 @@ const char *verify_output(arena *a, const source *input, const string_list *flag
                    .flags = flags,
                    .redcc = installation_find(a)};
     if (!w.redcc.include || !w.redcc.library)
-        return "--verify: redcc's runtime library is not found beside the program";
+        return "--verify: redcc's runtime library is not found next to the program";
     w.folder = temporary_create(a);
     if (!w.folder)
         return "--verify: no temporary folder can be made";

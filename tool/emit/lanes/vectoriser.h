@@ -68,7 +68,7 @@ const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to);
 const char *lane_scalar(vectoriser *l, const ir_node *node);
 /** The text of a uniform condition, without parentheses around it. */
 const char *lane_condition(vectoriser *l, const ir_node *node);
-/** A rename of ir_c.h with a vectoriser as its context: names for lane redcc__l. */
+/** An ir_c_rename, with a vectoriser as its context, that gives the names for lane redcc__l. */
 const char *lane_rename(const ir_node *node, void *context);
 /** The call of a function written for vectors. */
 const char *lane_call(vectoriser *l, const ir_node *call);

@@ -66,20 +66,20 @@ static void open_block(printer *p, const char *text) {
 }
 
 /** Records that control does not reach the next statement from here. */
-static void settle(printer *p) {
-    p->settled_end = p->out->out.length;
+static void forbid_fall_through(printer *p) {
+    p->no_fall_through_at = p->out->out.length;
 }
 
-static bool is_settled(const printer *p) {
-    return p->settled_end == p->out->out.length;
+static bool cannot_fall_through(const printer *p) {
+    return p->no_fall_through_at == p->out->out.length;
 }
 
 static void close_block(printer *p, const char *text) {
-    const bool settled = is_settled(p);
+    const bool is_last = cannot_fall_through(p);
     p->out->depth--;
     writer_line(p->out, "%s", text);
-    if (settled)
-        settle(p);
+    if (is_last)
+        forbid_fall_through(p);
 }
 
 /**
@@ -232,19 +232,19 @@ static void print_do(printer *p, const ir_node *node) {
 
 static void print_switch(printer *p, const ir_node *node) {
     writer_line(p->out, "switch (%s) {", print_expression(p, ir_child(node, 0)));
-    settle(p);
+    forbid_fall_through(p);
     print_part(p, ir_child(node, 1));
     writer_line(p->out, "}");
 }
 
 static void print_case(printer *p, const ir_node *node) {
-    if (!is_settled(p))
+    if (!cannot_fall_through(p))
         writer_line(p->out, "__attribute__((fallthrough));");
     if (node->kind == IR_CASE)
         writer_line(p->out, "case %s:;", print_expression(p, ir_child(node, 0)));
     else
         writer_line(p->out, "default:;");
-    settle(p);
+    forbid_fall_through(p);
     print_statement(p, node->children[node->child_count - 1]);
 }
 
@@ -259,7 +259,7 @@ static void print_jump(printer *p, const ir_node *node) {
         return;
     }
     writer_line(p->out, is_break ? "break;" : "continue;");
-    settle(p);
+    forbid_fall_through(p);
     if (!is_break && !p->in_loop)
         p->continues = true;
 }

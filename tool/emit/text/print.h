@@ -27,10 +27,10 @@ struct printer {
     bool continues;             /* a `continue` of the outermost loop was printed */
     unsigned unkept_since_break, unkept_since_continue; /* the number of omitted control statements
                                                          * since the target of a jump; start at 0 */
-    size_t settled_end; /* length of the text after a jump, a label or the head of a switch: a case
-                         * printed there is not reached by falling through */
-    bool in_loop;       /* a printed loop encloses the current node */
-    bool in_switch;     /* a printed switch or loop encloses it */
+    size_t no_fall_through_at; /* length of the text after a jump, a label or the head of a switch:
+                                * a case printed there is not reached by falling through */
+    bool in_loop;              /* a printed loop encloses the current node */
+    bool in_switch;            /* a printed switch or loop encloses it */
 };
 
 /** Prints a statement with all below it. */
