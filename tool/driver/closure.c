@@ -106,8 +106,8 @@ static void add_file(search *s, const char *name, int file) {
     read_names(s, name, text, (size_t)about.st_size);
 }
 
-/* Gives up if a precompiled form of the header exists: the compiler would read that, which is no C.
- */
+/* Gives up if a precompiled form of the header exists: the compiler would read that,
+ * which is no C. */
 static void check_precompiled(search *s, const char *path, const char *ending) {
     const char *other = arena_format(s->arena, "%s.%s", path, ending);
     if (access(other, F_OK) == 0)

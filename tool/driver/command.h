@@ -51,8 +51,8 @@ const char *item_argument(const item *i);
 /** Adds an item's words. */
 void item_add(arena *a, word_list *list, const item *i);
 
-/** Adds an item's words; for an OPTION_LIBERTY, only what does not change results (-O3 for -Ofast).
- */
+/** Adds an item's words; for an OPTION_LIBERTY, only what does not change results (-O3
+ *  for -Ofast). */
 void item_add_strict(arena *a, word_list *list, const item *i);
 
 /** Adds every option whose meaning shares no bit with `without`, but no inputs, -o and -x. If

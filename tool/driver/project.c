@@ -116,7 +116,7 @@ typedef struct scanner {
     const char *at, *end;
     project_file *file;
     project_function *function; /* the function whose body is being read; NULL: none */
-    int braces, parentheses;    /* open ones */
+    int braces, parentheses;    /* the numbers of open ones */
     const char *name;           /* outside of bodies: the word before a declaration's first '(' */
     bool is_static,
         is_called; /* outside of bodies: `static` was read; the parentheses are closed */

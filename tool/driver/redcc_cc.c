@@ -137,8 +137,8 @@ static const char *obstructing_option(const command *c) {
     return NULL;
 }
 
-/* Is the option for coverage? That counts executions of source lines; a translated text has others.
- */
+/* Is the option for coverage? That counts executions of source lines; a translated text
+ * has others. */
 static bool is_for_coverage(const char *word) {
     return strstr(word, "coverage") || strcmp(word, "-fprofile-arcs") == 0;
 }

@@ -57,8 +57,8 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
 
 /* ---- the conditions -------------------------------------------------------------------------- */
 
-/** Copies the line ends in bytes [begin, end) except for the first, which `out` contains already.
- */
+/** Copies the line ends in bytes [begin, end) except for the first, which `out`
+ *  contains already. */
 static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32_t end) {
     const char *at = memchr(text + begin, '\n', end - begin);
     for (at = at ? at + 1 : text + end; at < text + end; at++)

@@ -25,8 +25,8 @@ void fill_bounded_extent(loop_text *loop, writer *out, unsigned number);
 /** Does the text read memory before the loop that the program might not read, by loads that cannot
  *  fault? */
 bool reads_by_system(const loop_text *loop);
-/** The condition that all extents are known, for entering the parallel form; NULL: they always are.
- */
+/** The condition that all extents are known, for entering the parallel form; NULL: they
+ *  always are. */
 const char *extents_condition(const loop_text *loop);
 
 #endif

@@ -236,8 +236,8 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** Adds, directly before each function with such loops, the text that turns contraction off in it.
- */
+/** Adds, directly before each function with such loops, the text that turns contraction
+ *  off in it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;

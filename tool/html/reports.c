@@ -173,8 +173,8 @@ static bool add_run(reports *r, const json_t *object) {
 
 /* ---- files ----------------------------------------------------------------------------------- */
 
-/* Which objects of the files a pass reads: those of builds, or those of runs, which name a process.
- */
+/* Which objects of the files a pass reads: those of builds, or those of runs, which
+ * name a process. */
 typedef enum pass { BUILDS, RUNS } pass;
 
 static const char *add_objects(reports *r, const char *path, const char *text, pass wanted) {

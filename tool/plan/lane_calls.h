@@ -19,8 +19,8 @@ enum { LANE_CALL_WORK = 40 };
  *  floats. */
 bool lane_may_call(const ir_unit *unit, const ir_node *call);
 
-/** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf, fabsf), or NULL.
- */
+/** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf,
+ *  fabsf), or NULL. */
 const char *lane_known_call(const ir_function *callee);
 
 /** Records a problem if errno may have another value after the loop. */

@@ -73,8 +73,8 @@ static bool may_read_unverified(const unverified_reads *s, const ir_node *path) 
     return is_own(s, path) || (depends_on_guarded(s, path, true) && !is_known_fresh(s, path));
 }
 
-/** Does the path begin with a pointer that the iteration has computed? Its target is not analysed.
- */
+/** Does the path begin with a pointer that the iteration has computed? Its target is
+ *  not analysed. */
 static bool begins_with_private_pointer(const unverified_reads *s, const ir_node *path) {
     const ir_variable *root = ir_root_variable(path);
     return !root || (root->type->kind == IR_POINTER && !is_captured(s->plan->facts, root));

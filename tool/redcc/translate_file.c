@@ -295,8 +295,8 @@ static emit_result with_records(arena *a, const emit_result *written, const char
     return result;
 }
 
-/** A unit and the analysis of its loops: of the file itself, or of the file with headers in place.
- */
+/** A unit and the analysis of its loops: of the file itself, or of the file with
+ *  headers in place. */
 typedef struct analysed_file {
     ir_unit *unit;
     const char *records; /* NULL: none */

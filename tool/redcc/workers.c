@@ -117,8 +117,8 @@ static void show_ended(pool *all) {
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-/* Works in the caller's own process, which avoids copying pages that a large library has written.
- */
+/* Works in the caller's own process, which avoids copying pages that a large library
+ * has written. */
 static bool work_in_process(const workers *w) {
     for (unsigned i = 0; i < w->count; i++) {
         void *result = calloc(1, w->result_size);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** LLVM optimization records, which opt-viewer and similar tools read (llvm.org/docs/Remarks.html).
- */
+/** LLVM optimization records, for opt-viewer and similar tools (llvm.org/docs/Remarks.html). */
 #include "report/facts.h"
 #include "report/plan.h"
 

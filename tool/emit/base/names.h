@@ -16,8 +16,8 @@ const char *loop_lanes_name(loop_text *loop);
 const char *declaration_text(loop_text *loop, const ir_type *type, const char *name);
 /** As declaration_text, for an object that is assigned after its declaration. */
 const char *assignable_declaration_text(loop_text *loop, const ir_type *type, const char *name);
-/** The text that replaces the node if it is a variable that slice or body get by address; or NULL.
- */
+/** The text that replaces the node if it is a variable that slice or body get by
+ *  address; or NULL. */
 const char *pointed_name(const loop_text *loop, const ir_node *node);
 /** The declaration of a private variable in the body or in the slice. */
 const char *private_declaration(loop_text *loop, const private_variable *item);

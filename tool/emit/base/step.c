@@ -35,8 +35,8 @@ static const char *turns_text(loop_text *loop, const private_variable *item) {
                : arena_format(loop->arena, "(redcc_int)%s - redcc__lower + %lld", end, offset);
 }
 
-/** The number of steps before an iteration. `first`: the number of inner iterations in the first.
- */
+/** The number of steps before an iteration. `first`: the number of inner iterations in
+ *  the first. */
 static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
                               const char *iteration) {
     if (!item->turns.loop)

@@ -207,8 +207,8 @@ static void step_to_last(inspector *self, const loop_span *span) {
     writer_line(out, "%s = (__typeof__(%s))(%s);", counter, counter, last);
 }
 
-/** Steps variables declared outside of the loop from the last iteration to their values after it.
- */
+/** Steps variables declared outside of the loop from the last iteration to their values
+ *  after it. */
 static void step_past_end(inspector *self, const loop_span *span) {
     const long long step = (long long)span->counted.step;
     for (unsigned i = 0; i < span->stepped_count; i++)

@@ -60,8 +60,8 @@ static void scan_byte(line_scan *line, const buffer *out, char byte) {
         line->comma = out->length - 1;
 }
 
-/** Replaces the last blank after a comma, or else the last blank, by a line end and an indentation.
- */
+/** Replaces the last blank after a comma, or else the last blank, by a line end and an
+ *  indentation. */
 static void break_line(arena *scratch, line_scan *line, buffer *out) {
     const size_t at = line->comma ? line->comma : line->blank;
     const char *rest = arena_format(scratch, "%s", out->data + at + 1);
