@@ -36,8 +36,7 @@
 
 /* ---- the printer's hooks ------------------------------------------------------------------- */
 
-/** Does the update need braces, so that its `if` does not take a following `else`, nor make
- * compilers warn of that? */
+/** Does the update need braces, so that a following `else` does not belong to its `if`? */
 static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
@@ -164,8 +163,7 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
     return false;
 }
 
-/** Is the node a constant whose text has no meaning before the function: an enumerator that the
- *  function declares, or a sizeof with a renamed operand? */
+/** Is the node an enumerator that the function declares, or a sizeof with a renamed operand? */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
