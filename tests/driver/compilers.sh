@@ -146,8 +146,8 @@ for condition in '!__has_feature(x)' '__has_builtin(__builtin_assume)' '!defined
   ask "$condition"
   sed -i '1i#ifndef __has_feature\n#define __has_feature(x) 0\n#endif' x.c
   build_both gcc -v
-  expect_match messages 'it asks which compiler this is'
-  expect_match report '"left_alone":"it asks which compiler this is'
+  expect_match messages 'it tests which compiler this is'
+  expect_match report '"left_alone":"it tests which compiler this is'
 done
 for condition in 'defined(__GNUC__)' '__GNUC__ >= 3' 'defined(__clang__) || defined(__GNUC__)'; do
   ask "$condition"

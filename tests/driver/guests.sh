@@ -98,11 +98,11 @@ REDCC_STRICT=1 redcc-cc -O2 commented.c -o p 2>messages || fail "$case_name: $(c
 expect_bits p
 end
 
-begin "several sources in a command, with files beside the objects"
+begin "several sources in a command, with files other than objects"
 write_sources
 for options in -save-temps "-g -gsplit-dwarf"; do
   # shellcheck disable=SC2086
-  expect_strict_error "files beside the objects" redcc-cc -O2 $options count.c other.c -o p
+  expect_strict_error "files other than objects" redcc-cc -O2 $options count.c other.c -o p
   expect_bits p
   # shellcheck disable=SC2086
   REDCC_STRICT=1 redcc-cc -O2 $options -c count.c || fail "$case_name: one source with $options is translated"

@@ -130,8 +130,8 @@ complain() { # STATUS PATTERN ARGUMENTS...
   expect_equal "$case_name: $*" "$status" $?
   expect_match messages "$pattern"
 }
-complain 2 'wants a folder for the pages' 
-complain 2 'wants a folder for the pages' pages
+complain 2 'needs a folder for the pages' 
+complain 2 'needs a folder for the pages' pages
 complain 1 "cannot read 'none': No such file" pages build.jsonl none
 printf '{"redcc":"1","file":"x.c","loops":[]}\n\nnot JSON\n' >bad
 complain 1 "bad:3: error: expected a JSON object" pages bad
@@ -139,7 +139,7 @@ printf '{"redcc":"1","file":"x.c","loops":[3]}\n' >bad
 complain 1 "bad:1: error: expected" pages bad
 complain 1 "none of the files is a build's report" pages <(run_report "$(ran x.c 1 f 1 1 1)")
 expect_no_file pages
-complain 1 "'kept' is there, and no folder" kept build.jsonl
+complain 1 "'kept' exists, and is no folder" kept build.jsonl
 mkdir mine && echo mine >mine/notes.txt
 complain 1 "'mine' holds 'notes.txt'" mine build.jsonl
 complain 1 'cannot create' none/pages build.jsonl

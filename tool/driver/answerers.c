@@ -13,7 +13,7 @@ struct cache {
     store kept;
     digest compiler;
     digest program;       /* the translator without its libraries */
-    digest libraries_key; /* of the cached answer about them */
+    digest libraries_key; /* under which the list of its libraries is cached */
     digest translator;
     word_list folders;
 };
@@ -42,7 +42,7 @@ bool answerers_options_are_plain(const word_list *options) {
 
 /* ---- the compiler ---------------------------------------------------------------------------- */
 
-/* The programs that the compiler's name starts: launchers, and the compiler itself. */
+/* Adds the programs that run when the compiler is called: launchers, and the compiler itself. */
 static bool add_programs(session *s, const store *kept, digester *d) {
     const word_list *words = &s->real.words;
     unsigned i = 0;
@@ -55,7 +55,8 @@ static bool add_programs(session *s, const store *kept, digester *d) {
     return true;
 }
 
-/* The compiler's answer to given options, independent of any source. */
+/* The compiler's output for these options, which depends on no source; `of_whom` identifies the
+ * compiler. NULL: it fails. */
 static const char *ask_compiler(session *s, const store *kept, const digest *of_whom,
                                 const char *const *question) {
     arena *a = s->memory;
@@ -83,8 +84,8 @@ static const char *ask_compiler(session *s, const store *kept, const digest *of_
     return text;
 }
 
-/* The folders in the output of -v, including nonexistent ones, in any language; it may contain
- * other paths. */
+/* Adds the folders in the output of -v, whatever its language, including nonexistent ones. Other
+ * paths in the output may be added as well. */
 static void add_printed_folders(arena *a, const char *text, word_list *folders) {
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         const size_t end = strcspn(line, "\n");
@@ -96,7 +97,7 @@ static void add_printed_folders(arena *a, const char *text, word_list *folders) 
     }
 }
 
-/* Names of shared libraries may resolve to others once this file has changed. */
+/* Adds the loader's cache: if it changes, names of shared libraries may lead to other files. */
 static bool add_loader(session *s, const store *kept, digester *d) {
     static const char path[] = "/etc/ld.so.cache";
     word_list files = {0};
@@ -118,7 +119,7 @@ static bool find_compiler(session *s, struct cache *c) {
     if (!proper)
         return false;
     word_list files = {0};
-    if (!s->real.is_clang) /* clang has it in itself */
+    if (!s->real.is_clang) /* clang is a single program */
         words_add(s->memory, &files, arena_copy(s->memory, proper, strcspn(proper, "\n")));
     if (!identity_add_files(s->memory, &c->kept, &all, &files))
         return false;
@@ -131,7 +132,7 @@ static bool find_compiler(session *s, struct cache *c) {
 
 /* ---- the translator -------------------------------------------------------------------------- */
 
-/* Reads the translator's list: its libraries, by contents, and its folders. */
+/* Reads the translator's list: identifies its libraries by their contents, and adds its folders. */
 static bool know_translator(session *s, struct cache *c, const char *list, size_t length) {
     digester d = digest_begin();
     digest_add(&d, c->program.bytes, sizeof c->program.bytes);
@@ -175,7 +176,7 @@ static const char *ask_translator(session *s, const struct cache *c, size_t *len
         return NULL;
     buffer own = {0};
     for (const char *at = text; at < text + *length; at += strlen(at) + 1)
-        if (*at != 'f') /* the empty source */
+        if (*at != 'f') /* a file, which is the empty source */
             buffer_append(&own, at, strlen(at) + 1);
     const char *result = arena_copy(a, own.data ? own.data : "", own.length);
     *length = own.length;
@@ -207,13 +208,14 @@ struct cache *answerers_find(session *s, const store *kept) {
     return s->tools.translator && find_compiler(s, c) && find_translator(s, c) ? c : NULL;
 }
 
-/* ---- where headers are looked for ------------------------------------------------------------ */
+/* ---- where headers are searched -------------------------------------------------------------- */
 
 static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The headers that one item adds; NULL, or the reason why it cannot be followed. */
+/* Adds the headers and folders that one item of the command names. NULL, or the reason why it
+ * cannot be followed. */
 static const char *add_of_item(session *s, closure_request *request, const item *one) {
     static const char *const folders[] = {"-I", "-iquote", "-isystem", "-idirafter"};
     static const char *const files[] = {"-include", "-imacros"};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Identifies the programs that answer the queries of a call, the translator and the compiler, and
- *  the folders in which they search for headers. */
+/** Identifies the programs whose results are cached, the translator and the compiler, and the
+ * folders in which they search for headers. */
 #ifndef DRIVER_ANSWERERS_H
 #define DRIVER_ANSWERERS_H
 
@@ -8,17 +8,17 @@
 #include "driver/closure.h"
 #include "driver/store.h"
 
-/** Whether $REDCC_OPTS contains only options that affect the translation alone. */
+/** Whether $REDCC_OPTS contains only options that affect nothing but the translation. */
 bool answerers_options_are_plain(const word_list *options);
 
 /** Identifies the programs, by the cache if possible; NULL if one is a script or cannot be
  *  queried. */
 struct cache *answerers_find(session *s, const store *kept);
 
-/** The store of the answers. */
+/** The store of the cached results. */
 const store *answerers_store(const session *s);
 
-/** The program that answers, by contents. */
+/** The identity of the program, a digest of its contents. */
 const digest *answerers_identity(const session *s, cache_program program);
 
 /** Adds all folders that are searched for headers of the command's sources, and the headers that

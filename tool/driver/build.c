@@ -44,7 +44,7 @@ static bool was_interrupted(const attempt *made) {
     return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
 }
 
-/* Messages go through a file and would lose their colours. */
+/* Adds the option for colours, which compilers leave out because their messages go to a file. */
 static void add_colour(session *s, word_list *list) {
     const char *terminal = getenv("TERM");
     bool chosen = false;
@@ -98,7 +98,7 @@ static _Noreturn void build_original(session *s) {
     }
     session_add_original(s, &plain);
     if (file_is_empty(first.error) && file_is_empty(first.output))
-        session_become_compiler(s); /* its messages were lost (a full disk) */
+        session_become_compiler(s); /* the linker's messages were lost (a full disk) */
     attempt second = try_command(s, &plain, s->input);
     show_attempt(s, second.status == 0 ? &second : &first);
     if (second.status == 0)
@@ -126,8 +126,8 @@ static void add_replaced(session *s, word_list *list, const translation *t) {
     add_runtime(s, list, true);
 }
 
-/* Adds the compilation of one translated text: to `object` or, if NULL, to the output of the
- * command's -c or -S. */
+/* Adds the command that compiles one translated text to `object`; NULL: to the output that the
+ * command's -c or -S has by default. */
 static void add_alone(session *s, word_list *list, const translation *t, const char *object) {
     arena *a = s->memory;
     words_add_all(a, list, &s->real.words);
@@ -146,8 +146,8 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
     words_add(a, list, t->is_input ? "-" : t->text);
 }
 
-/* Compiles the source itself, only for its messages, which are cached: with warnings, a source
- * would take twice as long in every build. */
+/* Compiles the source itself, only for its messages. They are cached: otherwise every build would
+ * compile a source with warnings twice. */
 static attempt compile_for_messages(session *s, const translation *t) {
     arena *a = s->memory;
     word_list words = {0};
@@ -173,8 +173,8 @@ static attempt compile_for_messages(session *s, const translation *t) {
 }
 
 /* Compiles a translated text. It contains a loop's body several times, and would repeat every
- * warning. So the messages shown are those of the source itself; warnings that are no errors there
- * are none in the translated text either (-Werror). */
+ * warning. So the messages shown are those of the source itself. With -Werror, the text may fail by
+ * warnings that the source does not have: then it is compiled once more without warnings. */
 static attempt compile_text(session *s, const translation *t, word_list *words) {
     const char *input = t->is_input ? t->text : NULL;
     attempt made = try_command(s, words, input);
@@ -186,7 +186,7 @@ static attempt compile_text(session *s, const translation *t, word_list *words) 
         return plain;
     if (plain.status != 0) {
         made.status = plain.status;
-        made.error = NULL; /* the error is not in the translation */
+        made.error = NULL; /* the source has the error, not its translation */
         return made;
     }
     if (made.status != 0) {
@@ -198,7 +198,7 @@ static attempt compile_text(session *s, const translation *t, word_list *words) 
     return made;
 }
 
-/* The numbers of this file may be others than the user's own build gives. */
+/* Notes that the file's results may differ from those of a build with an option such as -Ofast. */
 static void note_liberty(const session *s, const translation *t) {
     const char *liberty = session_liberty(s);
     if (liberty && !s->show)
@@ -238,7 +238,7 @@ static bool write_dependencies(session *s) {
     return session_run(s, &words, (process_streams){s->input, "/dev/null", "/dev/null"}) == 0;
 }
 
-/* Runs the original command although sources were translated: gives the reason for each of them. */
+/* Runs the original command although sources were translated, and reports the reason for each. */
 static _Noreturn void build_untranslated(session *s, const translation *translations,
                                          unsigned count, const char *why) {
     for (unsigned i = 0; i < count; i++)
@@ -317,7 +317,7 @@ static _Noreturn void build_linked(session *s, const translation *translations, 
     }
     add_colour(s, &words);
     add_runtime(s, &words, any_done(done, count));
-    if (s->real.is_clang) /* options of earlier compilations */
+    if (s->real.is_clang) /* the link has options that only the compilations needed */
         words_add(a, &words, "-Qunused-arguments");
     attempt made = try_command(s, &words, s->input);
     if (made.status != 0 && !was_interrupted(&made) && !s->strict) {
@@ -334,7 +334,7 @@ static _Noreturn void build_several(session *s, const translation *translations,
     bool *done = ARENA_ARRAY(s->memory, bool, count);
     if (s->command.links && (s->command.meaning & OPTION_AUXILIARY))
         build_untranslated(s, translations, count,
-                           "an option asks for files beside the objects, and several sources are "
+                           "an option asks for files other than objects, and several sources are "
                            "compiled and linked in one command");
     if (!s->command.links && s->command.output)
         build_original(s); /* one name for several objects: the compiler will report it */
@@ -366,8 +366,9 @@ _Noreturn void build(session *s, const translation *translations, unsigned count
         session_end(s, 0);
     if (translated == 0)
         build_original(s);
-    /* If files are to be named after the program, its only source is compiled and linked in one
-     * call. Otherwise two calls distinguish the linker's messages from the compiler's. */
+    /* Compiling and linking are two calls, to distinguish the linker's messages from the
+     * compiler's. They are one call if an option asks for files that are named after the program.
+     */
     if (s->command.compiled == 1 && (!s->command.links || s->command.meaning & OPTION_AUXILIARY))
         build_one(s, &translations[0]);
     build_several(s, translations, count);

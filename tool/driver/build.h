@@ -8,7 +8,8 @@
 /** Whether the command links a program that the runtime can be added to. */
 bool build_can_add_runtime(const session *s);
 
-/** Executes the command, with `count` sources translated or attempted. Ends the process. */
+/** Executes the command, given the results of translating its `count` C sources. Ends
+ *  the process. */
 _Noreturn void build(session *s, const translation *translations, unsigned count);
 
 #endif

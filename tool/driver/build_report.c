@@ -20,7 +20,7 @@ const char *build_report_file(bool *by_run) {
     return own && *own ? own : *by_run ? of_run : NULL;
 }
 
-/* JSON without white space between its tokens, and a newline. */
+/* Appends the JSON text without white space between its tokens, and a newline. */
 static void compact(const char *text, buffer *line) {
     bool in_string = false;
     for (; *text; text++) {

@@ -8,7 +8,7 @@
 #include "driver/build_report.h"
 #include "driver/installation.h"
 
-/* How often each text occurs. */
+/* A text, and how often it occurs. */
 struct count {
     const char *text; /* owned by the JSON object of counts */
     json_int_t times;
@@ -16,11 +16,11 @@ struct count {
 
 struct totals {
     json_int_t files, translated_files, left_alone, parallel, refused_loops;
-    json_int_t remade, never; /* of the parallel ones: with a plan for each execution; without
-                               * parallel execution by default */
-    json_t *refused;          /* reason's id and slug -> number of loops */
-    json_t *in_headers;       /* loops of headers that were counted */
-    json_t *reasons;          /* reason why a file was left alone -> number of files */
+    json_int_t remade;  /* parallel loops that need a new plan for each execution */
+    json_int_t never;   /* parallel loops that by default do not run in parallel */
+    json_t *refused;    /* reason's id and slug -> number of loops */
+    json_t *in_headers; /* loops of headers that were counted */
+    json_t *reasons;    /* reason why a file was left alone -> number of files */
 };
 
 static void count_one(json_t *counts, const char *text) {
@@ -28,7 +28,7 @@ static void count_one(json_t *counts, const char *text) {
     json_object_set_new(counts, text, json_integer(before + 1));
 }
 
-/* Was it counted? Each source that includes a header reports its loops. */
+/* Has the loop of a header been counted before? Each source that includes the header reports it. */
 static bool is_known(const struct totals *totals, const char *folder, const json_t *loop) {
     const char *name = json_string_value(json_object_get(loop, "file"));
     if (!name)

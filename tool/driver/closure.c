@@ -18,7 +18,7 @@ typedef struct place {
 
 static place place_of(const struct stat *about) {
     place p;
-    memset(&p, 0, sizeof p); /* it is a key: padding must be deterministic */
+    memset(&p, 0, sizeof p); /* padding too: the bytes are a key of maps */
     p.device = about->st_dev;
     p.inode = about->st_ino;
     return p;
@@ -29,12 +29,13 @@ typedef struct search {
     word_list folders; /* the search folders that exist */
     closure found;
     digester state;
-    map *looked;             /* paths */
-    word_list texts, macros; /* of files; that may expand to names of headers */
-    map *met;                /* files and the folders in which they were found */
-    map *names;              /* names searched in all folders */
-    map *below;              /* folders of paths: does each exist? */
-    uintptr_t count;
+    map *tried;       /* the paths already tried */
+    word_list texts;  /* the texts of files */
+    word_list macros; /* macros that may expand to names of headers */
+    map *met;         /* pairs of a file and the folder in which it was found */
+    map *names;       /* names already searched in all folders */
+    map *below;       /* folders of paths: does each exist? */
+    uintptr_t count;  /* different files so far */
 } search;
 
 static bool is_new(map *m, const char *key) {
@@ -59,8 +60,8 @@ static char *read_open(arena *a, int file, size_t size) {
     return text;
 }
 
-/* Is this file new in this folder? "../a/x.h" leads back into a folder under ever longer names, and
- * from there to the same files. */
+/* Was the file not yet found in this folder? A file that includes "../a/x.h" leads to the same
+ * folder under ever longer names, and so to the same files again. */
 static bool is_new_in_folder(search *s, const char *name, const struct stat *about) {
     struct stat folder;
     const char *path = path_folder(s->arena, name);
@@ -105,16 +106,17 @@ static void add_file(search *s, const char *name, int file) {
     read_names(s, name, text, (size_t)about.st_size);
 }
 
-/* A precompiled form of a header would be read in its place, and is not C. */
-static void look_for_precompiled(search *s, const char *path, const char *ending) {
+/* Gives up if a precompiled form of the header exists: the compiler would read that,
+ * which is no C. */
+static void check_precompiled(search *s, const char *path, const char *ending) {
     const char *other = arena_format(s->arena, "%s.%s", path, ending);
     if (access(other, F_OK) == 0)
         s->found.unknown = arena_format(s->arena, "%s is precompiled", other);
 }
 
-/* Does no search folder contain the folder of `path`? Most have no bits/ or sys/, and half of all
- * names begin so. */
-static bool lies_nowhere(search *s, const char *path) {
+/* Does the folder of `path` not exist? Half of all names begin with bits/ or sys/, which most
+ * search folders do not contain. */
+static bool folder_is_absent(search *s, const char *path) {
     static const char absent[] = "absent";
     const char *slash = strrchr(path, '/');
     if (!slash || slash == path)
@@ -128,10 +130,10 @@ static bool lies_nowhere(search *s, const char *path) {
 }
 
 /* Adds a path that may hold a header. */
-static void look_at(search *s, const char *path) {
-    if (s->found.unknown || lies_nowhere(s, path) || !is_new(s->looked, path))
+static void try_path(search *s, const char *path) {
+    if (s->found.unknown || folder_is_absent(s, path) || !is_new(s->tried, path))
         return;
-    look_for_precompiled(s, path, "gch");
+    check_precompiled(s, path, "gch");
     const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) {
         if (errno != ENOENT && errno != ENOTDIR)
@@ -142,29 +144,29 @@ static void look_at(search *s, const char *path) {
     close(file);
 }
 
-static void look_below(search *s, const char *folder, const char *name) {
-    look_at(s, *folder ? arena_format(s->arena, "%s/%s", folder, name) : name);
+static void try_below(search *s, const char *folder, const char *name) {
+    try_path(s, *folder ? arena_format(s->arena, "%s/%s", folder, name) : name);
 }
 
-static void look_everywhere(search *s, const char *name) {
+static void try_everywhere(search *s, const char *name) {
     if (!is_new(s->names, name))
         return;
     if (*name == '/') {
-        look_at(s, name);
+        try_path(s, name);
         return;
     }
     for (unsigned i = 0; i < s->folders.count; i++)
-        look_below(s, s->folders.items[i], name);
+        try_below(s, s->folders.items[i], name);
 }
 
-/* A header of -include. clang also reads its other precompiled form. */
-static void look_for_included(search *s, const char *name, const char *folder) {
-    look_below(s, "", name);
-    look_below(s, folder, name);
-    look_everywhere(s, name);
-    look_for_precompiled(s, name, "pch");
+/* Searches a header of -include, of which clang may read a precompiled form with the ending pch. */
+static void try_included(search *s, const char *name, const char *folder) {
+    try_below(s, "", name);
+    try_below(s, folder, name);
+    try_everywhere(s, name);
+    check_precompiled(s, name, "pch");
     for (unsigned i = 0; i < s->folders.count; i++)
-        look_for_precompiled(s, arena_format(s->arena, "%s/%s", s->folders.items[i], name), "pch");
+        check_precompiled(s, arena_format(s->arena, "%s/%s", s->folders.items[i], name), "pch");
 }
 
 static void read_names(search *s, const char *name, const char *text, size_t length) {
@@ -179,20 +181,21 @@ static void read_names(search *s, const char *name, const char *text, size_t len
     const char *folder = path_folder(s->arena, name);
     for (unsigned i = 0; i < names.quoted.count; i++) {
         if (*names.quoted.items[i] != '/')
-            look_below(s, folder, names.quoted.items[i]);
-        look_everywhere(s, names.quoted.items[i]);
+            try_below(s, folder, names.quoted.items[i]);
+        try_everywhere(s, names.quoted.items[i]);
     }
     for (unsigned i = 0; i < names.angled.count; i++)
-        look_everywhere(s, names.angled.items[i]);
+        try_everywhere(s, names.angled.items[i]);
 }
 
-/* A nonexistent folder holds no header; if it is created later, the state changes. */
+/* Keeps the folders that exist. The state contains which do not, so that it changes if one is
+ * created later. */
 static void find_folders(search *s, const word_list *all) {
     for (unsigned i = 0; i < all->count; i++) {
         struct stat about;
         const char *folder = all->items[i];
         const bool is_there = stat(folder, &about) == 0 && S_ISDIR(about.st_mode);
-        if (!is_new(s->looked, arena_format(s->arena, "%s/", folder)))
+        if (!is_new(s->tried, arena_format(s->arena, "%s/", folder)))
             continue;
         if (source_ends_with(folder, ".hmap"))
             s->found.unknown = arena_format(s->arena, "%s is a map of headers", folder);
@@ -203,7 +206,8 @@ static void find_folders(search *s, const word_list *all) {
     }
 }
 
-/* May any text or word define a macro that expands to the name of a header? */
+/* Gives up if a text, or a word of the command, may define a macro that expands to the name of a
+ * header. */
 static void check_macros(search *s, const word_list *words) {
     for (unsigned i = 0; !s->found.unknown && i < s->macros.count; i++) {
         const char *macro = s->macros.items[i];
@@ -221,7 +225,7 @@ closure closure_find(arena *a, const closure_request *request) {
     search s = {.arena = a,
                 .found = {.files = map_new(a)},
                 .state = digest_begin(),
-                .looked = map_new(a),
+                .tried = map_new(a),
                 .met = map_new(a),
                 .names = map_new(a),
                 .below = map_new(a)};
@@ -234,7 +238,7 @@ closure closure_find(arena *a, const closure_request *request) {
         close(file);
     }
     for (unsigned i = 0; i < request->included.count; i++)
-        look_for_included(&s, request->included.items[i], path_folder(a, request->name));
+        try_included(&s, request->included.items[i], path_folder(a, request->name));
     check_macros(&s, &request->words);
     s.found.state = digest_end(&s.state);
     return s.found;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * All files that a preprocessor could read for a source, for any branches and any search order:
- * every file in a search folder whose name the source or such a file includes. If two closures are
- * equal, so is the preprocessor's input: a header that appears, vanishes, moves or hides another
- * one changes the closure.
+ * every file in a search folder whose name the source, or another file of the closure, includes. If
+ * two closures are equal, so is the preprocessor's input: the closure changes if a header appears,
+ * vanishes, moves or hides another one.
  */
 #ifndef DRIVER_CLOSURE_H
 #define DRIVER_CLOSURE_H
@@ -18,20 +18,20 @@
 typedef struct closure_request {
     const char *file;   /**< the source's bytes */
     const char *name;   /**< its name; its folder is searched for headers */
-    word_list included; /**< of -include and -imacros */
-    word_list folders;  /**< that are searched, in any order */
-    word_list words;    /**< of the command, which may define macros */
+    word_list included; /**< the headers of -include and -imacros */
+    word_list folders;  /**< the folders that are searched, in any order */
+    word_list words;    /**< the command, which may define macros */
 } closure_request;
 
 typedef struct closure {
     const char *unknown; /**< the reason why the closure is unknown; NULL: it is known */
-    digest state;        /**< of names, contents, and which of them are one file */
-    map *files;          /**< their devices and inodes */
+    digest state;        /**< of names, contents, and which names lead to one file */
+    map *files;          /**< devices and inodes of the files */
 } closure;
 
 closure closure_find(arena *a, const closure_request *request);
 
-/** Whether `path` is one of its files. */
+/** Whether `path` is one of the closure's files. */
 bool closure_has(const closure *c, const char *path);
 
 #endif

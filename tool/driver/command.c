@@ -40,7 +40,7 @@ static input_kind kind_of(const char *word, const char *language, bool c_is_cxx)
     return is_one_of(ending(word), compiled_endings) ? INPUT_COMPILE : INPUT_LINK;
 }
 
-/* The option's own name: its table entry's, or the word itself. */
+/* Is the item the option that has this name in the table of options? */
 static bool is_named(const item *i, const char *name) {
     const option *found = i->kind == INPUT_NOT ? option_find(i->text) : NULL;
     return found && strcmp(found->name, name) == 0;
@@ -53,7 +53,8 @@ const char *item_argument(const item *i) {
     return found ? i->text + strlen(found->name) : "";
 }
 
-/* The translator accepts -Wp,-DA,-UB, but no list with other elements. */
+/* The meaning of a -Wp, list. The translator accepts -Wp,-DA,-UB, but no list with
+ * other elements. */
 static unsigned meaning_of_preprocessor_list(const char *word, unsigned meaning) {
     if (!(meaning & OPTION_PARSE))
         return meaning;
@@ -63,20 +64,20 @@ static unsigned meaning_of_preprocessor_list(const char *word, unsigned meaning)
     return meaning;
 }
 
-/* The part of the meaning that depends on the option's own argument. */
+/* The option's meaning, which may depend on its argument. */
 static unsigned meaning_with_argument(const option *found, const item *i) {
     const char *argument = i->value ? i->value : i->text + strlen(found->name);
     if (strcmp(found->name, "-fopt-info") == 0 && !strchr(argument, '='))
-        return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* writes only messages, no file */
+        return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* it writes messages, and no file */
     if (strcmp(found->name, "-ftree-parallelize-loops=") == 0 && strcmp(argument, "1") == 0)
         return found->meaning & ~(unsigned)OPTION_THREADS;
     if (strcmp(found->name, "-fsanitize=") == 0 && strstr(argument, "thread"))
-        return found->meaning | OPTION_GIVE_UP; /* it does not model the synchronisation of OpenMP's
-                                                 * threads */
+        return found->meaning | OPTION_GIVE_UP; /* ThreadSanitizer does not see how OpenMP's threads
+                                                 * are synchronised */
     if (strcmp(found->name, "-MF") == 0 &&
         (strcmp(argument, "-") == 0 || strncmp(argument, "/dev/", 5) == 0) &&
         strcmp(argument, "/dev/null") != 0)
-        return found->meaning | OPTION_GIVE_UP; /* to a stream, mixed with other output */
+        return found->meaning | OPTION_GIVE_UP; /* dependencies are mixed with other output */
     return found->meaning;
 }
 
@@ -88,7 +89,7 @@ static item read_option(const word_list *words, unsigned *next) {
         return i;
     bool takes_next = (found->meaning & OPTION_ARGUMENT) && strcmp(i.text, found->name) == 0;
     if (takes_next && *next >= words->count) {
-        /* an added word would become its argument */
+        /* the argument is missing: a word that redcc-cc adds would become it */
         i.meaning = found->meaning | OPTION_GIVE_UP | OPTION_NO_RUNTIME;
         return i;
     }
@@ -109,7 +110,7 @@ static void count_item(command *c, const item *i) {
         c->output = item_argument(i);
 }
 
-/* A header is compiled to its precompiled form; nothing is linked. */
+/* Is an input a header? It is compiled to its precompiled form, and nothing is linked. */
 static bool has_header(const command *c) {
     static const char *const headers[] = {".h", ".h++", ".hh", ".hp", ".hpp", ".hxx", NULL};
     for (unsigned i = 0; i < c->count; i++) {
@@ -150,7 +151,7 @@ command command_parse(arena *a, const word_list *words, bool c_is_cxx) {
     return c;
 }
 
-/* A file or folder that only a compiler test of a configure script has. */
+/* Does only a compiler test (configure, CMake, Meson) use a file or folder of this name? */
 static bool is_probe_path(const char *path) {
     static const char *const folders[] = {"CMakeFiles/CMakeTmp",
                                           "CMakeFiles/CMakeScratch",

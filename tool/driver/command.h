@@ -20,7 +20,7 @@ typedef enum input_kind {
 typedef struct item {
     const char *text;  /**< the word as written */
     const char *value; /**< the next word if the option takes one; else NULL */
-    unsigned meaning;  /**< of enum option_meaning, 0 for inputs and options not in the table */
+    unsigned meaning;  /**< enum option_meaning; 0 for inputs and options not in the table */
     input_kind kind;
     const char *language; /**< of an input: as set by -x; NULL: the file's name decides */
 } item;
@@ -32,7 +32,7 @@ typedef struct command {
     unsigned c_count;     /**< inputs of kind INPUT_C */
     unsigned compiled;    /**< inputs of kind INPUT_C and INPUT_COMPILE */
     unsigned linked;      /**< inputs of kind INPUT_LINK, and -l */
-    const char *output;   /**< of -o; NULL: none is named */
+    const char *output;   /**< the argument of -o; NULL: there is none */
     const char *language; /**< as set by -x at the end; NULL: not set */
     bool compiles;        /**< writes an object or assembler text for at least one input */
     bool links;
@@ -51,11 +51,12 @@ const char *item_argument(const item *i);
 /** Adds an item's words. */
 void item_add(arena *a, word_list *list, const item *i);
 
-/** Adds an item's words; of an OPTION_LIBERTY only what changes no bit (-O3 for -Ofast). */
+/** Adds an item's words; for an OPTION_LIBERTY, only what does not change results (-O3
+ *  for -Ofast). */
 void item_add_strict(arena *a, word_list *list, const item *i);
 
-/** Adds every option whose meaning shares no bit with `without`; neither inputs nor -o nor -x. Of
- * an OPTION_LIBERTY in `without` the harmless parts are added. */
+/** Adds every option whose meaning shares no bit with `without`, but no inputs, -o and -x. If
+ * `without` contains OPTION_LIBERTY, such options are added by item_add_strict. */
 void command_add_options(arena *a, word_list *list, const command *c, unsigned without);
 
 /** Adds the options that the translator's parser needs; is_strict: by item_add_strict. */

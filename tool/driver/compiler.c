@@ -40,7 +40,8 @@ static const char *find_program(arena *a, const char *self, const char *name, un
     return NULL;
 }
 
-/* Adds a program's name; its full path if the plain name would lead back to this program. */
+/* Adds a program's name, or its full path if the name alone would start this program. False: only
+ * this program has the name. */
 static bool add_program(arena *a, word_list *list, const char *self, const char *name) {
     unsigned skipped = 0;
     const char *path = find_program(a, self, name, &skipped);
@@ -64,7 +65,7 @@ static bool names_compiler(arena *a, const char *word) {
            find_program(a, NULL, word, &skipped);
 }
 
-/* Launcher form: removes the compiler's name, and those of further launchers, from the front. */
+/* Launcher form: takes the compiler's name, and those of further launchers, from the words. */
 static void take_from_front(arena *a, const char *self, unsigned count, char *const *words,
                             compiler *c) {
     while (c->taken < count && names_compiler(a, words[c->taken])) {
@@ -86,8 +87,7 @@ static void take_from_environment(arena *a, const char *self, compiler *c) {
     if (words.count == 0 || !add_program(a, &c->words, self, words.items[0])) {
         unsigned skipped = 0;
         if (words.count > 0 && !find_program(a, NULL, words.items[0], &skipped))
-            words_add(a, &c->words, words.items[0]); /* it does not exist: running it reports
-                                                      * that */
+            words_add(a, &c->words, words.items[0]); /* running it reports that it does not exist */
         return;
     }
     for (unsigned i = 1; i < words.count; i++)
@@ -104,7 +104,8 @@ static void take_default(arena *a, const char *self, const char *called, compile
             return;
 }
 
-/* "x86_64-linux-gnu-gcc-12" compiles for the machine x86_64; "gcc-12" for this one. */
+/* Does the compiler of this name compile for another machine? "x86_64-linux-gnu-gcc-12" does so for
+ * x86_64, "gcc-12" for this machine. */
 static bool is_for_another_machine(const char *base) {
     struct utsname host;
     const char *dash = strchr(base, '-');

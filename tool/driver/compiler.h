@@ -10,7 +10,7 @@
 typedef struct compiler {
     word_list words; /**< the command before the arguments: "gcc", or "ccache", "gcc" */
     word_list bare;  /**< without launchers, for queries, which a cache would count as misses */
-    unsigned taken;  /**< number of given words that name the compiler (launcher form) */
+    unsigned taken;  /**< the number of given words that name the compiler (launcher form) */
     bool is_clang;
     bool is_cxx;          /**< treats a C file as C++ */
     bool is_foreign;      /**< compiles for another machine */

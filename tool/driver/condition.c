@@ -44,7 +44,7 @@ static condition_value unknown(const char *text, size_t length) {
     return (condition_value){.form = mix(14695981039346656037u, text, length)};
 }
 
-/* An unknown combined from `text` and two parts. */
+/* The unknown value of an expression of `text` and two operands. */
 static condition_value combined(const char *text, const condition_value *left,
                                 const condition_value *right) {
     condition_value made = unknown(text, strlen(text));
@@ -107,7 +107,7 @@ static condition_value read_defined(reader *r) {
     return combined("defined", &of, &nothing);
 }
 
-/* A name, or the call of a macro: its arguments must not refer to versions. */
+/* Reads a name, or a call of a macro, whose arguments must not name the version. */
 static condition_value read_name(reader *r) {
     const char *name = r->at;
     size_t length = name_length(name);
@@ -229,7 +229,7 @@ static condition_value apply(const char *operator, const condition_value * left,
     return combined(operator, left, right);
 }
 
-/* Operators with precedence of at least `least`; left-associative. */
+/* Reads operands and left-associative operators with a precedence of at least `least`. */
 static condition_value read_binary(reader *r, int least) {
     condition_value left = read_unary(r);
     const binary_operator *next;

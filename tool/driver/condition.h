@@ -16,7 +16,7 @@ typedef struct condition_version {
 /** Known, with a value; or unknown. An unknown has a `form`, the hash of its expression, so that
  *  two conditions of the same form have the same value, whatever the unknown names are. */
 typedef struct condition_value {
-    bool is_wrong; /**< not an expression that is understood */
+    bool is_wrong; /**< the expression is not understood */
     bool is_known;
     int64_t value;
     uint64_t form;

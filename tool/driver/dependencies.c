@@ -61,7 +61,7 @@ static bool is_listed(const word_list *list, const char *name) {
     return false;
 }
 
-/* A header that only translated text includes. */
+/* Is it a header of the runtime, which only translated text includes? */
 static bool is_the_runtimes(const char *name) {
     static const char *const headers[] = {
         "/redcc/bins.h",   "/redcc/entry.h",    "/redcc/lanes.h",      "/redcc/loop.h",
@@ -112,7 +112,7 @@ static bool mentions(const char *text, size_t length, const char *word) {
     return false;
 }
 
-/* glibc's <math.h> tests _OPENMP here, only to choose between two equivalent spellings. */
+/* This header of glibc's <math.h> tests _OPENMP only to choose between two equivalent spellings. */
 static const char indifferent_header[] = "/bits/math-vector.h";
 
 bool dependencies_mention(arena *a, const word_list *files, const char *word) {

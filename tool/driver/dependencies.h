@@ -15,18 +15,18 @@
 bool dependencies_read(arena *a, const char *path, word_list *list);
 
 /** Whether both sources read the same files, except for the sources themselves (the first of each)
- *  and the runtime's header. */
+ *  and the runtime's headers. */
 bool dependencies_equal(arena *a, const word_list *original, const char *path,
                         const word_list *translated, const char *text);
 
 /** Whether any of the files contains `word` as a whole word, or one of them cannot be read. */
 bool dependencies_mention(arena *a, const word_list *files, const char *word);
 
-/** What follows the #line directive at which a translated text has a header's text in place of its
- *  #include directive. */
+/** The comment that follows a #line directive where a translated text contains a header's text in
+ *  place of its #include directive. */
 #define DEPENDENCY_IN_PLACE " /* redcc: in place of its #include */"
 
-/** The headers of a list without those whose text the translated text has in place. */
+/** The list without the headers whose text the translated text contains in place. */
 word_list dependencies_included(arena *a, const word_list *list, const char *text);
 
 #endif

@@ -93,7 +93,7 @@ static bool is_in(const char *word, const char *const *list, size_t count) {
     return false;
 }
 
-/* Families of such macros. */
+/* Is the word a macro of a family that gcc and clang define differently? */
 static bool is_of_sensitive_family(const char *word) {
     static const char *const begins[] = {
         "__DEC",        "__OBJC_",         "__CLANG_",         "__ATOMIC_HLE_",
@@ -163,7 +163,7 @@ static bool is_harmless(const char *line, const char *word) {
     const char *rest = line + length;
     if ((length == 5 && strncmp(line, "ifdef", 5) == 0) ||
         (length == 6 && strncmp(line, "ifndef", 6) == 0))
-        return strcmp(word, "__clang__") != 0; /* all these compilers define the others */
+        return strcmp(word, "__clang__") != 0; /* gcc and clang define __GNUC__, __GNUC_MINOR__ */
     bool is_condition = (length == 2 && strncmp(line, "if", 2) == 0) ||
                         (length == 4 && strncmp(line, "elif", 4) == 0);
     return is_condition && is_same_for_all_versions(rest);
@@ -179,7 +179,7 @@ const char *identity_asked(arena *a, const char *text, bool is_clang) {
             continue;
         }
         const char *word = arena_copy(a, at, length);
-        /* compilers for C23 define it as 2020.. or 2023.. */
+        /* compilers for C23 define __STDC_VERSION__ as 2020.. or 2023.. */
         const bool asks_c23 = strcmp(word, "__STDC_VERSION__") == 0 &&
                               strstr(logical_line(a, text, at), "202") != NULL;
         if (is_sensitive(word, is_clang) || (!is_clang && asks_c23) ||

@@ -12,7 +12,7 @@ static bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-/* The text after the line end that a backslash at `at` removes; NULL if there is none. */
+/* If the backslash at `at` removes a line end (a splice), the text after that; else NULL. */
 static const char *after_splice(const char *at) {
     do
         at++;
@@ -81,9 +81,9 @@ static bool is_directive(const char *text, const char *at) {
     return at >= text + 2 && at[-1] == ':' && at[-2] == '%' && begins_line(text, at - 2);
 }
 
-/* Adds the macro at `at`, which may expand to a name. False if a compiler may predefine it
- * (reserved names, `linux`), or its name has bytes other than letters, digits and _. A word that is
- * no name is no include directive: words of a comment, or an error. */
+/* Adds the macro at `at`, which may expand to the name of a header. False if a compiler may
+ * predefine it (reserved names, `linux`), or its name has bytes other than letters, digits and _.
+ * If there is no name, nothing is added: the text is a comment, or an error. */
 static bool add_macro(arena *a, const char *at, include_names *names) {
     size_t length = 0;
     bool has_capital = false;
@@ -152,8 +152,8 @@ const char *include_names_find(arena *a, const char *text, size_t length, includ
     return NULL;
 }
 
-/* Does the word before `at` test a macro or undefine it? */
-static bool is_asked_for(const char *text, const char *at) {
+/* Does the word before `at` test, undefine or include the macro at `at`, and so not define it? */
+static bool is_only_tested(const char *text, const char *at) {
     static const char *const askers[] = {"defined", "ifdef",        "ifndef", "undef",
                                          "include", "include_next", "import"};
     while (at > text && (is_blank(at[-1]) || at[-1] == '('))
@@ -171,7 +171,7 @@ bool include_names_may_define(const char *text, const char *macro) {
     const size_t length = strlen(macro);
     for (const char *at = text; (at = strstr(at, macro)); at += length)
         if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[length]) &&
-            !is_asked_for(text, at))
+            !is_only_tested(text, at))
             return true;
     return false;
 }

@@ -10,8 +10,8 @@
 typedef struct include_names {
     word_list quoted; /**< "x.h": searched in the folder of the text first */
     word_list angled; /**< <x.h> */
-    word_list macros; /**< NAME: includes nothing unless such a macro is defined */
-    const char *text; /**< the text itself, spliced lines joined */
+    word_list macros; /**< macros in place of a name; without a definition they include nothing */
+    const char *text; /**< the text itself, with spliced lines joined */
 } include_names;
 
 /** Adds the names in `length` bytes of text, each at least once, and perhaps some from comments.

@@ -13,7 +13,7 @@
 #define REDCC_LIBRARY_FOLDER "lib"
 #endif
 
-/* Paths relative to a root. */
+/* Where a tree contains the files: paths relative to its root. */
 typedef struct layout {
     const char *translator;
     const char *library;
@@ -33,7 +33,7 @@ static const char *existing(arena *a, const char *folder, const char *name) {
     return access(path, R_OK) == 0 && realpath(path, real) ? arena_string(a, real) : NULL;
 }
 
-static void look_below(arena *a, const char *root, const layout *l, installation *found) {
+static void search_tree(arena *a, const char *root, const layout *l, installation *found) {
     const char *library = arena_format(a, "%s/%s", root, l->library);
     const char *include = arena_format(a, "%s/%s", root, l->include);
     if (!found->translator)
@@ -55,16 +55,16 @@ installation installation_find(arena *a) {
     const char *given = getenv("REDCC_ROOT");
     if (given && *given) {
         for (unsigned i = 0; i < LAYOUT_COUNT; i++)
-            look_below(a, given, &layouts[i], &found);
+            search_tree(a, given, &layouts[i], &found);
         return found;
     }
     if (!found.self)
         return found;
     const char *folder = path_folder(a, found.self);
-    look_below(a, arena_format(a, "%s/..", folder), &layouts[0], &found);
-    look_below(a, arena_format(a, "%s/..", folder), &layouts[1], &found);
-    look_below(a, arena_format(a, "%s/../..", folder), &layouts[2], &found); /* redcc-cc */
-    look_below(a, arena_format(a, "%s/..", folder), &layouts[2], &found);    /* redcc */
+    search_tree(a, arena_format(a, "%s/..", folder), &layouts[0], &found);
+    search_tree(a, arena_format(a, "%s/..", folder), &layouts[1], &found);
+    search_tree(a, arena_format(a, "%s/../..", folder), &layouts[2], &found); /* self: redcc-cc */
+    search_tree(a, arena_format(a, "%s/..", folder), &layouts[2], &found);    /* self: redcc */
     return found;
 }
 

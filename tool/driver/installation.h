@@ -14,8 +14,8 @@ typedef struct installation {
     const char *include;    /**< the folder that holds redcc/runtime.h */
 } installation;
 
-/** Searches below $REDCC_ROOT if it is set, else around this program: first an installed tree (bin,
- *  lib, include side by side), then a build tree. */
+/** Searches below $REDCC_ROOT if it is set, else around this program: first an installed tree (with
+ *  the folders bin, lib and include), then a build tree. */
 installation installation_find(arena *a);
 
 /** The URI of the folder with the pages reasons.md and refused.md: the one given at configuration

@@ -6,8 +6,8 @@
 #include "driver/files.h"
 #include "support/source.h"
 
-/* A file that is already linked has its own runtime, if any: an archive's runtime is hidden, and
- * not found here. */
+/* Is the file a shared library that was linked with the runtime's archive? Then it contains the
+ * runtime that its loops use, and the link needs no other. */
 static bool is_served(const session *s, const char *path) {
     const bool is_shared = source_ends_with(path, ".so") || strstr(path_base(path), ".so.");
     return is_shared && !source_ends_with(s->tools.library, ".so");
@@ -21,7 +21,7 @@ bool has_loops(session *s, const char *path) {
     return bytes && memmem(bytes, length, "redcc_run", sizeof "redcc_run") != NULL;
 }
 
-/* -lNAME in a folder of -LFOLDER. */
+/* Does library -lNAME in the folder, given by -L, have loops? */
 static bool is_in_folder(session *s, const char *folder, const char *name) {
     return has_loops(s, arena_format(s->memory, "%s/lib%s.a", folder, name)) ||
            has_loops(s, arena_format(s->memory, "%s/lib%s.so", folder, name));

@@ -16,7 +16,7 @@ static const int caught_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 enum { CAUGHT_COUNT = sizeof caught_signals / sizeof caught_signals[0] };
 
 static volatile sig_atomic_t last_signal;
-static volatile sig_atomic_t child; /* 0: none runs */
+static volatile sig_atomic_t child; /* the running child's process id; 0: none runs */
 
 static void pass_on(int number) {
     int saved = errno;
@@ -111,8 +111,8 @@ _Noreturn void process_become(arena *a, const word_list *words) {
 _Noreturn void process_end_as(int status) {
     fflush(NULL);
     if (status < 0) {
-        const struct rlimit no_core = {0, 0}; /* the child may have dumped core; this process has
-                                               * not crashed */
+        const struct rlimit no_core = {0, 0}; /* the child may have dumped core; this
+                                               * process has not crashed */
         setrlimit(RLIMIT_CORE, &no_core);
         signal(-status, SIG_DFL);
         raise(-status);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Runs other programs: redirects streams to files, forwards signals, returns statuses. */
+/** Runs other programs: redirects their streams to files, forwards signals, returns statuses. */
 #ifndef DRIVER_PROCESS_H
 #define DRIVER_PROCESS_H
 

@@ -13,7 +13,7 @@
 
 extern char **environ;
 
-/* A file that changed this recently may change again without a new time stamp. */
+/* A file that changed within these seconds may change again and keep its time stamp. */
 enum { SETTLED_SECONDS = 2 };
 
 /* Adds a file's identity and times; false if it does not exist. Clears *is_settled if it changed
@@ -32,7 +32,7 @@ static bool add_times(digester *d, const char *path, bool *is_settled) {
     return true;
 }
 
-/* Libraries have hundreds of megabytes: read in pieces. */
+/* Adds the contents, read in pieces: libraries have hundreds of megabytes. */
 static bool add_contents(digester *d, const char *path) {
     FILE *file = fopen(path, "rb");
     char part[65536];
@@ -87,7 +87,7 @@ static bool add_file(arena *a, const store *s, digester *d, const char *path) {
     return identity_add_files(a, s, d, &one);
 }
 
-/* Adds one executable file; false if it is no machine code. */
+/* Adds one executable file; false if it is no ELF file. */
 static bool add_executable(arena *a, const store *s, digester *d, const char *path) {
     char magic[4] = "";
     FILE *file = fopen(path, "rb");
@@ -130,7 +130,7 @@ static int compare_texts(const void *left, const void *right) {
     return strcmp(*(const char *const *)left, *(const char *const *)right);
 }
 
-/* Does the variable set by `entry` affect an answer? */
+/* Does the environment variable in `entry` affect what compiler or translator do? */
 static bool counts(const char *entry) {
     static const char *const beginnings[] = {"C_INCLUDE_PATH=",
                                              "CCC_",

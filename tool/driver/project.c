@@ -31,7 +31,7 @@ static bool is_c_source(const char *name) {
     return length > 2 && strcmp(name + length - 2, ".c") == 0;
 }
 
-/* Returns false once the limit is exceeded. */
+/* Lists the C sources in and below the folder. False: there are too many. */
 static bool list_folder(listing *all, const char *folder, int depth) {
     DIR *stream = opendir(folder);
     bool is_small = true;
@@ -67,8 +67,8 @@ static bool describes_build(arena *a, const char *folder) {
     return false;
 }
 
-/* The outermost folder with a build description, a few levels up; the home folder and its parents
- * are no project. NULL: there is none. */
+/* The outermost folder with a build description, at most a few levels above `folder`; NULL: there
+ * is none. The home folder and those above it are no project. */
 static const char *root_of(arena *a, const char *folder) {
     const char *root = NULL, *home = getenv("HOME");
     char *at = arena_string(a, folder);
@@ -83,21 +83,21 @@ static const char *root_of(arena *a, const char *folder) {
     return root;
 }
 
-/* The folder below `root` that leads to `folder`. */
-static const char *one_further(arena *a, const char *root, const char *folder) {
+/* The folder directly in `root` that contains `folder`, or is `folder`. */
+static const char *child_towards(arena *a, const char *root, const char *folder) {
     const size_t length = strlen(root);
     const char *end = strchr(folder + length + 1, '/');
     return end ? arena_copy(a, folder, (size_t)(end - folder)) : folder;
 }
 
-/* All below the root; if these are too many, below the largest folder around the source that is
- * not too large; else those in the source's own folder. */
+/* The sources below the root. If there are too many, those below the outermost folder around the
+ * source that does not have too many; else those in the source's own folder. */
 static word_list list_files(arena *a, const char *folder) {
     listing all = {.memory = a, .is_recursive = true};
     const char *root = root_of(a, folder);
     while (root && !list_folder(&all, root, 0)) {
         all = (listing){.memory = a, .is_recursive = true};
-        root = strcmp(root, folder) == 0 ? NULL : one_further(a, root, folder);
+        root = strcmp(root, folder) == 0 ? NULL : child_towards(a, root, folder);
     }
     if (!root) {
         all = (listing){.memory = a};
@@ -115,10 +115,11 @@ typedef struct scanner {
     arena *memory;
     const char *at, *end;
     project_file *file;
-    project_function *function; /* the function of the current body; NULL: outside of all */
-    int braces, parentheses;
-    const char *name;          /* outside: before the first parenthesis of a declaration */
-    bool is_static, is_called; /* `static` was seen; the parentheses are closed */
+    project_function *function; /* the function whose body is being read; NULL: none */
+    int braces, parentheses;    /* the numbers of open ones */
+    const char *name;           /* outside of bodies: the word before a declaration's first '(' */
+    bool is_static,
+        is_called; /* outside of bodies: `static` was read; the parentheses are closed */
     bool has_loop, has_update;
 } scanner;
 
@@ -203,7 +204,7 @@ static void close_brace(scanner *s) {
     begin_declaration(s);
 }
 
-/* `op=`, `] =`, `]++`, `++a[`: a possible update. */
+/* Records a possible update: `op=`, `] =`, `]++`, `++a[`. */
 static void note_operator(scanner *s) {
     const char *at = s->at;
     if (s->end - at < 2)
@@ -295,7 +296,7 @@ static const project_definers *definers_of(const project *p, const char *name) {
     return known ? known : &no_definers;
 }
 
-/* The files that define a function, on the first query recorded in `seen`; else none. */
+/* The files that define the function; none if `seen` contains its name already. */
 static const project_definers *new_definers_of(const project *p, map *seen, const char *name) {
     void **is_seen = map_at(seen, name, strlen(name));
     const bool is_new = !*is_seen;
@@ -319,7 +320,9 @@ static void note_calls(project *p, map *seen, const project_function *function) 
     }
 }
 
-/* A static function may connect a loop with others. */
+/* Records the functions that are called, directly or not, from functions with loops. Calls of
+ * static functions are not followed: in a file with a loop, each static function counts as one with
+ * a loop. */
 static void note_called(project *p) {
     p->called = map_new(p->memory);
     for (unsigned i = 0; i < p->files.count; i++) {
@@ -381,7 +384,7 @@ project *project_around(arena *a, const char *path) {
 
 /* ---- queries --------------------------------------------------------------------------------- */
 
-/* value for a/value.c */
+/* The file's name without folder and ending: "value" for a/value.c. */
 static const char *stem(arena *a, const char *path) {
     const char *base = path_base(path), *dot = strrchr(base, '.');
     return arena_copy(a, base, dot ? (size_t)(dot - base) : strlen(base));
@@ -396,9 +399,9 @@ const char *project_definer(const project *p, const char *name, const char *head
         const char *path = p->files.items[list->files.items[i]].path;
         if (strcmp(path, p->own) == 0)
             continue;
-        const bool is_beside = strcmp(path_folder(a, path), folder) == 0;
+        const bool is_near = strcmp(path_folder(a, path), folder) == 0;
         const bool is_named = header && strcmp(stem(a, path), stem(a, header)) == 0;
-        const int rank = is_beside + 2 * is_named;
+        const int rank = is_near + 2 * is_named;
         if (rank > best_rank) {
             best_rank = rank;
             best = path;
@@ -411,7 +414,7 @@ bool project_calls_in_loop(const project *p, const char *name) {
     return map_get(p->called, name, strlen(name)) != NULL;
 }
 
-/* Adds the files that define the function's callees, and their callees. */
+/* Adds to the digest the files that define the function's callees, their callees, and so on. */
 static void add_called(const project *p, digester *d, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];

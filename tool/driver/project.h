@@ -40,17 +40,17 @@ typedef struct project {
 } project;
 
 /** The sources of the project that contains `path`: all below the outermost enclosing folder with a
- *  build description or a repository. If the project is too large, those below the largest folder
- *  around the source that is not; else those in the source's own folder, or none. */
+ *  build description or a repository. If there are too many, those below the outermost folder
+ * around the source that does not have too many; else those in the source's own folder, or none. */
 word_list project_list(arena *a, const char *path);
 
-/** Reads these files, but for those that cannot be read. */
+/** Reads these files, except for those that cannot be read. */
 project_scan project_scan_files(arena *a, const word_list *files);
 
 /** The project of a source, from its files. */
 project *project_from(arena *a, const char *path, const project_scan *files);
 
-/** All three in turn. */
+/** project_list, project_scan_files and project_from, one after the other. */
 project *project_around(arena *a, const char *path);
 
 /** A file other than the source that defines an external function of this name. Among several, the
@@ -58,8 +58,8 @@ project *project_around(arena *a, const char *path);
  *  own folder, else the first. NULL: there is none. */
 const char *project_definer(const project *p, const char *name, const char *header);
 
-/** Digest of everything that queries about the source's functions depend on: all bytes of the files
- *  that define its callees and their callees. */
+/** A digest of everything on which queries about the source's functions depend: all bytes of the
+ * files that define their callees, directly or not, and which of them loops call. */
 digest project_digest(const project *p);
 
 /** Does a function with a loop, in another file than the source itself, call this function,

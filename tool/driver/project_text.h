@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The functions of a project's files as bytes, for the cache: reading them takes a small part of
- *  the time that reading the files takes. */
+/** The functions of a project's files as bytes, for the cache: reading these bytes takes a small
+ * part of the time that reading the files takes. */
 #ifndef DRIVER_PROJECT_TEXT_H
 #define DRIVER_PROJECT_TEXT_H
 
@@ -9,7 +9,7 @@
 
 store_part project_write(arena *a, const project_scan *files);
 
-/** The files again, from what project_write has made. Names remain in `part`. */
+/** The files that project_write has written. Their names are not copied from `part`. */
 project_scan project_read(arena *a, const store_part *part);
 
 #endif

@@ -19,8 +19,8 @@
 #include "driver/temporary.h"
 #include "html/html.h"
 
-/* Nesting depth of redcc-cc. One level is possible (the compiler is a script that calls it by its
- * other name); two are an endless recursion. */
+/* The nesting depth of redcc-cc. A depth of 1 is possible: the compiler is a script that calls
+ * redcc-cc by another name. A depth of 2 is an endless recursion. */
 static const char depth_variable[] = "REDCC_CC_DEPTH";
 
 static const char help_text[] =
@@ -66,8 +66,8 @@ static bool is_option_of_ours(session *s, const char *word) {
     s->show |= shows;
     s->only_reports |= reports;
     if (!shows && !reports && strncmp(word, "--redcc-", 8) == 0) {
-        fprintf(stderr,
-                "redcc-cc: error: unknown option '%s'; --redcc-help lists those there are\n", word);
+        fprintf(stderr, "redcc-cc: error: unknown option '%s'; --redcc-help lists the options\n",
+                word);
         exit(2);
     }
     return shows || reports;
@@ -85,7 +85,7 @@ static void read_arguments(session *s, unsigned count, char **words) {
     s->command = command_parse(s->memory, &expanded, s->real.is_cxx);
 }
 
-/* Both the translator and the compiler read a source from standard input: it is saved to a file. */
+/* Saves a source from standard input to a file, since both translator and compiler read it. */
 static bool store_input(session *s) {
     const char *path = arena_format(s->memory, "%s/input", s->folder);
     FILE *file = fopen(path, "wb");
@@ -107,8 +107,8 @@ static bool reads_input(const command *c) {
     return false;
 }
 
-/* The compiler refuses to overwrite its input; the translated text would be another file, and
- * escape that check. */
+/* Is the output an input? The compiler refuses to overwrite its input, but would not know that a
+ * translated text stands for it. */
 static bool would_write_over_input(const command *c) {
     for (unsigned i = 0; c->output && i < c->count; i++)
         if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))
@@ -116,8 +116,8 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Whether a word is not what it was parsed as: a missing file, which clang checks before it begins,
- * or the argument of an option that is not in the table. */
+/* Is a word parsed as an input no file? It is missing, which clang checks before it begins, or it
+ * is the argument of an option that is not in the table. */
 static bool misses_input(const command *c) {
     for (unsigned i = 0; i < c->count; i++) {
         const char *word = c->items[i].text;
@@ -137,7 +137,8 @@ static const char *obstructing_option(const command *c) {
     return NULL;
 }
 
-/* Coverage counts executions of each source line; a translated text has other lines. */
+/* Is the option for coverage? That counts executions of source lines; a translated text
+ * has others. */
 static bool is_for_coverage(const char *word) {
     return strstr(word, "coverage") || strcmp(word, "-fprofile-arcs") == 0;
 }
@@ -164,7 +165,7 @@ static const char *general_obstacle(const session *s) {
 static bool is_complete(const session *s) {
     if (s->tools.translator && s->tools.library && s->tools.include)
         return true;
-    session_warn(s, "%s not found beside %s; compiled as it is",
+    session_warn(s, "%s not found next to %s; compiled as it is",
                  !s->tools.translator ? "redcc"
                  : !s->tools.library  ? "libredcc_rt"
                                       : "runtime.h",
@@ -185,7 +186,8 @@ static _Noreturn void translate_and_build(session *s) {
     build(s, translations, count);
 }
 
-/* The reason why a compiled input that is no C source is passed through; NULL: it was never C. */
+/* The reason to report for a compiled input that is no C source; NULL: it is neither preprocessed C
+ * nor C++. */
 static const char *other_input(const session *s, const item *one) {
     static const char *const cxx[] = {".C", ".CPP", ".c++", ".cc", ".cp", ".cpp", ".cxx", ".ii"};
     const char *dot = strrchr(path_base(one->text), '.');
@@ -213,14 +215,14 @@ static void name_left_alone(session *s, const char *obstacle) {
     }
 }
 
-/* A link that takes no library (-nostdlib), of objects with translated loops. */
+/* Warns of a link without libraries (-nostdlib) of objects with translated loops. */
 static void warn_of_missing_runtime(session *s) {
     if (!s->command.links || !(s->command.meaning & OPTION_NO_RUNTIME))
         return;
     for (unsigned i = 0; i < s->command.count; i++) {
         const item *one = &s->command.items[i];
         if (strcmp(one->text, "-r") == 0)
-            return; /* its output is linked later */
+            return; /* the output of -r is linked once more, later */
         if (one->kind == INPUT_LINK && has_loops(s, one->text)) {
             session_warn(
                 s,
@@ -232,8 +234,8 @@ static void warn_of_missing_runtime(session *s) {
     }
 }
 
-/* Prints the compiler's own --help or --version, then this program's: tools that identify the
- * compiler have read the first lines. In the launcher form the output is the compiler's alone. */
+/* Prints the compiler's own --help or --version, and then this program's: tools that identify the
+ * compiler read only the first lines. In the launcher form only the compiler's is printed. */
 static void introduce(session *s) {
     const bool is_version = s->given.count == 1 && strcmp(s->given.items[0], "--version") == 0;
     const bool is_help = s->given.count == 1 && strcmp(s->given.items[0], "--help") == 0;
@@ -284,7 +286,7 @@ int main(int argc, char **argv) {
     if (argc > 1 && strcmp(argv[1], "--redcc-summary") == 0) {
         if (argc == 3)
             return build_report_summarise(argv[2], stdout);
-        fputs("redcc-cc: error: --redcc-summary wants one FILE, the build's report\n", stderr);
+        fputs("redcc-cc: error: --redcc-summary needs one FILE, the build's report\n", stderr);
         return 2;
     }
     if (argc > 1 && strcmp(argv[1], "--redcc-html") == 0)

@@ -10,8 +10,8 @@
 #include "driver/files.h"
 #include "driver/temporary.h"
 
-/* Command lines above this size use a response file; Linux accepts 2 MiB at the default stack
- * limit, including the environment. */
+/* Longer command lines go through a response file. Linux accepts 2 MiB at the default stack limit,
+ * including the environment. */
 enum { COMMAND_BYTES_MAX = 512 * 1024 };
 
 void session_read_options(session *s) {
@@ -140,16 +140,16 @@ void session_leave_alone(session *s, const char *file, const char *why) {
     session_end(s, 1);
 }
 
-static void name_regrets(const session *s) {
+static void name_fallbacks(const session *s) {
     for (unsigned i = 0; i < s->fallbacks.count; i++)
         session_warn(s,
-                     "%s: the translated text does not compile, the source itself does and was "
-                     "taken; please report this with what REDCC_KEEP=DIR keeps of it",
+                     "%s: the translated text does not compile, but the source itself does and "
+                     "was used; please report this with what REDCC_KEEP=DIR keeps of it",
                      s->fallbacks.items[i]);
     for (unsigned i = 0; i < s->unlinked.count; i++)
         session_warn(s,
                      "%s: the program does not link with its translated loops, and does with the "
-                     "source itself, which was taken",
+                     "source itself, which was used",
                      s->unlinked.items[i]);
 }
 
@@ -162,7 +162,7 @@ static void remove_temporaries(const session *s) {
 
 _Noreturn void session_end(session *s, int status) {
     if (status == 0)
-        name_regrets(s);
+        name_fallbacks(s);
     remove_temporaries(s);
     if (process_signal())
         status = -process_signal();
@@ -184,7 +184,8 @@ _Noreturn void session_become_compiler(session *s) {
         show(s, &words, (process_streams){NULL, NULL, NULL});
         exit(0);
     }
-    if (s->input || s->fallbacks.count > 0) { /* consumed standard input must come from the copy */
+    if (s->input ||
+        s->fallbacks.count > 0) { /* standard input, already read, comes from the copy */
         int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
         session_end(s, status);
     }

@@ -16,17 +16,17 @@ typedef struct session {
     word_list given;     /**< its arguments as given */
     command command;     /**< the same, parsed */
     word_list options;   /**< $REDCC_OPTS */
-    bool contracts;      /**< order any: the compiler may fuse multiply and add */
+    bool contracts;      /**< --order=any: the compiler may contract multiply and add */
     bool show;           /**< --redcc-show: print the commands, run nothing */
     bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
     bool strict;         /**< $REDCC_STRICT: a source that cannot be translated ends the build */
     struct cache *cache; /**< the cache (cache.h); NULL: none */
     const char *report;  /**< the file for the build's report; NULL: none */
-    const char *folder;  /**< for temporaries; NULL before there is one */
-    VECTOR(shared_folder) shared; /**< those that other calls may use at the same time */
+    const char *folder;  /**< the folder for temporaries; NULL before there is one */
+    VECTOR(shared_folder) shared; /**< folders that other calls may use at the same time */
     const char *input;   /**< a file with the contents of standard input; NULL if it is no source */
-    unsigned attempts;   /**< number of attempts so far, which numbers their files */
+    unsigned attempts;   /**< the number of compiler runs so far, by which their files are named */
     word_list fallbacks; /**< sources whose translated text did not compile */
     word_list unlinked;  /**< sources whose translated objects did not link */
 } session;
@@ -37,38 +37,37 @@ void session_read_options(session *s);
 /** Reads the file name of the build's report, and whether the build is strict, into the session. */
 void session_read_environment(session *s);
 
-/** The name of an option by which the compiler may reorder or approximate arithmetic, which the
- *  command has and its translated texts are compiled without; NULL: there is none. Under order any
- *  they keep it. */
+/** The command's option by which the compiler may reorder or approximate arithmetic (-Ofast); NULL:
+ *  there is none, or --order=any allows it. Translated texts are compiled without it. */
 const char *session_liberty(const session *s);
 
-/** OPTION_LIBERTY if there is one, else 0. */
+/** OPTION_LIBERTY if session_liberty names an option; else 0. */
 unsigned session_liberties(const session *s);
 
 /** Prints a command and returns 0 under --redcc-show; else runs it (process_run). A command line
  *  too long for the system goes through a response file. */
 int session_run(session *s, const word_list *words, process_streams streams);
 
-/** One line on standard error, "redcc-cc: LEVEL: ...". */
+/** Prints one line on standard error, "redcc-cc: warning: ...". */
 void session_warn(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** The same, as a note. */
+/** As session_warn, "redcc-cc: note: ...". */
 void session_note(const session *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** The same, but only with -v. */
+/** As session_note, but only with -v. */
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/** An input is passed to the compiler unchanged, as it should be: reports the reason under -v, and
- *  in the build's report. */
+/** Reports, under -v and in the build's report, why an input is passed to the compiler unchanged,
+ * as it should be. */
 void session_pass_by(session *s, const char *file, const char *why);
 
-/** A C source is compiled unchanged: reports the reason under -v, and in the build's report. With
+/** Reports, under -v and in the build's report, why a C source is compiled unchanged. With
  *  $REDCC_STRICT this is an error, which ends the process with status 1. */
 void session_leave_alone(session *s, const char *file, const char *why);
 
-/** Removes the temporaries and ends the process with `status` (process_run's), or by a signal that
- *  was caught. On success, names the sources whose translated text did not compile. */
+/** Removes the temporaries and ends the process with `status`, a result of process_run, or by a
+ * signal that was caught. On success, names the sources whose translated text did not compile. */
 _Noreturn void session_end(session *s, int status);
 
 /** Removes the temporaries and replaces this process by the compiler, with the given arguments;

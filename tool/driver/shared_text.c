@@ -8,7 +8,7 @@
 
 #include "driver/files.h"
 
-/* FNV-1a, of 64 bits. */
+/* FNV-1a of 64 bits. */
 static uint64_t hash(uint64_t so_far, const char *bytes, size_t length) {
     for (size_t i = 0; i < length; i++)
         so_far = (so_far ^ (unsigned char)bytes[i]) * 0x100000001b3u;

@@ -8,9 +8,9 @@
 
 #include "driver/session.h"
 
-/** Moves the text at `path`, the translation of `source`, to that path and returns it, in the
- *  session's arena; its folder is one of the session's shared ones. Returns `path` if that is
- *  impossible or would change the meaning of the text: the cache then misses. */
+/** Moves the text at `path`, the translation of `source`, to such a path, in one of the session's
+ *  shared folders, and returns it, in the session's arena. Returns `path` if that is impossible or
+ *  would change the meaning of the text: then the cache misses. */
 const char *shared_text(session *s, const char *path, const char *source);
 
 #endif

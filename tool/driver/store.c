@@ -16,7 +16,7 @@
 #include "support/buffer.h"
 #include "support/vector.h"
 
-/* Entries lie in 16 folders by the first digit of their keys; the limit is divided among them. */
+/* Entries are in 16 folders, by the first digit of their keys, which share the limit equally. */
 enum { SHARES = 16, KEPT_OF_TEN = 8, FRESH_SECONDS = 600, ABANDONED_SECONDS = 3600 };
 static const uint64_t DEFAULT_LIMIT = UINT64_C(1) << 30;
 
@@ -58,7 +58,7 @@ static uint64_t chosen_limit(arena *a, const char **wrong) {
     if (*given < '0' || *given > '9' || end[letter ? 1 : 0] || !fits || value == 0) {
         *wrong = arena_format(a,
                               "REDCC_CACHE_SIZE takes a number of bytes, with K, M or G, not '%s': "
-                              "1G is taken",
+                              "1G is used",
                               given);
         return DEFAULT_LIMIT;
     }
@@ -70,7 +70,7 @@ store store_open(arena *a, const char **wrong) {
     struct stat about;
     if (!s.folder)
         return s;
-    /* its contents become part of programs: only this user may write it */
+    /* the folder's contents become part of programs: only this user may write to it */
     if (!folder_create_for(a, arena_format(a, "%s/", s.folder)) || stat(s.folder, &about) != 0 ||
         !S_ISDIR(about.st_mode) || about.st_uid != geteuid() || (about.st_mode & S_IWOTH))
         s.folder = NULL;
@@ -99,7 +99,7 @@ static digest digest_of(const char *bytes, size_t length) {
 }
 
 /* Splits an entry's bytes into parts; false if it is corrupt. */
-static bool take_apart(const char *bytes, size_t length, unsigned count, store_part *parts) {
+static bool split_entry(const char *bytes, size_t length, unsigned count, store_part *parts) {
     if (length < HEADER || memcmp(bytes, magic, sizeof magic) != 0)
         return false;
     const digest sum = digest_of(bytes + HEADER, length - HEADER);
@@ -120,7 +120,7 @@ static bool take_apart(const char *bytes, size_t length, unsigned count, store_p
     return at == end;
 }
 
-/* A used entry counts as recent; its time is not written at every use. */
+/* Marks an entry as recently used. Its time is not written again within a short time. */
 static void touch(const char *path) {
     struct stat about;
     if (stat(path, &about) == 0 && time(NULL) - about.st_mtime > FRESH_SECONDS)
@@ -134,7 +134,7 @@ bool store_get(arena *a, const store *s, const digest *key, unsigned count, stor
     const char *bytes = path ? file_read(a, path, &length) : NULL;
     if (!bytes)
         return false;
-    if (!take_apart(bytes, length, count, parts)) {
+    if (!split_entry(bytes, length, count, parts)) {
         unlink(path);
         return false;
     }
@@ -157,8 +157,8 @@ static int older_first(const void *left, const void *right) {
     return (l->used.tv_nsec > r->used.tv_nsec) - (l->used.tv_nsec < r->used.tv_nsec);
 }
 
-/* Removes the least recently used entries from a share that exceeds its limit, and files that
- * killed writers have left. */
+/* Removes, from one of the 16 folders, files that killed writers have left and, if the folder
+ * exceeds its limit, the least recently used entries. */
 static void evict(arena *a, const char *share, uint64_t limit) {
     VECTOR(old_entry) entries = {0};
     uint64_t sum = 0;
@@ -223,7 +223,7 @@ void store_put(arena *a, const store *s, const digest *key, unsigned count,
     buffer_append(&whole, (const char *)sum.bytes, sizeof sum.bytes);
     buffer_append(&whole, rest.data, rest.length);
     const char *path = path_of(a, s, key), *share = share_of(a, s, key);
-    /* unique among all processes and machines: the key is part of it */
+    /* a name that no other process of this machine uses for the entry */
     const char *fresh =
         arena_format(a, "%s/%s%s-%ld", share, partial, path_base(path), (long)getpid());
     if (whole.length <= s->limit / SHARES && folder_create_for(a, path)) {

@@ -14,7 +14,7 @@
 
 typedef struct store {
     const char *folder; /**< NULL: there is none */
-    uint64_t limit;     /**< approximate limit of the entries' bytes */
+    uint64_t limit;     /**< approximate limit of the entries' total size in bytes */
 } store;
 
 typedef struct store_part {
@@ -28,7 +28,7 @@ typedef struct store_part {
  *  about an invalid variable is left in *wrong, in the arena. */
 store store_open(arena *a, const char **wrong);
 
-/** Fetches an entry of `count` parts into the arena; false if there is none. */
+/** Reads an entry of `count` parts into the arena; false if there is none. */
 bool store_get(arena *a, const store *s, const digest *key, unsigned count, store_part *parts);
 
 /** Stores an entry; if the limit is exceeded, the least recently used ones are removed. Does

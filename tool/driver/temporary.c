@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 static const char prefix[] = "redcc-cc-";
-static const char placeholder[] = "XXXXXX"; /* of mkdtemp */
+static const char placeholder[] = "XXXXXX"; /* mkdtemp replaces it */
 
 /* The creator of a younger folder may not have locked it yet. */
 enum { YOUNG_SECONDS = 60 };
@@ -100,8 +100,8 @@ shared_folder temporary_share(arena *a, uint64_t key) {
 }
 
 void temporary_leave(shared_folder folder) {
-    /* a lock that is taken is not waited for, so that of two processes that leave at once one gets
-     * it */
+    /* non-blocking: of two processes that leave at once, one gets the lock and removes the folder
+     */
     if (flock(folder.lock, LOCK_EX | LOCK_NB) == 0)
         temporary_remove(folder.path);
     close(folder.lock);

@@ -23,7 +23,7 @@ static const char *temporary(session *s, const translation *t, const char *name)
     return arena_format(s->memory, "%s/%s", t->folder, name);
 }
 
-/* The first line of a file that holds a message, to be quoted. */
+/* The first line of a file with a message, to be quoted in another message. */
 static const char *first_line(session *s, const char *path) {
     char *text = file_read(s->memory, path, NULL);
     if (!text || !*text)
@@ -39,8 +39,9 @@ static bool wants_remarks(const session *s) {
     return false;
 }
 
-/* With link-time optimisation, the linker may inline a function of another file into one form of a
- * loop and contract it there; the record of the function describes its own object. */
+/* May the translator use functions of other files? Not with link-time optimisation: the linker may
+ * inline such a function into one form of a loop and contract it there, but the function's record
+ * describes how its own object was compiled. */
 static bool sees_project(const session *s) {
     for (unsigned i = 0; i < s->command.count; i++)
         if (strncmp(s->command.items[i].text, "-flto", 5) == 0)
@@ -58,8 +59,8 @@ static int run_translator(session *s, const translation *t, const char *messages
     if (sees_project(s))
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
-    words_add(a, &words, "--in-process"); /* this process handles its failure */
-    /* translate_for_compiler decides */
+    words_add(a, &words, "--in-process"); /* redcc starts no child: this process handles a crash */
+    /* "known": translate_for_compiler checks tests of the compiler's properties */
     words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
     if (t->predefined)
         words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));
@@ -96,8 +97,7 @@ static outcome try_translator(session *s, const translation *t) {
     if (s->show)
         return OUTCOME_CHANGED;
     if (status == 1 || status < 0) {
-        /* usually an error in the source, which the compiler is about to report; or the parser
-         * crashed */
+        /* usually the source has an error, which the compiler will report; or the parser crashed */
         session_leave_alone(s, t->source->text,
                             arena_format(s->memory, "redcc: %s", first_line(s, messages)));
         return OUTCOME_FAILED;
@@ -152,8 +152,8 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* An answer about the texts of the source and its headers, NULL or not, which is cached with them:
- * to search them again would take longer than all other work for a cached translation. */
+/* The result of searching the source and its headers, which may be NULL and is cached with them:
+ * searching again would take longer than all other work for a cached translation. */
 static const char *kept_answer_of(session *s, const translation *t, const char *about,
                                   const char *(*search)(session *s, const translation *t)) {
     word_list words = {0};
@@ -166,8 +166,8 @@ static const char *kept_answer_of(session *s, const translation *t, const char *
     return answer && *answer ? answer : NULL;
 }
 
-/* Text in the source or one of its headers that would give the translated text another meaning, or
- * NULL. */
+/* The reason why the source or a header would have another meaning in the translated text; NULL:
+ * none. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
@@ -175,8 +175,9 @@ static const char *sensitive_word(session *s, const translation *t) {
     return NULL;
 }
 
-/* A header that the compiler may read in precompiled form, which is valid only for the options it
- * was made with: gcc 12 crashes if OpenMP was off then. NULL: there is none. */
+/* A header that the compiler may read in precompiled form; NULL: there is none. Such a form is
+ * valid only for the options it was made with: gcc 12 crashes if OpenMP was off when it was made.
+ */
 static const char *precompiled_header(session *s, const translation *t) {
     static const char *const endings[] = {"gch", "pch"};
     for (unsigned i = 0; i < t->read.count; i++)
@@ -188,8 +189,9 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Of a file without parallel loops the text may have records of its functions. They describe what
- * is compiled without the command's liberties, which such a file keeps. */
+/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? So
+ * it is if the translation has no parallel loops, but only records of its functions: they would
+ * describe functions compiled without these options. */
 static bool keeps_liberty(session *s, const translation *t) {
     const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
     return text && !strstr(text, "REDCC_OVER(redcc__");
@@ -206,7 +208,7 @@ static const char *obstacle(session *s, translation *t) {
                             "it is linked in the same call, which needs %s, and would be compiled "
                             "without it",
                             session_liberty(s));
-    if (strchr(t->text, '=')) /* a prefix map would be split at it */
+    if (strchr(t->text, '=')) /* compilers split a prefix map at it */
         return "its name, or that of the temporary folder, holds a '='";
     const char *precompiled = precompiled_header(s, t);
     if (precompiled)
@@ -242,8 +244,9 @@ static const char *compiler_asked_for(session *s, const translation *t) {
     return identity_asked_in(s->memory, &files, s->real.is_clang);
 }
 
-/* A text that tests the compiler was parsed as clang's: it is translated again, with the compiler's
- * own macros. Returns the reason if that fails; NULL if it succeeds or was not needed. */
+/* If the source tests properties of the compiler, translates it again with the compiler's own
+ * macros, since the first time it was parsed as for clang. Returns the reason if that fails; NULL
+ * if it succeeds or is not needed. */
 static const char *translate_for_compiler(session *s, translation *t) {
     const char *asked =
         s->show ? NULL : kept_answer_of(s, t, "the compiler it asks for", compiler_asked_for);
@@ -252,11 +255,11 @@ static const char *translate_for_compiler(session *s, translation *t) {
     t->predefined = list_predefined(s, t);
     if (t->predefined && try_translator(s, t) == OUTCOME_CHANGED)
         return NULL;
-    return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
+    return arena_format(s->memory, "it tests which compiler this is (%s)", asked);
 }
 
-/* The output of the user's own --report. The translator writes one form: if the build's report is
- * needed as well, it runs once more. */
+/* Shows the output of the user's own --report. The translator writes one kind of report: if the
+ * build's report is written, it runs once more. */
 static void show_remarks(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
     if (t->report) {
@@ -269,7 +272,7 @@ static void show_remarks(session *s, const translation *t) {
     file_show(messages, stderr);
 }
 
-/* __TIMESTAMP__ is the time of the file. */
+/* Gives the file the source's time, to which __TIMESTAMP__ expands. */
 static void copy_time(const char *from, const char *to) {
     struct stat about;
     if (stat(from, &about) == 0)
@@ -328,16 +331,16 @@ static const char *quote_folder(session *s, const translation *t) {
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
     if (t->is_input)
-        return; /* compiled from standard input again: headers are searched in the same folders */
+        return; /* the text is compiled from standard input, and headers are searched as before */
     words_add(s->memory, list, "-iquote");
     words_add(s->memory, list, quote_folder(s, t));
-    /* Separates the folder above from the first -I: the compiler would treat the two as one and use
-     * the spelling of the latter in __FILE__. */
+    /* Separates that folder from the user's first -I: if the two are one folder, the compiler would
+     * use the spelling of -I in __FILE__. */
     words_add(s->memory, list, "-iquote");
     words_add(s->memory, list, path_folder(s->memory, t->text));
 }
 
-/* The spelling of a path after the user's own prefix maps; the last that fits applies. */
+/* The path as the user's own prefix maps change it; of several that match, the last applies. */
 static const char *mapped(session *s, const char *path) {
     const char *spelling = path;
     for (unsigned i = 0; i < s->command.count; i++) {
@@ -352,11 +355,11 @@ static const char *mapped(session *s, const char *path) {
     return spelling;
 }
 
-/* Makes the object refer to the source in place of the temporary file. */
+/* Adds options that make the object refer to the source, and not to the temporary file. */
 static void add_prefix_maps(session *s, word_list *list, const translation *t) {
     arena *a = s->memory;
     const char *source = mapped(s, t->source->text);
-    if (s->real.is_clang) { /* its -ffile-prefix-map changes "./x.c" in every __FILE__ as well */
+    if (s->real.is_clang) { /* clang's -ffile-prefix-map would change "./x.c" in every __FILE__ */
         words_add(a, list, arena_format(a, "-fdebug-prefix-map=%s=%s", t->text, source));
         return;
     }
@@ -390,7 +393,8 @@ bool translation_read_same(session *s, const translation *t) {
                               t->is_input ? t->source->text : t->text);
 }
 
-/* DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c, DIR/home/me/x.c for /home/me/x.c. */
+/* Where $REDCC_KEEP=DIR keeps the text: DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c,
+ * DIR/home/me/x.c for /home/me/x.c. */
 static const char *kept_path(session *s, const char *folder, const translation *t) {
     const char *path = t->is_input ? "stdin.c" : t->source->text;
     buffer kept = {0};

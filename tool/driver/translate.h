@@ -6,14 +6,14 @@
 #include "driver/session.h"
 
 typedef struct translation {
-    const item *source;     /**< of the command */
+    const item *source;     /**< the command's input */
     const char *file;       /**< the source's bytes: its path, or the copy of standard input */
     const char *folder;     /**< the source's own folder for temporaries */
     const char *text;       /**< the translated text; NULL: compile the source itself */
     const char *predefined; /**< lists the compiler's own macros; NULL: clang's were sufficient */
     struct cached *cached;  /**< cached answers about the source (cache.h); NULL: none */
     const char *report;     /**< the JSON report, to be kept; NULL: none */
-    word_list read;         /**< all files of the source, itself first */
+    word_list read;         /**< the files that the compiler reads for the source, itself first */
     bool is_input;          /**< the source is standard input */
 } translation;
 
@@ -29,8 +29,9 @@ void translation_add_after(session *s, word_list *list, const translation *t);
  *  source. */
 bool translation_read_same(session *s, const translation *t);
 
-/** Stores the requested results of the translation: its report ($REDCC_REPORT), and its text
- *  ($REDCC_KEEP) with the reason if it was not used: `messages`, a file of compiler messages. */
+/** Stores the results of the translation that the user asked for: appends its report to the build's
+ *  report, and keeps its text ($REDCC_KEEP). `used`: the text was used; else `messages`, a file of
+ *  compiler messages, is kept as the reason. */
 void translation_keep(session *s, const translation *t, bool used, const char *messages);
 
 #endif

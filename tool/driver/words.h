@@ -15,16 +15,16 @@ typedef VECTOR(const char *) word_list;
 void words_add(arena *a, word_list *list, const char *word);
 void words_add_all(arena *a, word_list *list, const word_list *more);
 
-/** The list as execvp takes it: items, then NULL. */
+/** The list for execvp: its items, then NULL. */
 char **words_argv(arena *a, const word_list *list);
 
 /** Adds the words of `text`, separated by white space, quoted with ' or ", or by a backslash, much
  *  as in a shell. */
 void words_split(arena *a, const char *text, word_list *list);
 
-/** Adds `count` words, each @FILE replaced by the file's words, as gcc does (a backslash quotes the
- *  next character even in single quotes): an @FILE that cannot be read is kept. Returns whether any
- *  was replaced. */
+/** Adds `count` words, each @FILE replaced by the file's words, as gcc does: a backslash quotes the
+ *  next character even in single quotes, and an @FILE that cannot be read is kept. Returns whether
+ * any was replaced. */
 bool words_expand(arena *a, unsigned count, char *const *given, word_list *list);
 
 /** Writes the words to `path` as a response file. Returns false on failure. */

@@ -19,7 +19,7 @@ static bool is_in_loop(const ir_unit *unit, const analysis_result *analysis, uin
     return false;
 }
 
-/** Line ends are kept. */
+/** Replaces bytes [begin, end) by blanks, except for line ends. */
 static void blank(char *text, uint32_t begin, uint32_t end) {
     for (uint32_t i = begin; i < end; i++)
         if (text[i] != '\n' && text[i] != '\r')
@@ -57,16 +57,18 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
 
 /* ---- the conditions -------------------------------------------------------------------------- */
 
-/** Copies the line ends except for the first, which the preceding text has already. */
+/** Copies the line ends in bytes [begin, end) except for the first, which `out`
+ *  contains already. */
 static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32_t end) {
     const char *at = memchr(text + begin, '\n', end - begin);
     for (at = at ? at + 1 : text + end; at < text + end; at++)
         buffer_text(out, *at == '\n' ? "\n" : "");
 }
 
-/** A condition may use __LINE__, perhaps through a macro: the copy has the original's line. A #line
- *  in a skipped branch has no effect, so that the rest of its group keeps its distance from the
- *  text copied `before`. */
+/** Copies a directive so that it has the line number of the original, since its condition may use
+ *  __LINE__, perhaps through a macro. An #if gets a #line directive. Those that follow in its group
+ *  cannot: in a skipped branch a #line has no effect. They get the line ends since `before`, the
+ *  directive copied last. */
 static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
                            const ir_directive *before) {
     const char *text = loop->whole->source->text;
@@ -78,7 +80,7 @@ static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
     buffer_byte(out, '\n');
 }
 
-/** From the function's beginning: the text before it is compiled in the same way as the loop. */
+/** The text that the form depends on, from the beginning of the function to the end of the loop. */
 static ir_range compiled_range(const loop_text *loop) {
     return (ir_range){loop->facts->function->range.begin, loop->facts->loop->range.end};
 }
@@ -94,17 +96,18 @@ bool has_branches(const loop_text *loop) {
     return false;
 }
 
-/** For each group of directives, copies the directives up to the compiled branch, so that the
- *  groups are nested; the definition is in the innermost. */
+/** Copies, of each group of conditional directives, those up to the compiled branch, without their
+ *  #endif. So the groups are nested, and the definition of redcc__as_compiled in the innermost one
+ * is reached only if all conditions are as in this compilation. */
 void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;
     const ir_unit *whole = loop->whole;
     const ir_range text = compiled_range(loop);
     assert(text.begin <= text.end && text.end <= whole->source->length);
-    unsigned depth = 0, left_out = 0; /* open groups; of these, those in branches that are not
-                                       * compiled */
-    bool is_decided = true;           /* the current group's compiled branch has begun */
+    unsigned depth = 0,
+             left_out = 0;  /* open groups that are copied; open groups in skipped branches */
+    bool is_decided = true; /* the current group's compiled branch has begun */
     const ir_directive *before = NULL;
     const bool depends =
         loop_text_depends_on_openmp(whole, loop->facts->function, loop->facts->loop);
@@ -121,7 +124,7 @@ void begin_as_compiled(loop_text *loop, buffer *out) {
             left_out -= is_end;
         } else if (is_end) {
             buffer_text(out, is_decided ? "" : "#else\n");
-            is_decided = true; /* that of the enclosing group, or it would not be reached */
+            is_decided = true; /* of the enclosing group: this group is in its compiled branch */
         } else if (d->kind == IR_DIRECTIVE_IF || !is_decided) {
             depth += d->kind == IR_DIRECTIVE_IF;
             copy_directive(loop, out, d, before);

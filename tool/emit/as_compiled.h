@@ -12,18 +12,18 @@
 
 /**
  * The unit as seen by code generation: in loops to be written, conditional directives and skipped
- * branches are replaced by blanks. Everything else keeps its offset. It shares all but its text and
- * its directives with `unit`, and is that itself if nothing is skipped.
+ * branches are replaced by blanks. Everything else keeps its offset. The result shares all but its
+ * text and its directives with `unit`; if nothing is skipped, it is `unit` itself.
  */
 const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis);
 
-/** as_compiled.c: text before and after a form made of the branches that this compilation takes: it
- *  defines a word if the same branches are taken, and if OpenMP is off as it is here. Empty for
- *  loops without branches and OpenMP directives. */
+/** The text before and after a form that consists of the branches that this compilation takes. It
+ *  defines redcc__as_compiled if a compilation takes the same branches and if OpenMP is on, or off,
+ *  as it is here. Empty for loops without branches and OpenMP directives. */
 void begin_as_compiled(loop_text *loop, buffer *out);
 void end_as_compiled(const loop_text *loop, buffer *out);
 
-/** Does it have branches, or OpenMP directives that this compilation ignores? */
+/** Does the loop's text have conditional branches, or does it depend on whether OpenMP is on? */
 bool has_branches(const loop_text *loop);
 
 #endif

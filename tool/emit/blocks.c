@@ -13,7 +13,7 @@
 #include "ir/ir_syntax.h"
 
 enum {
-    MOST_BLOCKS = 256,            /* 7 or 12 threads then differ by some percent of the work */
+    MOST_BLOCKS = 256, /* so the shares of 7 or 12 threads differ by a few percent only */
     MOST_BLOCKS_UNBALANCED = 1024 /* for iterations that take different times */
 };
 
@@ -21,8 +21,8 @@ static const fixed_blocks *blocks_of(const loop_text *loop) {
     return loop->facts->variables.blocks;
 }
 
-/** The name without a mark: in directives and after `typeof` the parser of the output reports no
- *  names. */
+/** The scalar's name without a mark (origin.h), for directives: there the self-check's parser
+ * reports no names that could be compared. */
 static const char *name_of(const loop_text *loop, unsigned scalar) {
     return blocks_of(loop)->scalars[scalar].variable->name;
 }
@@ -60,7 +60,7 @@ static const char *neutral_value(arena *a, const blocked_scalar *scalar) {
     return is_operator(scalar, "*") || is_operator(scalar, "&&") ? "1" : "0";
 }
 
-/** `sum` combined with a block's partial result. */
+/** The expression that combines `sum` with a block's partial result. */
 static const char *combination(arena *a, const blocked_scalar *scalar, const char *sum,
                                const char *part) {
     if (is_operator(scalar, "min") || is_operator(scalar, "max"))
@@ -91,7 +91,7 @@ static bool is_inclusive(const counted_loop *counted) {
     return counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
 }
 
-/** The loop's own description, of which the runtime reads the order. */
+/** The loop's description, from which the runtime takes only the order of results. */
 static void write_site(loop_text *loop, writer *out) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_line(out, "static redcc_site redcc__site = {");
@@ -100,7 +100,7 @@ static void write_site(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
-/** Is its team that of a region around it? */
+/** Is the loop executed by the team of an enclosing parallel region? */
 static bool is_of_team(const loop_text *loop) {
     return blocks_of(loop)->directive.construct == OPENMP_FOR;
 }
@@ -145,7 +145,7 @@ static void write_counts(loop_text *loop, writer *out) {
     writer_line(out, "redcc_int redcc__block;");
 }
 
-/** The directive, of the blocks. */
+/** The directive for the loop over blocks. */
 static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     if (is_of_team(loop))
@@ -170,7 +170,8 @@ static void write_directive(loop_text *loop, writer *out) {
     buffer_text(&out->out, ")\n");
 }
 
-/** A block's own variables, and the loop over its iterations. */
+/** The loop over blocks: a block's private variables, and the header of the loop over its
+ *  iterations. */
 static void write_block(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
     const counted_loop *counted = &loop->facts->counted;
@@ -235,7 +236,7 @@ static void write_head(loop_text *loop, writer *out, ir_range replaced) {
                   loop_column_blanks(loop, replaced.end));
 }
 
-/* ---- after it -------------------------------------------------------------------------------- */
+/* ---- after the loop -------------------------------------------------------------------------- */
 
 static void write_tail(loop_text *loop, writer *out, uint32_t end) {
     const fixed_blocks *blocks = blocks_of(loop);

@@ -6,9 +6,9 @@
 
 #include "emit/write_loop.h"
 
-/** The text at the function's beginning, if there is one, the text that replaces the loop's
- *  directive and header, and the text after its body, which stays in place. False, with the
- * obstacle in *why: it cannot be written. */
+/** Writes the text at the function's beginning, if the loop needs one; the text that replaces the
+ *  loop's directive and header; and the text after its body, which stays in place. False, with the
+ *  obstacle in *why: the loop cannot be written. */
 bool write_blocks(loop_text loop, loop_piece *front, loop_piece *head, loop_piece *tail,
                   reason *why);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The extent of a table of which a function reads elements between bounds. The table's address and
- *  the bounds are read before the loop, by loads that cannot fault: the program may make none. */
+ *  the bounds are read before the loop, by loads that cannot fault, because the program may not
+ * read them at all. */
 #include "analysis/base/expression.h"
 
 #include "emit/base/names.h"
@@ -15,12 +16,12 @@ bool reads_by_system(const loop_text *loop) {
     return loop->facts->variables.loads != NULL;
 }
 
-/** Such reads, in order. */
+/** The reads that such an extent needs, in the order in which they are written. */
 typedef struct bounds_text {
     loop_text *loop;
     writer *out;
     unsigned source, count;
-    const char *all; /* the condition under which all could be read */
+    const char *all; /* the condition that all of them could be made */
     VECTOR(const ir_node *) loads;
 } bounds_text;
 
@@ -30,7 +31,7 @@ static const char *load_name(const bounds_text *self, unsigned number) {
     return arena_format(self->loop->arena, "redcc__bound_%u_%u", self->source, number);
 }
 
-/** The type of the variable that the value is read into. It is used for nothing else. */
+/** The type of the variable into which a value of this type is read. */
 static const char *loaded_type(const ir_type *type) {
     if (type->kind == IR_POINTER)
         return "const void *";
@@ -48,7 +49,7 @@ static const char *loaded_type(const ir_type *type) {
     }
 }
 
-/** The variable that holds the value read before the loop. */
+/** The name of the variable that contains the node's value, read before the loop; adds the read. */
 static const char *load_text(bounds_text *self, const ir_node *node) {
     arena *a = self->loop->arena;
     for (unsigned i = 0; i < self->loads.count; i++)

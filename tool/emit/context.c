@@ -22,12 +22,12 @@ static bool is_pointed(const loop_text *loop, const ir_variable *variable) {
     return loop->outline.by_address[variable->id] != NULL;
 }
 
-const char *handed_argument(loop_text *loop, const ir_variable *variable) {
+const char *passed_argument(loop_text *loop, const ir_variable *variable) {
     return is_pointed(loop, variable) ? pointer_name(loop, variable)
                                       : origin_variable(loop->arena, variable);
 }
 
-/** In the context. */
+/** The name of the context's member for the variable. */
 static const char *member_name(loop_text *loop, const ir_variable *variable) {
     return is_pointed(loop, variable) ? pointer_name(loop, variable) : variable->name;
 }
@@ -37,7 +37,7 @@ static const char *pointer_declaration(loop_text *loop, const ir_variable *varia
                             arena_format(loop->arena, "(*%s)", pointer_name(loop, variable)));
 }
 
-const char *handed_declaration(loop_text *loop, const ir_variable *variable) {
+const char *passed_declaration(loop_text *loop, const ir_variable *variable) {
     if (is_pointed(loop, variable))
         return pointer_declaration(loop, variable);
     const char *name = origin_declarator(loop->arena, variable);
@@ -47,7 +47,7 @@ const char *handed_declaration(loop_text *loop, const ir_variable *variable) {
     return declaration_text(loop, variable->type, name);
 }
 
-/** The same of a member, which is assigned to. */
+/** The declaration of the context's member, to which the caller assigns. */
 static const char *member_declaration(loop_text *loop, const ir_variable *variable) {
     if (is_pointed(loop, variable))
         return pointer_declaration(loop, variable);
@@ -95,7 +95,7 @@ static void offer_stepped(extras *self, unsigned i) {
                                   .given = names[k]});
 }
 
-/** A last value is stored through a pointer in the context. */
+/** Offers the pointer through which a live-out variable's last value is stored. */
 static void offer_last(extras *self, unsigned i) {
     loop_text *loop = self->loop;
     const ir_variable *variable = loop->facts->variables.privates[i].variable;
@@ -182,7 +182,7 @@ typedef struct listing {
     writer *out;
 } listing;
 
-/** Members are assigned to. */
+/** The declaration without `const`: the caller assigns to members of the context. */
 static const char *not_const(const char *declaration) {
     static const char word[] = "const ";
     return strncmp(declaration, word, sizeof word - 1) == 0 ? declaration + sizeof word - 1
@@ -215,7 +215,7 @@ void write_context(loop_text *loop, writer *out) {
     out->depth++;
     writer_line(out, "REDCC_PROGRESSIONS_OF(%u);", loop->plan->source_count);
     for (unsigned i = 0; i < loop->unit->variable_count; i++)
-        if (loop->outline.is_handed[i])
+        if (loop->outline.is_passed[i])
             writer_line(out, "%s;", member_declaration(loop, loop->unit->variables[i]));
     for_each_extra(loop, loop->outline.text, declare_extra, &to);
     out->depth--;
@@ -225,7 +225,7 @@ void write_context(loop_text *loop, writer *out) {
 void fill_context(loop_text *loop, writer *out) {
     listing to = {loop, out};
     for (unsigned i = 0; i < loop->unit->variable_count; i++)
-        if (loop->outline.is_handed[i])
+        if (loop->outline.is_passed[i])
             writer_line(out, "redcc__context.%s = %s%s;",
                         member_name(loop, loop->unit->variables[i]),
                         is_pointed(loop, loop->unit->variables[i]) ? "&" : "",
@@ -237,9 +237,9 @@ void take_context(loop_text *loop, writer *out) {
     listing to = {loop, out};
     writer_line(out, "REDCC_BEGIN(%s);", outlined_name(loop, "context"));
     for (unsigned i = 0; i < loop->unit->variable_count; i++)
-        if (loop->outline.is_handed[i])
+        if (loop->outline.is_passed[i])
             writer_line(out, "%s = redcc__context->%s;",
-                        handed_declaration(loop, loop->unit->variables[i]),
+                        passed_declaration(loop, loop->unit->variables[i]),
                         member_name(loop, loop->unit->variables[i]));
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++)
         if (loop->facts->variables.privates[i].is_last_sought) {

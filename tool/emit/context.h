@@ -9,20 +9,19 @@
 #include "emit/base/extra.h"
 #include "emit/base/loop.h"
 
-/** The values named in the text, in which `text` contains no such names of the user's; calls `take`
- *  for each. */
+/** Calls `take` for each of the translator's values (extra.h) that the text names. */
 void for_each_extra(loop_text *loop, const char *text,
                     void (*take)(const extra_value *value, void *context), void *context);
 
-/** The name of a pointer to it. */
+/** The name of a pointer to the variable. */
 const char *pointer_name(loop_text *loop, const ir_variable *variable);
-/** The parameter for a variable (for an array, a pointer to its first element); and its
- *  argument. */
-const char *handed_argument(loop_text *loop, const ir_variable *variable);
-const char *handed_declaration(loop_text *loop, const ir_variable *variable);
+/** The argument and the parameter by which a function gets the variable; for an array, a pointer to
+ *  its first element. */
+const char *passed_argument(loop_text *loop, const ir_variable *variable);
+const char *passed_declaration(loop_text *loop, const ir_variable *variable);
 
-/** The struct, before the function; its initialisation, at the call; and each thread's
- *  variables. */
+/** Write the struct's type, before the function; its initialisation, at the call; and the variables
+ * of each thread. */
 void write_context(loop_text *loop, writer *out);
 void fill_context(loop_text *loop, writer *out);
 void take_context(loop_text *loop, writer *out);

@@ -14,7 +14,8 @@
 #include "plan/lookup.h"
 #include "plan/tiles.h"
 
-/** For arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
+/** The operator's name in the runtime. Where an array's order is kept, the runtime makes no copies
+ *  and needs none. */
 static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {
 #define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,
@@ -58,7 +59,7 @@ static const char *runtime_type(const loop_text *loop, const reduction_array *ar
     return may_be_copied(loop->plan, array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
 }
 
-/** Bytes of the array's row, as text: `sizeof(double[3])` if possible. */
+/** The size of the array's rows as text, if possible as `sizeof(double[3])`. */
 static const char *unit_text(loop_text *loop, unsigned number) {
     const reduction_array *array = &loop->facts->arrays[number];
     if (array->unit <= array->element->size)
@@ -100,7 +101,8 @@ static bool is_own_element(const logged_source *item) {
     return item->is_scalar && item->fact->extent == EXTENT_AFFINE;
 }
 
-/** Several own elements of an iteration behind one base are disjoint: they have one number. */
+/** The number of the base of own elements: several own elements of an iteration with one base are
+ *  disjoint, so that the guard need not compare them. "": the source is no own element. */
 static const char *base_text(loop_text *loop, unsigned number) {
     const logged_source *all = loop->plan->sources;
     for (unsigned i = 0; is_own_element(&all[number]) && i < loop->plan->source_count; i++)
@@ -153,7 +155,7 @@ void fill_key(loop_text *loop, writer *out) {
         case KEY_POINTER:
             writer_line(out, "REDCC_KEY(%u, (redcc_size)%s);", i + 1, text);
             break;
-        default: /* the bits, not the value rounded to an integer */
+        default: /* a floating value: its bits, not the value converted to an integer */
             writer_line(out, "{");
             writer_line(out, "%s%s redcc__value = %s;", key->type->is_const ? "" : "const ",
                         origin_type(loop->arena, key->type), text);
@@ -168,16 +170,17 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-/** Do owner-checked iterations skip inner ones? */
-static bool leaves_out(const loop_plan *plan) {
+/** Do owner-checked iterations skip inner iterations? */
+static bool skips_inner_iterations(const loop_plan *plan) {
     for (unsigned i = 0; i < plan->skip_count; i++)
         if (!plan->skips[i].declined)
             return true;
     return false;
 }
 
-/** Tiles need no trial, and sections no order. */
-static bool begins(loop_text *loop) {
+/** May the first iterations be executed in order and timed? Not with tiles, which the runtime uses
+ *  without a trial, nor with sections, whose order of results is another one. */
+static bool may_time_first_iterations(loop_text *loop) {
     return loop->plan->execution.may_begin && !loop->outline.tile_call &&
            !loop->plan->execution.sections;
 }
@@ -198,12 +201,12 @@ static const char *flags_text(loop_text *loop) {
                  {!loop->facts->inspector.exists, "REDCC_NO_INSPECTOR"},
                  {loop->outline.tile_call, "REDCC_TILES"},
                  {loop->outline.tile_call && tiles_of(loop->plan)->is_below, "REDCC_TILES_BELOW"},
-                 {leaves_out(loop->plan), "REDCC_PARTS"},
+                 {skips_inner_iterations(loop->plan), "REDCC_PARTS"},
                  {loop->plan->execution.is_over_blocks, "REDCC_BLOCKS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->bins && loop->bins->is_checked, "REDCC_BINS_CHECKED"},
                  {loop->plan->execution.needs_whole, "REDCC_WHOLE"},
-                 {begins(loop), "REDCC_BEGINS"},
+                 {may_time_first_iterations(loop), "REDCC_BEGINS"},
                  {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
                  {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->facts->has_short_iterations, "REDCC_SHORT"},
@@ -217,8 +220,8 @@ static const char *flags_text(loop_text *loop) {
     return text ? text : "0";
 }
 
-/** The file's name comes from #line directives around it, as the compiler's options map it:
- *  packages built in different folders are identical. */
+/** The object contains the file's name as __FILE__, because compilers map it as their options say:
+ * so packages built in different folders are identical. */
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Stores that are made after all iterations (analysis/reduction/distribution.h). */
 #include "emit/distribution.h"
 
 #include "emit/text/origin.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Stores that are made after all iterations. */
+/** Loop fission: stores that are made after all iterations (analysis/reduction/distribution.h). */
 #ifndef EMIT_DISTRIBUTION_H
 #define EMIT_DISTRIBUTION_H
 

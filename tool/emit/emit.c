@@ -16,7 +16,7 @@
 
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
-/** Prefix of the generated text's own names. */
+/** The prefix of names that the generated text declares. */
 static const char reserved_prefix[] = "redcc__";
 
 /** The file's line ends are CR LF if its first line's is. */
@@ -25,7 +25,7 @@ static bool has_crlf(const source *s) {
     return end && end > s->text && end[-1] == '\r';
 }
 
-/** The head of the file. */
+/** The text at the head of the written file. */
 static const char *prelude(arena *a, const ir_unit *unit, contraction where,
                            const plan_options *options, bool has_lanes) {
     const char *vectors =
@@ -88,7 +88,7 @@ static bool is_around(const ir_unit *unit, const ir_function *function, const ir
     return tag->offset < loop.begin;
 }
 
-/** A type needed in the text that is not declared around the loop; NULL: none. */
+/** A type that the loop's text names and that is not declared where the loop is; NULL: none. */
 static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
                                    const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
@@ -111,7 +111,7 @@ static bool names_function(const ir_unit *unit, const ir_declared *declared) {
     return false;
 }
 
-/** Is it declared outside of all functions, before `place`? */
+/** Is the name declared outside of all functions, before `place`? */
 static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32_t place) {
     if (!declared)
         return false;
@@ -137,7 +137,7 @@ static bool is_declared_by(const origin_list *origins, const ir_declared *meant)
     return false;
 }
 
-/** Is it declared in the piece itself, or above it? */
+/** Is the name declared in the piece itself, or above it? */
 static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
                             const ir_declared *declared) {
     const ir_range *body = &piece->copied;
@@ -147,7 +147,7 @@ static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
            is_known_at(unit, declared, piece->replaced.begin);
 }
 
-/** Does each name of a copy have the same meaning before the function as in it? */
+/** Is each name in a copy of the user's bytes declared in the piece, or above it? */
 static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const origin *copy) {
     const uint32_t end = copy->from + (copy->end - copy->begin);
     for (unsigned i = 0; i < unit->reference_count; i++) {
@@ -195,14 +195,14 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
     loops->items[at] = loop;
 }
 
-/** The first form to try. */
+/** The form to try first. */
 static loop_form first_form(const loop_text *start, unsigned number, bool has_lanes) {
     const bool is_asked = start->plan->no_lanes != LANES_NOT_ASKED;
     const bool is_without = start->options->no_lanes && start->options->no_lanes[number];
     return is_asked && has_lanes && !is_without ? FORM_LANES : FORM_BINNED;
 }
 
-/** Adds the text of one loop; false, with *why set, if it cannot be written. */
+/** Adds the text of one loop. False, with the obstacle in *why: it cannot be written. */
 static bool add_loop(const loop_text *start, loop_form form, const loop_verdict *verdict,
                      unsigned number, loop_list *loops, reason *why) {
     arena *a = start->arena;
@@ -236,7 +236,8 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** The text that turns contraction off in a function appears once, directly before it. */
+/** Adds, directly before each function with such loops, the text that turns contraction
+ *  off in it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;
@@ -252,11 +253,11 @@ static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_resul
         piece.text = unfused_function(a, unit, function, &piece.replaced.begin);
         piece.replaced.end = piece.replaced.begin;
         insert(a, loops, unmark(a, unit, &piece, number));
-        i++; /* skips the element that has moved up */
+        i++; /* the insertion has moved this loop's piece up by one */
     }
 }
 
-/** The whole file; sets the positions of the loops in it. */
+/** Joins head, unchanged bytes and loops to the whole file; sets the loops' positions in it. */
 static void join(arena *a, const ir_unit *unit, contraction where, const plan_options *options,
                  bool has_lanes, loop_list *loops, emit_result *result) {
     const source *s = unit->source;
@@ -283,8 +284,8 @@ static void join(arena *a, const ir_unit *unit, contraction where, const plan_op
     buffer_free(&out);
 }
 
-/** Asserts: in the order of the file, disjoint, each of a verdict to be written; and the words of
- *  each lie in its text, in order. */
+/** Asserts that the pieces are disjoint and in the order of the file, that each is of a verdict to
+ * be written, and that the origins of each lie in its text. */
 static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
                           const loop_list *loops) {
     (void)unit, (void)analysis;
@@ -323,10 +324,10 @@ typedef struct file_text {
     const loop_plan **plans; /* by verdict */
     lanes_outcome *lanes;
     reason *obstacles;
-    const char *obstacle; /* the reason why nothing is written; NULL: none */
+    const char *obstacle; /* the reason why no loop is written; NULL: none */
 } file_text;
 
-/** Writes its loops, with lanes if possible. Does any loop have them? */
+/** Writes the file's loops, with lanes if `has_lanes` and possible. Does any loop have lanes? */
 static bool write_loops(const file_text *f, bool has_lanes, const bool *is_unfused,
                         loop_list *loops) {
     bool are_written = false;
@@ -398,7 +399,8 @@ static void write_file(const file_text *f, emit_result *result) {
         const contraction where =
             contraction_of(a, f->whole, f->analysis, f->options, has_lanes, is_unfused);
         const bool are_written = write_loops(f, has_lanes, is_unfused, &loops);
-        if (has_lanes && !are_written) { /* then the head needs no text for them */
+        if (has_lanes &&
+            !are_written) { /* no loop has lanes: again, without the head's text for them */
             has_lanes = false;
             continue;
         }

@@ -11,19 +11,20 @@
 #include "plan/lane_reason.h"
 #include "plan/options.h"
 
-/** The first words of each text. */
+/** The first lines of each written file. */
 #define REDCC_BEGINNING                                                                            \
     "#if !defined(REDCC_OFF) && defined(__has_include)\n"                                          \
     "#if __has_include(<redcc/runtime.h>)\n"                                                       \
     "#include <redcc/runtime.h>\n"
 
-/** A written loop, or the part of it before its function. */
+/** A piece of text of a written loop: what replaces the loop, or what precedes its function. */
 typedef struct written_loop {
-    unsigned verdict;    /* its verdict */
-    bool has_lanes;      /* it can also be written without */
+    unsigned verdict; /* the number of the loop's verdict */
+    bool
+        has_lanes; /* a form for several iterations at once, without which it can be written, too */
     ir_range replaced;   /* bytes of the input */
-    uint32_t begin, end; /* bytes of the result that replace them: */
-    const char *text;    /* these */
+    uint32_t begin, end; /* bytes of the result that replace them */
+    const char *text;    /* those bytes */
     ir_range copied;     /* in a piece before a function: the user's body */
     origin_list origins; /* the origins of its words; offsets are relative to `begin` */
 } written_loop;
@@ -31,7 +32,7 @@ typedef struct written_loop {
 typedef struct emit_result {
     const char *text; /* `length` bytes and a 0; the input's own bytes if loop_count is 0 */
     size_t length;
-    unsigned loop_count;       /* number of pieces of text of loops in parallel form */
+    unsigned loop_count;       /* the number of pieces, of all written loops */
     const written_loop *loops; /* the pieces, in the order of their positions */
     /* For each verdict: the reason why the loop cannot be written (a reason without an id, message
      * and range filled in), message NULL if it can. Such a loop is left unchanged. */
@@ -41,8 +42,8 @@ typedef struct emit_result {
     const lanes_outcome *lanes;
 } emit_result;
 
-/** Writes all loops whose verdict is VERDICT_TRANSFORM. All results are allocated in the arena (or
- *  belong to the source). */
+/** Writes all loops whose verdict is VERDICT_TRANSFORM or VERDICT_BLOCKS. All results are allocated
+ * in the arena, or belong to the source. */
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
                       const plan_options *options);
 

@@ -15,7 +15,7 @@ bool has_affine_extents(const loop_text *loop) {
     return false;
 }
 
-/** Is there an extent whose ends may overflow (is_checked), or one whose ends cannot? */
+/** Is there an extent whose computation may overflow (is_checked), or one whose cannot? */
 static bool has_extents(const loop_text *loop, bool is_checked) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)
         if ((is_checked && loop->plan->sources[i].fact->extent == EXTENT_BOUNDED) ||
@@ -39,7 +39,7 @@ static const char *wrap(const ir_node *node, void *context) {
     return wrapping_operation(((wrap_context *)context)->arena, node, wrap, context);
 }
 
-/** &row, as a text of pointer type. */
+/** The text of &row, converted to const char *. */
 static const char *address_text(loop_text *loop, const loop_source *read) {
     row_address address;
     wrap_context context = {loop->arena};
@@ -65,8 +65,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(read->base->type) ? "" : "&", loop_operand(loop, read->base));
         } else if (read->extent == EXTENT_TOUCHED && !read->base) {
-            /* An extent without a base: the runtime recognises a moved extent by its base, so it
-             * gets the site's address, which never changes. */
+            /* The runtime recognises by its base that an extent has moved. One without a base gets
+             * the site's address, which never changes. */
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         outlined_name(loop, "site"));
         }
@@ -75,7 +75,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
 
 /* ---- rows that each iteration reads -------------------------------------------------------- */
 
-/** From the row of the first iteration to the row of the last, in either order in memory. */
+/** Writes extents from the row of the first iteration to that of the last, in either order in
+ *  memory. */
 static void fill_affine_extents(loop_text *loop, writer *out) {
     if (!has_extents(loop, false))
         return;
@@ -98,8 +99,7 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
 
 /* ---- rows of some iterations, subscripts that may wrap around ------------------------------- */
 
-/** The context in which a number (analysis/base/exact.h) is written: the counter's value is `at`.
- */
+/** The context in which a number (analysis/base/exact.h) is written. `at`: the counter's value. */
 typedef struct exact_text {
     loop_text *loop;
     const char *at;
@@ -107,7 +107,8 @@ typedef struct exact_text {
 
 static const char *exact_number(exact_text *self, const ir_node *node);
 
-/** The number, which must be a value of the node's type: otherwise the extents are unknown. */
+/** The number, with a check that it is a value of the node's type; if it is not, the extents are
+ *  unknown. */
 static const char *settled_number(exact_text *self, const ir_node *node) {
     const char *number = exact_number(self, node);
     if (exact_is_settled(node, self->loop->facts->counted.counter))
@@ -170,7 +171,7 @@ static const char *exact_address(loop_text *loop, const row_address *address, co
     return sum;
 }
 
-/** Excludes iterations at the ends that do not read. */
+/** Narrows the range of the counter to iterations that satisfy the limit, under which they read. */
 static void write_limit(loop_text *loop, writer *out, const counter_limit *limit) {
     exact_text self = {loop, NULL};
     const char *bound = fixed_number(&self, limit->bound);

@@ -14,12 +14,12 @@ static void check_piece(loop_text *loop, buffer *piece) {
     piece->length = 0;
 }
 
-/** Words in the macros of loop.h that each form uses. */
-static const char always_said[] = "void int const char for (0) sizeof(0) ";
+/** Words in macros of loop.h that every form uses. */
+static const char words_of_all_forms[] = "void int const char for (0) sizeof(0) ";
 
 void check_macro_names(loop_text *loop, const buffer *written) {
     buffer piece = {0};
-    buffer_text(&piece, always_said);
+    buffer_text(&piece, words_of_all_forms);
     check_piece(loop, &piece);
     const char *at = written->data, *const end = at + written->length;
     while (at < end) {

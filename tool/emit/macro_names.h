@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Records an obstacle if a macro would change the written text. In the user's own bytes macros
- *  keep their meaning. */
+/** Records an obstacle if a macro would change the written text, except for bytes copied from the
+ *  user's file, which mean the same as there. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
 #endif

@@ -29,7 +29,7 @@
 
 /* ---- heads and calls ----------------------------------------------------------------------- */
 
-/** Marks each variable that the user's body names, except in replaced parts. */
+/** Marks each variable that the body names, except in parts that are replaced. */
 static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_mentioned) {
     const int array = loop_array_of_base(loop->facts, node);
     const int scalar = scalar_update_at(loop->facts, node);
@@ -58,7 +58,7 @@ static void mark_variables(const ir_node *node, bool *is_mentioned) {
 }
 
 static const char *counter_parameter(loop_text *loop, bool is_used) {
-    return arena_format(loop->arena, "%s%s", handed_declaration(loop, loop->facts->counted.counter),
+    return arena_format(loop->arena, "%s%s", passed_declaration(loop, loop->facts->counted.counter),
                         is_used ? "" : " __attribute__((__unused__))");
 }
 
@@ -69,20 +69,20 @@ typedef struct head {
 static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_body, head *h) {
     for (unsigned i = 0; i < loop->unit->variable_count; i++) {
         const ir_variable *variable = loop->unit->variables[i];
-        const handing how =
-            is_mentioned[i] ? handing_of(loop->plan, variable, of_body) : NOT_HANDED;
-        if (how == CANNOT_BE_HANDED)
+        const passing how =
+            is_mentioned[i] ? passing_of(loop->plan, variable, of_body) : NOT_PASSED;
+        if (how == CANNOT_BE_PASSED)
             loop_obstacle(loop, loop->facts->loop->range,
                           "'%s' cannot be passed to a separate function", variable->name);
-        if (how == NOT_HANDED || how == CANNOT_BE_HANDED)
+        if (how == NOT_PASSED || how == CANNOT_BE_PASSED)
             continue;
-        loop->outline.is_handed[i] = true;
-        buffer_format(&h->parameters, ", %s", handed_declaration(loop, variable));
-        buffer_format(&h->arguments, ", %s", handed_argument(loop, variable));
+        loop->outline.is_passed[i] = true;
+        buffer_format(&h->parameters, ", %s", passed_declaration(loop, variable));
+        buffer_format(&h->arguments, ", %s", passed_argument(loop, variable));
     }
 }
 
-/** Determines which variables are passed by address, before anything is written. */
+/** Determines which variables are passed by address. Called before any text is written. */
 static void name_pointed(loop_text *loop) {
     loop->outline.by_address =
         ARENA_ARRAY(loop->arena, const char *, loop->unit->variable_count + 1);
@@ -90,7 +90,7 @@ static void name_pointed(loop_text *loop) {
     mark_variables(loop->facts->counted.body, is_mentioned);
     for (unsigned i = 0; i < loop->unit->variable_count; i++) {
         const ir_variable *variable = loop->unit->variables[i];
-        if (is_mentioned[i] && handing_of(loop->plan, variable, false) == HANDED_BY_ADDRESS)
+        if (is_mentioned[i] && passing_of(loop->plan, variable, false) == PASSED_BY_ADDRESS)
             loop->outline.by_address[i] =
                 arena_format(loop->arena, "(*%s)", pointer_name(loop, variable));
     }
@@ -160,7 +160,7 @@ static bool holds_work(const ir_node *node) {
     return false;
 }
 
-/** Does the inspector's slice have loops or calls that are not needed for the reads? */
+/** Does the inspector's slice have loops or calls that the addresses of reads do not need? */
 static bool computes_more(const loop_slice *slice, const ir_node *node) {
     if (ir_is_expression(node))
         return false;
@@ -172,8 +172,8 @@ static bool computes_more(const loop_slice *slice, const ir_node *node) {
     return false;
 }
 
-/** The slice of the reads that are recorded while records are appended, without the computation of
- *  subscripts; NULL: the inspector's slice is used. */
+/** Writes a slice that logs only the reads, for executions that append records: it does not compute
+ *  the subscripts of updates. NULL: the inspector's slice serves. */
 static const char *write_slice_of_reads(loop_text *loop, writer *out) {
     const loop_plan *plan = loop->plan;
     const loop_facts *facts = loop->facts;
@@ -217,7 +217,7 @@ static bool names_by_address(const loop_text *loop) {
     return false;
 }
 
-/** For elements whose type has no name. */
+/** Declares the pointers that replace arrays whose element type has no name. */
 static void declare_stand_ins(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->array_count; i++) {
         const ir_type *row = loop->facts->arrays[i].base->type->target;
@@ -228,19 +228,19 @@ static void declare_stand_ins(loop_text *loop, writer *out) {
     }
 }
 
-/** The access to a series' scalar at the end of a thread: in the context. */
-static void hand_series(loop_text *loop) {
+/** Lets the context pass the scalars of series, which each thread's last statements access. */
+static void pass_series(loop_text *loop) {
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     head unused = {0};
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (loop->facts->scalars[i].is_series && !is_kept_scalar(loop, i))
+        if (loop->facts->scalars[i].is_series && !is_scalar_by_value(loop, i))
             mark_variables(loop->facts->scalars[i].target, is_mentioned);
     add_variables(loop, is_mentioned, false, &unused);
     buffer_free(&unused.parameters);
     buffer_free(&unused.arguments);
 }
 
-/** Parameters and arguments of the body, and its statements. */
+/** Sets parameters and arguments of the body, and returns its statements. */
 static const char *write_iteration_for(loop_text *loop, head *h) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
@@ -260,7 +260,8 @@ static const char *write_iteration_for(loop_text *loop, head *h) {
     return text;
 }
 
-/** The part of an iteration that lies in a tile. If it cannot be written, there are no tiles. */
+/** Writes the function for the part of an iteration that lies in a tile. If that is impossible, the
+ *  loop has no tiles. */
 static void write_tile_body(loop_text *loop, writer *out) {
     head h = {0};
     loop->tiles = loop->lanes.is_wanted || loop->obstacle ? NULL : tiles_of(loop->plan);
@@ -311,7 +312,7 @@ static void write_body(loop_text *loop, writer *out) {
         write_lanes(loop, out);
 }
 
-/** Each thread's code: it takes the context, inspects and executes. */
+/** Writes the function that each thread calls: it takes the context, inspects and executes. */
 static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "%sREDCC_MEMBER %s(REDCC_MEMBER_PARAMETERS) {",
                 loop->is_unfused ? "REDCC_UNFUSED " : "", outlined_name(loop, "member"));
@@ -324,14 +325,14 @@ static void write_member(loop_text *loop, writer *out) {
     writer_line(out, "}");
 }
 
-/** All text before the function: the parts written last determine the declarations at its
- *  beginning. */
+/** Writes all text before the function. Slice and body are written first, because they determine
+ * which declarations must precede them. */
 static void write_parts(loop_text *loop, writer *out) {
     writer parts = {0}, last = {0};
     write_slice(loop, &parts);
     write_body(loop, &parts);
     write_tile_body(loop, &parts);
-    hand_series(loop);
+    pass_series(loop);
     remember_text(loop, loop_counter_value(loop));
     write_thread_end(loop, &last);
     remember_text(loop, writer_text(loop->arena, &last));
@@ -354,7 +355,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     writer out = {0};
     const bool is_in_line = place_in_front(loop->unit, facts->function, place);
     buffer_text(&out.out, is_in_line ? "\n" : "");
-    loop->outline.is_handed = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    loop->outline.is_passed = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     loop->outline.text = "";
     loop->outline.tile_call = NULL;
     name_pointed(loop);
@@ -367,7 +368,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     writer_line(&out, "REDCC_QUIET_END");
     buffer_text(&out.out, "#endif\n");
     end_as_compiled(loop, &out.out);
-    if (!loop->is_unfused) /* else the function's own piece contains it */
+    if (!loop->is_unfused) /* else unfused_function writes the #line directive */
         buffer_format(&out.out, "%s\n%s", loop_line_directive(loop, *place),
                       is_in_line ? loop_column_blanks(loop, *place) : "");
     check_macro_names(loop, &out.out);

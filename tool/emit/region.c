@@ -15,7 +15,7 @@ void write_region(loop_text *loop, writer *out) {
                        : loop->lanes.name       ? "_LANES"
                                                 : "";
     const bool has_leaders = plan_has_leaders(loop->plan);
-    assert(!has_leaders || !loop->lanes.name); /* errno and series are other values (lanes.c) */
+    assert(!has_leaders || !loop->lanes.name); /* NO_LANES_OTHER_VALUES (plan/lanes.c) */
     const char *series = has_leaders ? "_SERIES" : "";
     join_series(loop, out);
     const char *tiles = loop->outline.tile_call
@@ -27,7 +27,7 @@ void write_region(loop_text *loop, writer *out) {
                 loop->bins ? streams_argument(loop) : "", loop->facts->array_count, tiles,
                 loop->bins ? " " : "", loop->bins ? bins_phase(loop) : "", loop->bins ? "," : "");
     if (has_leaders)
-        writer_line(out, "    (%s),", has_series(loop->facts) ? series_go_on(loop) : "0");
+        writer_line(out, "    (%s),", has_series(loop->facts) ? series_condition(loop) : "0");
     if (loop->outline.reads_call)
         writer_line(out, "    %s,", loop->outline.reads_call);
     writer_line(out, "    %s,", loop->outline.slice_call);

@@ -5,9 +5,10 @@
 
 #include "emit/base/loop.h"
 
-/** It inspects its iterations, then executes those that it is handed. */
+/** Writes the code by which a thread inspects its iterations, and then executes those that it is
+ *  assigned. */
 void write_region(loop_text *loop, writer *out);
-/** Its statements after that. */
+/** Writes the thread's last statements. */
 void write_thread_end(loop_text *loop, writer *out);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "emit/base/loop.h"
 
-/** Sets the attempt's sections, if the loop has them. */
+/** Writes the statements that pass the sections to the runtime, if the loop has them. */
 void write_sections(loop_text *loop, writer *out);
 
 #endif

@@ -30,7 +30,7 @@ const char *clause_expression(const loop_text *loop, const char *whole) {
     return buffer_take(loop->arena, &out);
 }
 
-/* The expression of a clause; NULL: there is none of the kind. */
+/* The expression in the clause of this kind; NULL: there is no such clause. */
 static const char *expression_of(const loop_text *loop, openmp_clause_kind kind) {
     const openmp_loop *openmp = loop->facts->variables.openmp;
     for (unsigned i = 0; i < openmp->item_count; i++)
@@ -56,8 +56,8 @@ const char *replaced_condition(loop_text *loop) {
 void write_team(loop_text *loop, writer *out) {
     const char *threads =
         loop->facts->variables.openmp ? expression_of(loop, OPENMP_NUM_THREADS) : NULL;
-    /* The order of a loop with sections may not depend on a condition, which may ask for threads.
-     */
+    /* With sections, the order of the loop's results must not depend on an `if` clause: if its
+     * condition is false, the loop is executed in the same order by 1 thread. */
     const char *condition = loop->plan->execution.sections ? expression_of(loop, OPENMP_IF) : NULL;
     if (condition)
         threads = arena_format(loop->arena, "(%s) ? (%s) : 1", condition, threads ? threads : "0");
@@ -65,7 +65,7 @@ void write_team(loop_text *loop, writer *out) {
         writer_line(out, "redcc__attempt.threads = (int)(%s);", threads);
 }
 
-/* Is it the first clause that names the variable, and is there no lastprivate for it? */
+/* Is the clause the first that names the variable, and is the variable not lastprivate? */
 static bool is_hidden(const loop_text *loop, unsigned number) {
     const openmp_loop *openmp = loop->facts->variables.openmp;
     const openmp_item *item = &openmp->items[number];
@@ -88,8 +88,9 @@ static void hide(loop_text *loop, writer *out, const ir_variable *variable, bool
                 has_value ? variable->name : "");
 }
 
-/* What is private to the threads keeps its value; so does the counter. Returns how many blocks it
- * has opened. */
+/* Opens blocks that declare variables which hide those private to the threads, and the counter:
+ * after the loop the hidden variables have their values from before. Returns the number of blocks.
+ */
 static unsigned hide_privates(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const openmp_loop *openmp = facts->variables.openmp;

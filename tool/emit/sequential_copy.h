@@ -5,20 +5,20 @@
 
 #include "emit/base/loop.h"
 
-/** Declares redcc__replaces: may the loop be executed without its directives here and now? Writes
- *  nothing for a loop without directives. */
+/** Declares redcc__replaces: may the loop now be executed without its directives? Writes nothing
+ * for a loop without directives. */
 void declare_replaces(loop_text *loop, writer *out);
 
 /** "... && ": a further condition for running in parallel; "" for a loop without directives. */
 const char *replaced_condition(loop_text *loop);
 
-/** The expression of a clause, its names marked. */
+/** The expression of a clause, with marks on its names (origin.h). */
 const char *clause_expression(const loop_text *loop, const char *whole);
 
 /** Sets how many threads a clause asks for. */
 void write_team(loop_text *loop, writer *out);
 
-/** `if (redcc__replaces) {` the loop in sequential order `} else`, behind an `else`. */
+/** Writes, after an `else`: `if (redcc__replaces) {` the loop without its directives `} else`. */
 void write_sequential_copy(loop_text *loop, writer *out);
 
 #endif

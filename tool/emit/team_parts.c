@@ -5,7 +5,7 @@
 #include "emit/macro_names.h"
 #include "emit/text/origin.h"
 
-/* The type of which the scalar is, or a typedef of it; NULL: it has no such name. */
+/* A name of the type that needs no declaration; NULL: it has none. */
 static const char *plain_type(arena *a, const ir_type *type) {
     if (type->kind == IR_BOOLEAN)
         return "_Bool";
@@ -17,7 +17,7 @@ static const char *plain_type(arena *a, const ir_type *type) {
                                      : "long double";
 }
 
-/* One of a file's, by the loop's place. */
+/* A number that no other loop of the file has: the loop's offset. */
 static unsigned number_of(const loop_text *loop) {
     return loop->facts->loop->range.begin;
 }

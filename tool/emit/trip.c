@@ -4,10 +4,10 @@
  *
  * The counter takes the values lower, lower + step, ... while (counter <comparison> bound) holds,
  * in the type that C's usual conversions give the comparison. Everything is computed in redcc_int
- * (64 bits, signed). If the loop would behave otherwise (wrap around, never end, or compare
- * otherwise after conversion to an unsigned type), the count is 0, and the original loop runs. The
- * same holds for a variable stride less than 1, and for a do loop with a single iteration because
- * its first value does not satisfy the condition.
+ * (64 bits, signed). In some cases the count is set to 0, and the original loop runs: if the loop
+ * wraps around, never ends, or compares differently in an unsigned type than in redcc_int; if a
+ * variable stride is less than 1; and if a do loop has a single iteration because its first value
+ * does not satisfy the condition.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -22,8 +22,8 @@ enum {
     WIDE_SIZE = 8 /* redcc_int */
 };
 
-/** Beyond this, in either direction, counters run sequentially: sums with a step cannot
- *  overflow. */
+/** If lower or bound is greater than this in absolute value, the loop runs sequentially: so adding
+ * a step cannot overflow. */
 static const char limit[] = "((redcc_int)1 << 61)";
 
 typedef struct integer_type {
@@ -63,7 +63,7 @@ static bool is_constant(const ir_node *node) {
     return node && (node->flags & IR_HAS_VALUE);
 }
 
-/** A constant >= 0, and the same after conversion to `type`. */
+/** Is the node a constant >= 0 that conversion to `type` does not change? */
 static bool is_natural_constant(const ir_node *node, const ir_type *type) {
     if (!is_constant(node) || node->value < 0)
         return false;
@@ -94,11 +94,11 @@ typedef struct header {
     const ir_type *counter;
     const ir_type *bound;
     bool compares_unsigned;
-    bool compares_wide; /* in 64 bits */
+    bool compares_wide; /* the comparison is in 64 bits */
     bool ascends;
     bool inclusive;
     const char *stride;    /* |step| as text; NULL: it is 1 */
-    bool lower_is_natural; /* a constant >= 0 */
+    bool lower_is_natural; /* it is a constant >= 0 */
     bool ends_at_bound;    /* the counter's last value is the bound itself */
 } header;
 
@@ -120,7 +120,7 @@ static header header_of(arena *a, const counted_loop *counted) {
     return h;
 }
 
-/** Conditions on lower and bound before they are subtracted. */
+/** Adds the conditions under which lower and bound may be subtracted. */
 static void require_of_ends(conditions *list, const header *h) {
     const bool lower_may_be_negative =
         !h->lower_is_natural && (h->counter->is_signed || h->counter->size == WIDE_SIZE);
@@ -140,10 +140,10 @@ static void require_of_ends(conditions *list, const header *h) {
     require(list, "%s <= %s", high, limit);
 }
 
-/** Conditions on the counter's value after the loop. */
+/** Adds conditions on the counter's value after the loop. */
 static void require_of_final(conditions *list, const header *h, const char *counter_type) {
     if (h->counted->ends_below && !h->counter->is_signed)
-        return; /* the loop itself ends by a step below 0 */
+        return; /* the loop ends when a step below 0 wraps around */
     if (h->compares_unsigned && !h->ascends && !h->ends_at_bound)
         require(list, "redcc__final >= 0");
     const bool bound_fits =
@@ -158,7 +158,8 @@ static const char *comparison_text(const header *h) {
     return h->inclusive ? "redcc__lower >= redcc__bound" : "redcc__lower > redcc__bound";
 }
 
-/** Trip count, if positive: (high - low) / stride + 1, or with (high - low - 1). */
+/** The trip count, if the loop iterates: (high - low) / stride + 1, with high - low - 1 if the
+ * bound is exclusive. */
 static const char *count_text(arena *a, const header *h) {
     const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
     if (!h->stride)
@@ -202,8 +203,8 @@ static const char *users_bound_text(loop_text *loop, const header *h) {
                         h->compares_wide ? "redcc_word" : "redcc_u32", text);
 }
 
-/* For counter + ahead < bound: the value that the counter itself is compared with. If that wraps
- * around it is beyond the limit. */
+/* The value with which the counter is compared: in `counter + ahead < bound`, bound - ahead. If
+ * that wraps around, it is beyond the limit. */
 static const char *bound_text(loop_text *loop, const header *h) {
     const char *text = users_bound_text(loop, h);
     return h->counted->ahead == 0 ? text
@@ -211,7 +212,7 @@ static const char *bound_text(loop_text *loop, const header *h) {
                                                  text, (long long)h->counted->ahead);
 }
 
-/** Evaluates the stride only if the loop would evaluate it. */
+/** Writes the trip count. A variable stride is evaluated only if the loop would evaluate it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
     if (!h->counted->stride) {
@@ -248,7 +249,7 @@ const char *write_trip_count(loop_text *loop, writer *out, const char *site) {
     const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
     if (counts_up)
-        ; /* it is declared */
+        ; /* REDCC_COUNT_UP has declared redcc__final */
     else if (entry.text.length > before || has_affine_extents(loop) ||
              counter_outlives(loop->facts))
         writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));

@@ -5,11 +5,11 @@
 
 #include "emit/base/loop.h"
 
-/** The directives that turn it off from the head of the file on. has_targets: functions are
- *  compiled for several processors. */
+/** The directives that turn contraction off for the whole file. `has_targets`: functions of the
+ * file are compiled for several processors. */
 const char *contraction_directives(arena *a, const ir_unit *unit, bool has_targets);
 
-/** The text before a function with loops, and its position. */
+/** The text before a function that turns contraction off in it; sets *place to its position. */
 const char *unfused_function(arena *a, const ir_unit *unit, const ir_function *function,
                              uint32_t *place);
 

@@ -33,7 +33,8 @@ static void write_execution(loop_text *loop, writer *out) {
     write_distributed_stores(loop, out);
 }
 
-/** Code evaluated only once the loop is known to iterate: its expressions may be invalid before. */
+/** Writes the parallel execution. It is inside the `if` under which the loop is known to iterate:
+ *  otherwise its expressions may be invalid. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%s, %u, %u, %u);", outlined_name(loop, "context"),
@@ -71,8 +72,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     apply_operands(loop, out);
 }
 
-/** The live-out variables: in the same block as the sequential form, so that compilers see that one
- *  of the two assigns them. */
+/** Writes the assignments of live-out variables, in the branch next to the sequential form: so
+ *  compilers see that the variables are assigned in any case. */
 static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
@@ -98,7 +99,6 @@ static const char *heading(loop_text *loop) {
     return text;
 }
 
-/** The condition under which the text may run in parallel. */
 const char *loop_condition(const loop_text *loop) {
     const bool has_branch = has_branches(loop), rounds = loop->facts->slice.has_floating_work;
     if (!has_branch && !rounds)
@@ -108,7 +108,7 @@ const char *loop_condition(const loop_text *loop) {
                         rounds ? " && REDCC_ROUNDS_ALIKE" : "");
 }
 
-/** The reason why iterations are executed one at a time, if lanes were requested. */
+/** Writes a comment with the reason why the loop has no lanes, if they were requested. */
 static void write_no_lanes(const loop_text *loop, writer *out) {
     const lanes_outcome *outcome = loop->lanes.outcome;
     if (outcome && outcome->why != LANES_WRITTEN)
@@ -117,7 +117,8 @@ static void write_no_lanes(const loop_text *loop, writer *out) {
                     lane_reason_message(outcome->why), lane_reason_slug(outcome->why));
 }
 
-/** The block's opening brace, under the condition of the compilation that it is written for. */
+/** Writes the opening brace of the loop's block, and a comment. Other compilations than those for
+ *  which the block is written do not see the brace. */
 static void open_block(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
@@ -135,8 +136,8 @@ static void open_block(loop_text *loop, writer *out) {
     write_no_lanes(loop, out);
 }
 
-/** Pointers loaded before the loop, each only if those it is loaded through are readable. Returns
- *  the condition that all were. */
+/** Declares pointers that are loaded before the loop. Returns the condition, " && ...", that loads
+ *  them one after the other and ends at the first that is not readable. */
 static const char *write_loads(loop_text *loop, writer *out) {
     const loop_loads *loads = loop->facts->variables.loads;
     const char *site = outlined_name(loop, "site"), *all = "";
@@ -187,23 +188,24 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     origin_copy(&out->out, text, range.begin, range.end);
 }
 
-/** After the loop: its time is used in the next execution. */
+/** Writes the end of the block, with the end of the measurement of the sequential loop. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool may_be_alone = loop->facts->slice.has_floating_work; /* without timing */
+    const bool has_condition =
+        loop->facts->slice.has_floating_work; /* a compilation may not time it */
     const char *site = outlined_name(loop, "site");
-    if (!may_be_alone && !has_branches(loop)) {
+    if (!has_condition && !has_branches(loop)) {
         buffer_format(&out->out, " REDCC_OVER(%s) }", site);
         return;
     }
     buffer_byte(&out->out, '\n');
-    if (may_be_alone) {
+    if (has_condition) {
         buffer_text(&out->out, loop_condition(loop));
         writer_line(out, "REDCC_OVER(%s)", site);
         buffer_text(&out->out, "#endif\n");
     }
     if (has_branches(loop)) {
         buffer_format(&out->out, "#ifdef redcc__as_compiled\n%s }\n#endif\n",
-                      may_be_alone ? "" : arena_format(loop->arena, "REDCC_OVER(%s)", site));
+                      has_condition ? "" : arena_format(loop->arena, "REDCC_OVER(%s)", site));
         end_as_compiled(loop, &out->out);
         buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.end),
                       loop_column_blanks(loop, range.end));
@@ -213,7 +215,7 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
 }
 
-/** The text before the function, in the first possible form from *form on. */
+/** Writes the text before the function, in the first possible form from *form on. */
 static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
     for (;; (*form)++) {
         loop->lanes =
@@ -230,7 +232,7 @@ static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
         if ((front->text && (*form != FORM_LANES || loop->lanes.name)) || *form == FORM_SHORT ||
             !loop->facts->inspector.exists)
             break;
-        loop->obstacle = NULL; /* perhaps there is none in the next form */
+        loop->obstacle = NULL; /* the next form may have none */
     }
     lanes_outcome *outcome = loop->lanes.outcome;
     if (outcome && *form != FORM_LANES && outcome->why == LANES_WRITTEN)
@@ -244,7 +246,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     distributed_take_out(loop.facts->distribution);
     loop_exits_take_out(loop.facts->slice.exits);
     loop_loads_take_out(loop.facts->variables.loads);
-    name_things(&loop);
+    set_names(&loop);
     write_front(&loop, form, front);
     if (!front->text) {
         loop_loads_put_back(loop.facts->variables.loads);

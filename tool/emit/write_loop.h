@@ -11,17 +11,16 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** With a body for several iterations at once, with a form for bins, with neither: each is tried if
- *  the preceding one is not possible. */
+/** The forms of a loop: with a body for several iterations at once; for bins; with neither. Each is
+ *  tried if the preceding one is not possible. */
 typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT } loop_form;
 
-/** loop.c: the block of a loop with arena, unit, facts, options and is_unfused set, and the text
- *  before the function; sets *form to the form used. False, with the obstacle in *why: it cannot be
- *  written. */
+/** Writes the block that replaces the loop, and the text before its function; sets *form to the
+ * form used. False, with the obstacle in *why: the loop cannot be written. Requires arena, whole,
+ * unit, facts, plan, options, is_unfused and lanes.outcome of the loop_text. */
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 
-/** The #if around the text that exists only if the loop may run in parallel; after the text of
- *  begin_as_compiled. */
+/** The #if under which the loop may run in parallel. It follows the text of begin_as_compiled. */
 const char *loop_condition(const loop_text *loop);
 
 #endif

@@ -29,7 +29,8 @@ static bool is_page(const char *name) {
            strcmp(name + length - 5, ".html") == 0;
 }
 
-/* Visits the entries of a folder: removes them, or finds one that is no page, in the arena. */
+/* Removes the entries of a folder or, without `removes`, returns the name of one that is no page,
+ * in the arena; NULL: none. */
 static const char *visit_entries(arena *a, const char *folder, bool removes) {
     const char *stranger = NULL;
     DIR *entries = opendir(folder);
@@ -88,7 +89,7 @@ static int write_folder(const reports *r, const char *folder) {
     const bool exists = lstat(folder, &about) == 0;
     const char *stranger = exists ? visit_entries(a, folder, false) : NULL;
     if (exists && !S_ISDIR(about.st_mode)) {
-        fprintf(stderr, "redcc-cc: error: '%s' is there, and no folder\n", folder);
+        fprintf(stderr, "redcc-cc: error: '%s' exists, and is no folder\n", folder);
         return FAILED;
     }
     if (stranger) {
@@ -142,7 +143,7 @@ int html_write(const char *folder, unsigned count, char *const *paths) {
     }
     if (!folder || !*folder || *folder == '-' || count == 0) {
         fputs(
-            "redcc-cc: error: --redcc-html wants a folder for the pages and the reports of a build "
+            "redcc-cc: error: --redcc-html needs a folder for the pages and the reports of a build "
             "and of runs: redcc-cc --redcc-html DIR build.jsonl [run.json...]; without reports, "
             "REDCC_BUILD_REPORT names them\n",
             stderr);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** redcc-cc --redcc-html: the reports of a build and of its runs as annotated source. */
+/** redcc-cc --redcc-html: pages that show the reports of a build and of its runs in the source. */
 #ifndef HTML_HTML_H
 #define HTML_HTML_H
 

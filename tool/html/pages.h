@@ -6,11 +6,11 @@
 #include "html/reports.h"
 #include "support/buffer.h"
 
-/** The name of a source's page, in the arena; NULL if it has none, because the source has no
- *  loops. */
+/** The file name of a source's page, in the arena; NULL: the source has no loops, and
+ *  so no page. */
 const char *page_name(const reports *r, const report_file *file);
 
-/** Append the common head and foot of all pages. */
+/** Append the beginning and the end that all pages have. */
 void page_begin(buffer *out, const char *title);
 void page_end(buffer *out);
 

@@ -76,7 +76,7 @@ static bool add_build(reports *r, const json_t *object) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* Does a loop of the run say that there was one thread? */
+/* Does the run's report on the loop say that there was only one thread? */
 static bool had_one_thread(const json_t *loop) {
     size_t i;
     const json_t *fallback;
@@ -87,9 +87,9 @@ static bool had_one_thread(const json_t *loop) {
     return false;
 }
 
-/* The number of threads of the run. The last execution of a loop may have been sequential and then
- * reports one thread, but its expected speed-up, rounded up, is a lower bound. If no loop ever had
- * a schedule, at least two are assumed. */
+/* The number of threads of the run: the greatest that a loop reports. A loop whose last execution
+ * was sequential reports one thread; then its expected speed-up, rounded up, is a lower bound.
+ * Without either, two are assumed, unless a loop says that there was only one thread. */
 static json_int_t most_threads(const json_t *loops) {
     json_int_t most = 1;
     bool one = false;
@@ -147,8 +147,8 @@ static report_loop *stranger(reports *r, const json_t *run) {
     return loop;
 }
 
-/* A run's report names no folder: loops at one position in files of one name cannot be
- * distinguished, and each gets the times. */
+/* Adds the times of a run. Its report names no folder: if two files of the build have the same
+ * name, loops at the same position in them cannot be distinguished, and each gets the times. */
 static bool add_run(reports *r, const json_t *object) {
     const json_t *loops = json_object_get(object, "loops"), *run;
     const double process = number_of(object, "seconds");
@@ -173,7 +173,8 @@ static bool add_run(reports *r, const json_t *object) {
 
 /* ---- files ----------------------------------------------------------------------------------- */
 
-/* Which objects of the files are looked at: a run's name its process. */
+/* Which objects of the files a pass reads: those of builds, or those of runs, which
+ * name a process. */
 typedef enum pass { BUILDS, RUNS } pass;
 
 static const char *add_objects(reports *r, const char *path, const char *text, pass wanted) {

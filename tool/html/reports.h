@@ -11,11 +11,11 @@
 
 /** The times of a loop in all runs. */
 typedef struct loop_time {
-    unsigned runs;      /**< runs that have the loop */
+    unsigned runs;      /**< the number of runs that report the loop */
     const json_t *last; /**< the loop's object in the last of them */
-    double seconds;     /**< inspections, executions, and the original loop if it was timed */
-    double process;     /**< seconds of the processes */
-    double lost;        /**< beyond the sequential loop's time, divided by the threads */
+    double seconds;     /**< of inspections, executions, and the original loop if it was timed */
+    double process;     /**< of the whole processes, in seconds */
+    double lost;        /**< seconds beyond the sequential loop's time divided by the threads */
     json_int_t built, reused, plans_lost, calls;
 } loop_time;
 
@@ -23,19 +23,19 @@ typedef struct report_file report_file;
 
 /** One loop with one verdict. A source that is compiled twice may have several. */
 typedef struct report_loop {
-    const report_file *file; /**< NULL: only a run knows it */
-    const char *name;        /**< of the file, as reported */
+    const report_file *file; /**< NULL: only a run reports the loop */
+    const char *name;        /**< the file's name, as reported */
     const json_t *verdict;   /**< the loop's object in the build's report; NULL as above */
     const char *function;
     json_int_t line;
-    unsigned compilations; /**< with this verdict */
+    unsigned compilations; /**< the number of compilations with this verdict */
     loop_time time;
 } report_loop;
 
-/** One source; several compilations of it are one. */
+/** One source, however often it was compiled. */
 struct report_file {
     const char *name;       /**< as reported */
-    const char *path;       /**< where its text should be */
+    const char *path;       /**< where its text is expected */
     const char *left_alone; /**< why it was not translated; NULL: it was */
     VECTOR(report_loop *) loops;
     unsigned parallel, refused;
@@ -46,7 +46,7 @@ typedef struct reports {
     VECTOR(report_file *) files; /**< by name */
     VECTOR(report_loop *) loops; /**< by time lost, then by time, then by place */
     unsigned runs;
-    VECTOR(json_t *) owned; /**< JSON that the rest points into */
+    VECTOR(json_t *) owned; /**< JSON objects to which the other members point */
 } reports;
 
 /** Reads the files; each is a build's or a run's report, as its first object says. Returns NULL, or

@@ -24,7 +24,7 @@ static const char *advice(arena *a, const json_t *reason) {
     return end ? arena_copy(a, begin, (size_t)(end - begin)) : begin;
 }
 
-/* ---- what is known of a loop ----------------------------------------------------------------- */
+/* ---- the note on a loop ---------------------------------------------------------------------- */
 
 static void add_row(buffer *out, const char *name) {
     buffer_format(out, "<tr><th scope=\"row\">%s</th><td>", name);
@@ -51,7 +51,8 @@ static void add_list(buffer *out, const json_t *list, const char *name) {
     buffer_text(out, "</td></tr>\n");
 }
 
-/* Calls of the last run that were sequential, and what the run report advises. */
+/* Appends how many calls of the last run were sequential and why, and what the run's report
+ * advises. */
 static void add_fallbacks(buffer *out, const json_t *run) {
     const json_t *list = json_object_get(run, "fallbacks"), *one;
     const char *advice = json_word(run, "why_sequential");
@@ -147,7 +148,7 @@ static void add_reason(const reports *r, buffer *out, const report_loop *loop, l
     buffer_text(out, "</details>\n");
 }
 
-/* `lines`: how many of the text the page shows. */
+/* Appends the note. `lines`: the number of the text's lines that the page shows. */
 static void add_note(const reports *r, buffer *out, const report_loop *loop, long long lines) {
     buffer_format(out, "<section class=\"note %s\">\n<p>", kind_of(loop));
     page_verdict(out, loop);
@@ -184,7 +185,7 @@ static bool read_source(buffer *text, const char *path) {
     return good;
 }
 
-/* Loops from number `next` on, whose lines are not shown. */
+/* Appends the notes of loops from number `next` on, whose lines are not shown. */
 static void add_rest(const reports *r, const report_file *file, buffer *out, unsigned next) {
     for (long long before = 0; next < file->loops.count; next++) {
         const report_loop *loop = file->loops.items[next];
@@ -202,7 +203,8 @@ static long long count_lines(const char *text) {
     return count;
 }
 
-/* The encoding is decided for the whole text, because a single line may be valid in both. */
+/* Appends the lines. The encoding is decided for the whole text, because a single line may be valid
+ * in both UTF-8 and Latin-1. */
 static void add_lines(const reports *r, const report_file *file, buffer *out, const buffer *text) {
     buffer escaped = {0};
     html_bytes(&escaped, text->data ? text->data : "", text->length);
@@ -236,7 +238,7 @@ static void add_lines(const reports *r, const report_file *file, buffer *out, co
     buffer_free(&escaped);
 }
 
-/* Lines may end in CR LF. */
+/* Removes the CR of line ends CR LF. */
 static void even_lines(buffer *text) {
     size_t kept = 0;
     for (size_t i = 0; i < text->length; i++)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "html/pages.h"
 
-/* Few, named colours; text has a contrast of 4.5 or more in both colour schemes. */
+/* Colours are few and named; text has a contrast of 4.5 or more in both colour schemes. */
 const char page_style[] =
     ":root{color-scheme:light dark;--back:#fff;--text:#1c1f23;--soft:#59636e;--line:#d5dae0;"
     "--band:#f4f6f8;--good:#116329;--good-back:#dcf5e3;--bad:#9a3412;--bad-back:#fdeadb;"

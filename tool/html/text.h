@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Text for HTML that is XML as well. */
+/** Text for pages that are both HTML and XML. */
 #ifndef HTML_TEXT_H
 #define HTML_TEXT_H
 
@@ -7,8 +7,9 @@
 
 #include "support/buffer.h"
 
-/** Appends `length` bytes as text or as the value of an attribute: UTF-8, or if they are none,
- *  Latin-1; & < > " ' escaped; what no document may hold becomes U+FFFD. */
+/** Appends `length` bytes as text or as the value of an attribute. Bytes that are not UTF-8 are
+ * read as Latin-1; & < > " ' are escaped; a character that no document may contain becomes U+FFFD.
+ */
 void html_bytes(buffer *out, const char *bytes, size_t length);
 void html_text(buffer *out, const char *text);
 

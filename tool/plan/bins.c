@@ -68,8 +68,7 @@ int operand_number(const bins_record *record, const ir_node *node) {
     return -1;
 }
 
-/** Does the variable have a value whenever the loop's body is entered, or from its declaration
- *  on? */
+/** Is the node a variable that has a value on entry to the body, or from its declaration on? */
 static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     if (node->kind != IR_VARIABLE)
         return false;
@@ -79,7 +78,8 @@ static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     return is_outer || (declared && declared->child_count > 0);
 }
 
-/** An operand that is not evaluated in each iteration must neither fail nor lack a value. */
+/** The record stores every operand in each iteration. `is_certain`: the loop evaluates this one in
+ *  each; otherwise it must be a variable that has a value, so that reading it is harmless. */
 static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
                         bool is_certain) {
     if (operand_number(record, node) >= 0)
@@ -151,7 +151,7 @@ unsigned stream_value_count(const bins_stream *stream) {
     return count;
 }
 
-/** Records of a stream with equal updates have one tag. */
+/** Records of a stream whose updates the same statements apply share a tag. */
 static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *record) {
     for (const bins_record *other = bins->records; other < record; other++)
         if (other->stream == record->stream && records_are_alike(facts, bins, other, record)) {
@@ -175,7 +175,7 @@ static bool fits_stream(bins_plan *bins, const bins_record *record) {
     return values <= MOST_RECORD_VALUES;
 }
 
-/* ---- may it have the form? ----------------------------------------------------------------- */
+/* ---- may the loop have the form? ----------------------------------------------------------- */
 
 static bool is_power_of_two(int64_t size) {
     return size > 0 && (size & (size - 1)) == 0;
@@ -202,8 +202,8 @@ static bool is_spelled_from_base(const loop_facts *facts, const reduction_update
     return loop_array_of_base(facts, node) == (int)update->array;
 }
 
-static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
-    if (record->span) /* the loop's own text applies the record */
+static bool split_updates(const loop_facts *facts, bins_plan *bins, bins_record *record) {
+    if (record->span) /* the text of the inner loop applies the record */
         return record->update_count == 1 && is_in_step(facts, bins, record->updates[0]);
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
@@ -241,7 +241,7 @@ static bool can_be_grouped(const loop_plan *plan, bins_plan *bins, bool wide, bo
     if (!group_updates(plan->arena, plan->facts, bins, wide, together))
         return false;
     for (unsigned i = 0; i < bins->record_count; i++)
-        if (!take_apart(plan->facts, bins, &bins->records[i]))
+        if (!split_updates(plan->facts, bins, &bins->records[i]))
             return false;
     return give_tags(plan->facts, bins);
 }
@@ -261,8 +261,8 @@ static bool choose_records(const loop_plan *plan, bins_plan *bins) {
     return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
 }
 
-/** May a read, whose place is only known during execution, be of an own element? If a later batch
- *  shows that it is, the preceding iterations have already left out these stores. */
+/** May a read whose address is known only during execution read an own element? If the guard finds
+ *  that in a later round, the stores that the earlier rounds deferred are missing already. */
 static bool may_meet_kept(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].meets_scalars && facts->sources[i].extent == EXTENT_TOUCHED)
@@ -270,8 +270,9 @@ static bool may_meet_kept(const loop_facts *facts) {
     return false;
 }
 
-/** Must the body see only verified values? The next execution replaces the operands of scalars and
- *  the values of own elements that an aborted one left behind. It does not replace series. */
+/** Must the body see only verified values? An aborted execution leaves operands of scalars and
+ *  values of own elements behind, which the next execution overwrites; it does not overwrite
+ *  series. */
 static bool needs_check(const loop_plan *plan) {
     return !is_harmless_when_unverified(plan) ||
            (has_series(plan->facts) && unverified_has_suspects(plan, guarded_sources(plan))) ||
@@ -296,7 +297,7 @@ static const char *why_not_later(const loop_plan *plan) {
             return "an updated element is no integer or floating value of at most 8 bytes";
     for (unsigned i = 0; i < facts->update_count; i++)
         if (!is_spelled_from_base(facts, &facts->updates[i]))
-            return "an update goes by a pointer of the iteration";
+            return "an update goes through a pointer that the iteration computes";
     return NULL;
 }
 

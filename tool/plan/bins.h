@@ -11,10 +11,10 @@
  * The form is declined if an update cannot be split in this way.
  *
  * The body executes before its reads are compared with its writes. If it may fail then
- * (unverified.h), or keeps operands of scalars, the inspector first records all reads and touches,
- * in equal shares, and the overlap guard compares them, as for a plan. No iteration then reads what
- * another one writes, so that each has the sequential loop's values, whenever and however often it
- * executes.
+ * (unverified.h), or keeps series of operands, the inspector first records all reads and touches,
+ * each thread those of an equal share, and the overlap guard compares them, as for a plan. No
+ * iteration then reads what another one writes, so that each has the sequential loop's values,
+ * whenever and however often it executes.
  *
  * Nothing is stored before the guard, so that an address which depends on no variable of the
  * iteration is the same in all of them: the first iteration of a chunk records such reads.
@@ -57,20 +57,21 @@ typedef struct bins_nest {
  * operands are read when it is applied (bins_span.c). */
 typedef struct bins_span {
     const ir_node *loop;      /* NULL: none */
-    const loop_span *counted; /* its header */
+    const loop_span *counted; /* the loop's header */
     int64_t first;            /* the counter's first value */
     unsigned variable_count;  /* the iteration's variables whose values the record keeps: */
     const ir_variable *variables[MOST_RECORD_OPERANDS];
 } bins_span;
 
-/** A record that the body appends: of one update, or of consecutive updates of one row of an array
- *  or of rows of different arrays at one subscript. Or of an update in a nest, in which each
+/** A record that the body appends. It describes one update; or consecutive updates of one row of an
+ *  array, or of rows of different arrays at one subscript; or an update in a nest, where each
  *  operand has a value for each part of the row. */
 typedef struct bins_record {
     const bins_nest *nest; /* NULL: none */
     const bins_span *span; /* NULL: none */
     unsigned update_count;
-    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the first appends it */
+    const reduction_update *updates[MOST_RECORD_UPDATES]; /* in order; the record is appended where
+                                                           * the first of them is */
     unsigned stream;
     unsigned operand_count;
     const ir_node *operands[MOST_RECORD_OPERANDS];
@@ -91,7 +92,7 @@ typedef struct bins_plan {
     bins_record *records; /* in each stream in the order of the updates */
     unsigned stream_count;
     bins_stream *streams;
-    int64_t *row_bytes; /* of each array, by number: of an element, or of several adjacent ones */
+    int64_t *row_bytes; /* by array: the size of a row, which is an element or adjacent elements */
     bool has_nests;
     bins_nest *nests;         /* by update number: its nest, if it has one */
     bins_span *spans;         /* likewise */
@@ -112,8 +113,8 @@ const bins_span *span_of_stream(const bins_plan *bins, unsigned stream);
 unsigned stream_value_count(const bins_stream *stream);
 /** Does a row of the array have several elements? */
 bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array);
-/** The update's row, and the offset of its element in the row in bytes: in a nest, with counters of
- *  0. */
+/** The update's row. Sets *offset to that of its element in the row, in bytes; in a nest, to that
+ *  for counters of 0. */
 const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
                            const reduction_update *update, int64_t *offset);
 
@@ -134,7 +135,7 @@ int operand_number(const bins_record *record, const ir_node *node);
 
 /** The level of the nest whose counter the node is; NULL: none. */
 const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
-/** The number of elements that an update in the nest reaches; NULL: 1. */
+/** The number of elements that an update in the nest updates; 1 if `nest` is NULL. */
 unsigned nest_part_count(const bins_nest *nest);
 /** The nest of an update; NULL: it has none, or its array's rows are single elements. */
 const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
@@ -142,7 +143,7 @@ const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
 /** The value of a counter when the loops reach element number `part`, counted from 0. */
 int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part);
 
-/** The type that C promotes it to; VALUE_NONE: such values are not kept. */
+/** The type to which C promotes a value of this type; VALUE_NONE: records do not store it. */
 value_kind value_kind_of(const ir_type *type);
 
 #endif

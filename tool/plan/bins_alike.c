@@ -5,8 +5,8 @@
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 
-/** An update as its record applies it: equal updates may name the element and the values
- *  differently. */
+/** An update and the record that applies it. Two updates are equal if they differ only in how they
+ *  name the element and the operands. */
 typedef struct record_update {
     const bins_record *record;
     const reduction_update *update;

@@ -11,7 +11,7 @@
 typedef struct grouping {
     const loop_facts *facts;
     const bins_plan *bins;
-    bool wide;             /* rows may be updated several times by one record */
+    bool wide;             /* a record may update a row several times */
     unsigned member_count; /* updates so far, in the order of the text: */
     struct member {
         const reduction_update *update;
@@ -44,8 +44,8 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
     return has_row && count < MOST_RECORD_UPDATES;
 }
 
-/** The group for the next update: not before groups that already update its array, so that its
- *  updates keep their order. */
+/** The group for the next update. Groups before one that already updates the array are excluded, so
+ *  that the array's updates keep their order. */
 static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)
@@ -76,7 +76,7 @@ static void find_groups(grouping *g, const ir_node *node) {
     g->begin = g->count;
 }
 
-/** Is each group with one of the arrays a group with both? */
+/** Does each group that updates one of the arrays update both? */
 static bool are_always_together(const grouping *g, unsigned a, unsigned b) {
     for (unsigned group = 0; group < g->count; group++)
         if (has_array(g, group, a) != has_array(g, group, b))

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops over constants that contain only updates: `for (c = 0; c < 3; c++) f[i][c] += a[c];`. One
- * record, appended before the loop, holds the operands of all iterations. This is legal for two
- * reasons: the operands read nothing that the loop changes, since updates are applied later, and no
- * two iterations update the same element.
+ * record, appended before the nest, holds the operands of all its iterations. This is legal for two
+ * reasons: the operands read nothing that the nest changes, since updates are applied later, and no
+ * two iterations of the nest update the same element.
  */
 #include <assert.h>
 #include <string.h>
@@ -125,7 +125,7 @@ static bins_nest find_nest(const loop_facts *facts, const reduction_update *upda
 
 /* ---- the order of updates ------------------------------------------------------------------ */
 
-/** Do both update the same parts of their rows in each iteration of one nest? */
+/** Do both updates reach the same parts of their rows in each iteration of their nests? */
 static bool have_equal_parts(const loop_facts *facts, const reduction_update *a,
                              const bins_nest *of_a, const reduction_update *b,
                              const bins_nest *of_b) {

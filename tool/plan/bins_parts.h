@@ -14,26 +14,26 @@ const bins_nest *nest_at(const bins_plan *bins, unsigned i);
 void find_bins_spans(const loop_plan *plan, bins_plan *bins);
 
 /** The largest part of the array that contains the element at a constant offset, or at an offset
- *  given by counters of the nest (NULL: none). */
+ *  given by counters of the nest (`nest` may be NULL). */
 const ir_node *outermost_row(const loop_facts *facts, const reduction_update *update,
                              const bins_nest *nest);
 
 /** Sets row_bytes; rows are elements or, if `wide`, several adjacent elements that are updated. */
 void find_rows(const loop_facts *facts, bins_plan *bins, bool wide);
 
-/** Does the element have the array's type (members of its records may have others) and that type's
- *  alignment, and is its offset in the row a multiple of its size, and the row's offset from the
- *  base a multiple of row_bytes? */
+/** Can the element be addressed by the numbers of its row and of its part? It must have the array's
+ *  element type, which members of records need not have, and that type's alignment. Its offset in
+ *  the row must be a multiple of its size, and the row's offset from the base one of row_bytes. */
 bool is_in_step(const loop_facts *facts, const bins_plan *bins, const reduction_update *update);
 
-/** Do the updates' rows have the same number, counted from their arrays' bases? Both are in
- *  step. */
+/** Do the updates' rows have the same number, counted from their arrays' bases? Requires is_in_step
+ *  of both. */
 bool is_same_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *left,
                  const reduction_update *right);
 
-/** Sets rows, records (their updates) and streams (their arrays): rows of elements, or `wide` ones;
- *  one stream for each array or, if `together`, the fewest possible. False: an update is outside of
- *  the body. */
+/** Sets rows, the updates of each record and the arrays of each stream. Rows are elements or, if
+ *  `wide`, adjacent elements; each array has a stream of its own or, if `together`, there are the
+ *  fewest possible. False: an update is outside of the body. */
 bool group_updates(arena *a, const loop_facts *facts, bins_plan *bins, bool wide, bool together);
 
 /** Do both records make the same updates, except for the values? Both are of one stream. */

@@ -2,8 +2,8 @@
 /**
  * The rows of an array in the form for in-order binning: its elements or, if adjacent elements at
  * constant distances are updated (`f[i].x`, `f[i].y`; `f[i][0]`, `f[i][1]`), the structures or
- * arrays that contain them. A row is binned as a whole: its elements need one place, and one record
- * of all contributions.
+ * arrays that contain them. A row is binned as a whole: one record names the row once and holds the
+ * operands of the updates of all its elements.
  */
 #include <assert.h>
 #include <string.h>
@@ -19,13 +19,13 @@ static int64_t element_size(const loop_facts *facts, unsigned array) {
     return facts->arrays[array].element->size;
 }
 
-/** Are all values of the counter subscripts of the array? */
+/** Is each value of the counter a valid subscript of the array? */
 static bool is_within(const struct nest_level *level, const ir_type *array) {
     return level->first + level->trip <= array->count;
 }
 
-/** Is the node a part of the array or record in the first child, at a constant offset that is added
- *  to *offset, or at an offset given by a counter of the nest? */
+/** Is the node a part of the array or record in its first child, at an offset that is constant or
+ *  given by a counter of the nest? Adds a constant one to *offset. */
 static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *offset) {
     const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
     if (!whole || !whole->type || whole->type->size <= 0)
@@ -56,7 +56,7 @@ const ir_node *outermost_row(const loop_facts *facts, const reduction_update *up
     return row;
 }
 
-/** Does the loop update two different elements of the array in equal rows, or in a nest? */
+/** Does the loop update two different elements of one row of the array, or the array in a nest? */
 static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     for (unsigned i = 0; i < facts->update_count; i++) {
         if (facts->updates[i].array == array && nest_at(bins, i))
@@ -71,8 +71,8 @@ static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsig
     return false;
 }
 
-/** The same for all of the array's updates; otherwise, or if no row has several elements: an
- *  element's size. */
+/** The size of a row, if it is the same for all updates of the array and a row has several updated
+ *  elements; otherwise an element's size. */
 static int64_t wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     const int64_t size = element_size(facts, array);
     int64_t bytes = 0;

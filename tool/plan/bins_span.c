@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Inner loops over rows: `for (j = 0; j < n; j++) sum[k][j] += x[i][j];`. One record for the loop
- * names the first element and their number, and holds the variables of the iteration; the operands
- * are read when it is applied.
+ * Inner loops over rows: `for (j = 0; j < n; j++) sum[k][j] += x[i][j];`. One record for the inner
+ * loop contains its first element, the number of elements, and the variables of the iteration; the
+ * operands are read when the record is applied.
  *
- * Why they may be read later: before anything is applied, the guard shows that the round's reads
- * are disjoint from its updates; other stores of the loop are to own elements, which are compared
- * with all reads, are made after the loop, and may not be read here; everything else that the text
- * names is invariant in the loop, or in the record. Its elements differ, and a bin applies those
- * within its rows: each element has its updates in the order of the loop, even if rows overlap.
+ * Why they may be read later: before a record is applied, the guard has shown that the round's
+ * reads are disjoint from its updates. The loop's other stores are to own elements: they are
+ * compared with all reads, are made after the loop, and may not be read here. Everything else that
+ * the text names is invariant in the loop, or stored in the record. A record's elements are
+ * distinct, and a bin applies the record to those that lie within the bin's rows. So each element
+ * gets its updates in the order of the loop, even if rows overlap.
  */
 #include "analysis/base/expression.h"
 
@@ -36,8 +37,8 @@ static bool keep_variable(const loop_plan *plan, bins_span *span, const ir_varia
         return true;
     if (!is_private(facts, variable)) /* invariant */
         return (is_of_file || is_captured(facts, variable)) &&
-               handing_of(plan, variable, false) != HANDED_BY_ADDRESS &&
-               handing_of(plan, variable, false) != CANNOT_BE_HANDED;
+               passing_of(plan, variable, false) != PASSED_BY_ADDRESS &&
+               passing_of(plan, variable, false) != CANNOT_BE_PASSED;
     if (is_of_file)
         return false;
     for (unsigned i = 0; i < span->variable_count; i++)
@@ -89,8 +90,8 @@ static bool is_only_update(const loop_facts *facts, const reduction_update *upda
     return true;
 }
 
-/** The loop whose body is this statement alone; NULL: there is none. */
-static const ir_node *loop_of_alone(const ir_node *statement) {
+/** The `for` whose body is this statement alone; NULL: none. */
+static const ir_node *loop_around_only(const ir_node *statement) {
     const ir_node *parent = statement->parent;
     if (parent && parent->kind == IR_BLOCK && parent->child_count == 1)
         parent = (statement = parent)->parent;
@@ -99,7 +100,7 @@ static const ir_node *loop_of_alone(const ir_node *statement) {
 
 static bool find_span(const loop_plan *plan, const reduction_update *update, bins_span *span) {
     const loop_facts *facts = plan->facts;
-    const ir_node *loop = loop_of_alone(update->statement);
+    const ir_node *loop = loop_around_only(update->statement);
     const loop_span *counted = loop && loop != facts->loop ? span_of(facts, loop) : NULL;
     *span = (bins_span){.loop = loop, .counted = counted};
     if (!counted || plan_has_leaders(plan) || counted->stepped_count != 1 ||

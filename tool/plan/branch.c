@@ -10,14 +10,14 @@
 /* ---- variables ------------------------------------------------------------------------------- */
 
 /** Is the variable mentioned in `tree`, outside of `part`? */
-static bool is_mentioned_besides(const ir_node *tree, const ir_node *part,
+static bool is_mentioned_outside(const ir_node *tree, const ir_node *part,
                                  const ir_variable *variable) {
     if (tree == part)
         return false;
     if ((tree->kind == IR_VARIABLE || tree->kind == IR_DECLARATOR) && tree->variable == variable)
         return true;
     for (unsigned i = 0; i < tree->child_count; i++)
-        if (is_mentioned_besides(tree->children[i], part, variable))
+        if (is_mentioned_outside(tree->children[i], part, variable))
             return true;
     return false;
 }
@@ -36,7 +36,7 @@ bool is_only_of_branch(const loop_facts *facts, const ir_node *branch,
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable != facts->counted.counter && !variable->address_taken &&
            !variable->has_other_name && ir_type_is_scalar(variable->type) &&
-           !ir_any(body, may_be_entered) && !is_mentioned_besides(facts->loop, branch, variable) &&
+           !ir_any(body, may_be_entered) && !is_mentioned_outside(facts->loop, branch, variable) &&
            (has_start || is_fresh_in(branch, variable));
 }
 
@@ -64,7 +64,7 @@ static bool is_steady(const loop_facts *facts, const ir_node *node) {
     }
 }
 
-/** Does `counter <op> bound` fail before a step overflows? */
+/** Does `counter <op> bound` become false before a step overflows? */
 static bool is_reached(ir_operator op, const ir_node *bound, int64_t step, const ir_type *type) {
     enum { FAR = 1 << 30 };
     const bool is_near = bound->flags & IR_HAS_VALUE && bound->value >= -FAR &&

@@ -5,13 +5,13 @@
 
 #include "plan/plan.h"
 
-/** Does the variable, in an iteration, pass no value into the branch of an `if`, nor out of it?
- * Then it has the same values there whatever decides whether the branch is executed. */
+/** Does the variable carry no value into the branch of an `if`, nor out of it, within an iteration?
+ *  Then its values in the branch do not depend on the condition. */
 bool is_only_of_branch(const loop_facts *facts, const ir_node *branch, const ir_variable *variable);
 
-/** Does the inner loop end, even if the program would not execute it here? True only if the text
- *  shows it: the counter approaches a bound that consists of constants and of variables that the
- *  outer loop only reads. */
+/** Does the inner loop terminate, even when it is executed where the program would not? True only
+ * if its header shows it: the counter approaches a bound that consists of constants and of
+ * variables that the outer loop only reads. */
 bool ends_in_any_case(const loop_facts *facts, const ir_node *loop);
 
 #endif

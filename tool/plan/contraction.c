@@ -5,10 +5,10 @@
  * inspector compute other subscripts than its executor.
  *
  * Usually it is enough to forbid it in the functions that contain loops and in the generated text.
- * It is not if a loop calls a function of the same file that could be contracted itself: gcc
- * inlines it in one form of the loop, which forbids contraction, and calls it in another, where it
- * is contracted. Then it is forbidden in the whole file, as it is if declarations cannot be
- * inserted before a function.
+ * It is not if a loop calls a function of the same file that itself contains a contractible
+ * expression: gcc may inline the callee into one form of the loop, where contraction is forbidden,
+ * but call it in another form, where the callee is contracted. Then contraction is forbidden in the
+ * whole file; likewise if declarations cannot be inserted before a function.
  */
 #include "plan/contraction.h"
 
@@ -34,10 +34,10 @@ static void note_operation(reach *r, const ir_node *node) {
                               : node->type;
     if (!is_arithmetic_of_other_kind(type))
         return;
-    const bool is_whole = !type || type->kind != IR_FLOATING; /* a complex product does both */
-    const bool is_product = node->op == IR_OP_MULTIPLY || (is_whole && node->op == IR_OP_DIVIDE);
+    const bool is_complex = !type || type->kind != IR_FLOATING; /* its product adds as well */
+    const bool is_product = node->op == IR_OP_MULTIPLY || (is_complex && node->op == IR_OP_DIVIDE);
     r->multiplies |= is_product;
-    r->adds |= node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT || (is_product && is_whole) ||
+    r->adds |= node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT || (is_product && is_complex) ||
                node->op >= IR_OP_PRE_INCREMENT;
 }
 
@@ -45,7 +45,7 @@ static void collect_operations(reach *r, const ir_node *node);
 
 static void follow_call(reach *r, const ir_node *call) {
     const ir_node *callee = call->children[0];
-    if (callee->kind != IR_FUNCTION) { /* it may be a function of this file */
+    if (callee->kind != IR_FUNCTION) { /* a pointer, perhaps to a function of this file */
         r->multiplies = r->adds = true;
     } else if (callee->function->body && !callee->function->linkage.import &&
                !r->is_seen[callee->function->id]) { /* functions of other files are compiled
@@ -66,17 +66,17 @@ static void collect_operations(reach *r, const ir_node *node) {
         collect_operations(r, node->children[i]);
 }
 
-/** In the loop itself only calls matter. */
-static void look_for_calls(reach *r, const ir_node *node) {
+/** Collects the operations of called functions only: the loop's own are never contracted. */
+static void collect_calls(reach *r, const ir_node *node) {
     if (node->kind == IR_CALL)
         follow_call(r, node);
     for (unsigned i = 0; i < node->child_count; i++)
-        look_for_calls(r, node->children[i]);
+        collect_calls(r, node->children[i]);
 }
 
 static bool calls_what_contracts(arena *a, const ir_unit *unit, const loop_facts *facts) {
     reach r = {.is_seen = ARENA_ARRAY(a, bool, unit->function_count + 1)};
-    look_for_calls(&r, facts->loop);
+    collect_calls(&r, facts->loop);
     return r.multiplies && r.adds;
 }
 
@@ -88,9 +88,9 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
 
 /* ---- places -------------------------------------------------------------------------------- */
 
-/** gcc does not inline a function into another if only one may be contracted: a function that is
- *  declared inline is left as it is. An attribute is not possible on a declaration without a
- *  type. */
+/** May the function get an attribute that forbids contraction? Not if it is declared inline: gcc
+ * does not inline a function into another if only one of them may be contracted. Nor if it is
+ * declared without a type, where C allows no attribute. */
 static bool may_have_attribute(const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
     return has_place_in_front(unit, function) &&
@@ -107,7 +107,7 @@ bool may_name_targets(const ir_unit *unit) {
     return is_found;
 }
 
-/** A macro of the program may replace the pragma's words. */
+/** Does a macro of the program replace a word of the pragma? */
 static bool has_macro_of_pragma(const ir_unit *unit) {
     static const char *const words[] = {"clang", "fp", "contract", "off"};
     for (size_t i = 0; unit->text.macros && i < sizeof words / sizeof *words; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Decides where the written text forbids to contract a multiplication and an addition into one
- *  rounding. */
+/** Decides where the written text forbids the compiler to contract a multiplication and an addition
+ *  into an operation with one rounding (FMA). */
 #ifndef PLAN_CONTRACTION_H
 #define PLAN_CONTRACTION_H
 
@@ -13,13 +13,14 @@ typedef enum contraction {
     CONTRACTION_OFF_IN_FILE
 } contraction;
 
-/** For all loops to be transformed. Sets is_forbidden [verdicts] if it is forbidden in the loop
- *  itself: an operation in it, or in a function it calls, could be contracted, perhaps with one
- *  outside. */
+/** Decides for all loops to be transformed. Sets is_forbidden, by verdict, if contraction is
+ *  forbidden in the loop itself: an operation in the loop, or in a function that it calls, could be
+ *  contracted, perhaps with one outside of the loop. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
                            const plan_options *options, bool has_lanes, bool *is_forbidden);
 
-/** May functions be compiled for processors that the file's head does not show? */
+/** May an attribute or pragma of the file compile functions for another processor than that whose
+ *  predefined macros the file's head can test? */
 bool may_name_targets(const ir_unit *unit);
 
 #endif

@@ -45,7 +45,8 @@ static bool is_verifiable(const loop_plan *plan) {
     return true;
 }
 
-/** The stride, and variables stepped with the counter that the slice uses. */
+/** The number of key words for the stride, and for variables that the slice uses and that are
+ *  stepped with the counter. */
 static unsigned stepped_count(const loop_facts *facts) {
     unsigned count = facts->counted.stride ? 1 : 0;
     for (unsigned i = 0; i < facts->variables.private_count; i++)
@@ -56,17 +57,18 @@ static unsigned stepped_count(const loop_facts *facts) {
     return count;
 }
 
-static bool has_values_beside(const loop_facts *facts) {
+static bool has_other_results(const loop_facts *facts) {
     return facts->scalar_count > 0 || has_conditional_live_outs(facts);
 }
 
-/** Effects of an iteration other than its updates are needed even if it makes no update. */
+/** Does an iteration have effects other than its updates? Then one thread must execute it even if
+ * it updates nothing. */
 static bool needs_every_iteration(const loop_facts *facts) {
-    return has_values_beside(facts) || facts->variables.own_count > 0 || facts->sets_errno;
+    return has_other_results(facts) || facts->variables.own_count > 0 || facts->sets_errno;
 }
 
 static bool needs_order(const loop_facts *facts) {
-    if (has_values_beside(facts))
+    if (has_other_results(facts))
         return true;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].order_is_kept)
@@ -81,8 +83,8 @@ static bool holds_update(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** Does the slice have calls, or loops without updates, as searches? */
-static bool searches(const loop_facts *facts, const ir_node *node) {
+/** Does the slice contain calls, or loops without updates, such as searches? */
+static bool has_search(const loop_facts *facts, const ir_node *node) {
     if (ir_is_expression(node))
         return ir_has_kind(node, IR_CALL);
     if (!facts->slice.holds[node->id])
@@ -90,13 +92,13 @@ static bool searches(const loop_facts *facts, const ir_node *node) {
     if (ir_is_loop(node) && !holds_update(facts, node))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (searches(facts, node->children[i]))
+        if (has_search(facts, node->children[i]))
             return true;
     return false;
 }
 
-/** The innermost loop around a statement of the body, without those over constants, as over the
- *  components of a vector. NULL: none. */
+/** The innermost loop around a statement of the body, except for loops over constants (components
+ * of a vector). NULL: none. */
 static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *node) {
     for (; node != facts->loop; node = node->parent) {
         const ir_variable *counter;
@@ -107,12 +109,12 @@ static const ir_node *inner_loop_around(const loop_facts *facts, const ir_node *
     return NULL;
 }
 
-/** Is each update in an inner loop one of a block that is recorded at once? */
+/** Are there updates in inner loops, and does the inspector log each such loop as one span? */
 static bool is_over_blocks(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     const ir_node *const body = facts->counted.body;
     bool has_blocks = false;
-    if (!facts->inspector.exists || plan->precheck != PRECHECK_NONE || searches(facts, body))
+    if (!facts->inspector.exists || plan->precheck != PRECHECK_NONE || has_search(facts, body))
         return false;
     for (unsigned i = 0; i < facts->update_count; i++) {
         const ir_node *inner = inner_loop_around(facts, facts->updates[i].statement);

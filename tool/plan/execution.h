@@ -6,15 +6,16 @@
 
 #include "plan/plan.h"
 
-/** How a key's value is stored in words of 64 bits; KEY_UNFIT: no plan is kept. */
+/** How the value of a key is stored in words of 64 bits; KEY_UNFIT: it cannot be, and no plan is
+ *  kept. */
 typedef enum key_form { KEY_INTEGER, KEY_POINTER, KEY_BYTES, KEY_UNFIT } key_form;
 key_form form_of_key(const ir_type *type);
 
-/** May the runtime update private copies of the array? Copies hold adjacent elements, so not if
- *  other data lie between them; nor if updates of copies could not be merged. */
+/** May the runtime update private copies of the array? Not if other data lie between its elements,
+ *  since copies hold adjacent elements; nor if copies could not be merged. */
 bool may_be_copied(const loop_plan *plan, const reduction_array *array);
 
-/** Sets execution; has_ready_base is set. */
+/** Sets execution. Requires has_ready_base. */
 void plan_execution(loop_plan *plan);
 
 #endif

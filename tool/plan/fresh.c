@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A place is the variable, a member of it, or an element of a short array. Loops over constants are
- * executed: so their counters are known numbers in subscripts. Statements are classified in the
- * order of their execution, up to the first assignment that is always executed. Control leaves a
- * statement early only by `continue`, `break` or `return`, and then does not reach what follows it.
+ * interpreted, so that subscripts made of their counters are known numbers. Statements are
+ * classified in the order of their execution, up to the first assignment that is always executed.
+ * Control leaves a statement early only by `continue`, `break` or `return`, and then does not reach
+ * what follows it.
  */
 #include "plan/fresh.h"
 
@@ -21,16 +22,16 @@ typedef struct known {
 } known;
 
 typedef struct place {
-    const ir_variable *variable; /* all of it, if it is a scalar; */
-    const ir_field *field;       /* of a record */
-    int64_t element;             /* of an array */
+    const ir_variable *variable;
+    const ir_field *field; /* if the variable is a record */
+    int64_t element;       /* if it is an array */
     const known *known;
 } place;
 
 typedef enum finding {
-    READS,   /* may read the place before it is assigned */
-    FRESH,   /* does not */
-    ASSIGNS, /* does not, and has assigned it whenever the next statement is reached */
+    READS,   /* may read the place before assigning it */
+    FRESH,   /* does not read it before assigning it */
+    ASSIGNS, /* FRESH, and has assigned it whenever the next statement is reached */
 } finding;
 
 static bool is_array(const place *p) {
@@ -78,7 +79,7 @@ static bool mentions(const place *p, const ir_node *node) {
 static finding find_in(const place *p, const ir_node *node);
 
 /** Classifies parts that are executed one after the other. */
-static finding in_turn(const place *p, ir_node *const *parts, unsigned count) {
+static finding in_sequence(const place *p, ir_node *const *parts, unsigned count) {
     for (unsigned i = 0; i < count; i++) {
         const finding found = find_in(p, parts[i]);
         if (found != FRESH)
@@ -108,7 +109,7 @@ static finding in_choice(const place *p, const ir_node *node) {
     return one == ASSIGNS && other == ASSIGNS ? ASSIGNS : FRESH;
 }
 
-/** Executes each of a few iterations to its end. */
+/** Classifies each of a few iterations, with the counter's value. None of them ends early. */
 static finding in_iterations(const place *p, const ir_node *node, int64_t first, int64_t last,
                              const ir_variable *counter) {
     finding found = FRESH;
@@ -121,7 +122,8 @@ static finding in_iterations(const place *p, const ir_node *node, int64_t first,
     return found;
 }
 
-/** The body may not be executed at all, and `continue` may leave it anywhere. */
+/** Unless its iterations are known, the body may not be executed at all, and `continue` may leave
+ * it anywhere: it ASSIGNS nothing. */
 static finding in_for(const place *p, const ir_node *node) {
     const finding first = find_in(p, node->children[0]);
     if (first != FRESH)
@@ -145,11 +147,11 @@ static finding find_in(const place *p, const ir_node *node) {
     case IR_BLOCK:
     case IR_EXPRESSION:
     case IR_DECLARATION:
-        return in_turn(p, node->children, node->child_count);
+        return in_sequence(p, node->children, node->child_count);
     case IR_ASSIGN:
         return in_assignment(p, node);
     case IR_BINARY:
-        return node->op == IR_OP_COMMA ? in_turn(p, node->children, node->child_count) : READS;
+        return node->op == IR_OP_COMMA ? in_sequence(p, node->children, node->child_count) : READS;
     case IR_IF:
         return in_choice(p, node);
     case IR_FOR:
@@ -159,7 +161,7 @@ static finding find_in(const place *p, const ir_node *node) {
     }
 }
 
-/** If the statement names only members of the variable, the number of its fields; otherwise 0. */
+/** Is the variable named only as `variable.field`, with a scalar that is no bit-field? */
 static bool names_only_members(const ir_node *node, const ir_variable *variable) {
     if (expression_is_variable(node, variable))
         return false;

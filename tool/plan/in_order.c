@@ -23,8 +23,8 @@ static const ir_variable *variable_with(const ir_node *row) {
     return row->kind == IR_VARIABLE ? row->variable : NULL;
 }
 
-/** Does the executor read the row's value once, before the first iteration, where the loop reads it
- *  in each one? */
+/** Does the executor read the row once, before the first iteration, although the sequential loop
+ *  reads it in each iteration? */
 static bool is_read_before(const loop_facts *facts, const ir_node *row) {
     const ir_variable *variable = variable_with(row);
     if (variable && is_captured(facts, variable) && is_copied_in(variable))

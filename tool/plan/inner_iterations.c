@@ -11,14 +11,15 @@
 #include "plan/only_read.h"
 #include "plan/unconditional.h"
 
-/* An additional ownership check in each inner iteration pays from this number of operations on
- * floating values on. */
-enum { WORTH = 4, MOST_SUMS = 12 };
+enum {
+    LEAST_WORK = 4, /* floating-point operations for which another ownership check pays */
+    MOST_SUMS = 12
+};
 
 typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the loop */
-    const ir_node *block; /* its body */
+    const ir_node *block; /* the loop's body */
     unsigned rest;        /* index of the first statement of the rest */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
@@ -43,20 +44,20 @@ static const private_variable *private_of(const loop_facts *facts, const ir_vari
     return NULL;
 }
 
-/** Is it private to an iteration, and not live-out? */
+/** Is the variable private to an iteration of the outer loop, and not live-out? */
 static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
     const private_variable *it = private_of(t->facts, variable);
     return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
            !variable->address_taken;
 }
 
-/** Is it a variable of the iteration whose value from an earlier inner iteration is never read? */
-static bool is_spent(const inner_rest *t, const ir_variable *variable) {
+/** Is the variable private, and is its value dead at the end of an inner iteration? */
+static bool is_dead(const inner_rest *t, const ir_variable *variable) {
     return is_of_iteration(t, variable) &&
-           inner_value_is_spent(t->facts->counted.body, t->inner, variable);
+           inner_value_is_dead(t->facts->counted.body, t->inner, variable);
 }
 
-/** Is it in an update, which writes only the element? */
+/** Is the node part of an update? An update writes only the element. */
 static bool is_in_update(const inner_rest *t, const ir_node *node) {
     for (; node != t->block; node = node->parent)
         if (loop_update_at(t->facts, node))
@@ -73,7 +74,8 @@ static bool may_be_written_by_call(const inner_rest *t, const ir_node *argument,
     return argument->type->kind == IR_POINTER || !is_own_variable(t, expression_object(argument));
 }
 
-/** The loop's analysis has shown that calls write only through their arguments. */
+/** May the call write what an argument points to? The loop's analysis has shown that it writes
+ *  nothing else. */
 static bool may_write(const inner_rest *t, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     for (unsigned i = 1; i < call->child_count; i++) {
@@ -87,7 +89,7 @@ static bool may_write(const inner_rest *t, const ir_node *call) {
     return !callee;
 }
 
-/** Records `p += e` for a variable that is private to the iteration. */
+/** Is the node `p += e` for a variable that is private to the iteration? Then p becomes a sum. */
 static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable) {
     if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
         return false;
@@ -106,8 +108,8 @@ static bool is_series_update(const inner_rest *t, const ir_node *node) {
            expression_is_plain(t->facts->scalars[scalar].value);
 }
 
-/** Does it have an effect that later iterations or statements can see, other than updates and sums?
- *  `is_inside`: a loop or switch of the rest encloses it. */
+/** Does the node have an effect, other than updates and sums, that later iterations or statements
+ *  can see? `is_inside`: a loop or switch of the rest encloses the node. */
 static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
@@ -131,7 +133,7 @@ static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_insid
     const ir_node *written = expression_written(node);
     const ir_variable *object = written ? expression_object(written) : NULL;
     if ((written || node->kind == IR_ASSIGN || ir_is_increment(node)) && !is_in_update(t, node) &&
-        !(object && (is_own_variable(t, object) || is_spent(t, object) || adds(t, node, object))))
+        !(object && (is_own_variable(t, object) || is_dead(t, object) || adds(t, node, object))))
         return true;
     is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -140,8 +142,8 @@ static bool has_visible_effect(inner_rest *t, const ir_node *node, bool is_insid
     return false;
 }
 
-/** Operations on floating values, and calls, outside of updates, which have ownership checks
- *  anyway. */
+/** The number of floating-point operations and calls outside of updates. Updates have ownership
+ *  checks anyway, so that skipping them saves nothing. */
 static unsigned work_in(const inner_rest *t, const ir_node *node) {
     if (loop_update_at(t->facts, node))
         return 0;
@@ -158,7 +160,7 @@ static bool may_be_left_out(inner_rest *t) {
             return false;
         work += work_in(t, t->block->children[i]);
     }
-    return work >= WORTH;
+    return work >= LEAST_WORK;
 }
 
 /* ---- when its rows are known ----------------------------------------------------------------- */
@@ -174,7 +176,7 @@ static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/** Does it have a value whenever an inner iteration begins? */
+/** Does the variable have a value whenever an inner iteration begins? */
 static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     const loop_facts *facts = t->facts;
     if (!private_of(facts, variable))
@@ -192,9 +194,9 @@ static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
     return false;
 }
 
-/** The rest of an iteration begins after the statement that sets this variable. False: it may have
- *  no value, or another one when the row is updated. */
-static bool await_variable(inner_rest *t, const ir_variable *variable) {
+/** Lets the rest begin after the last statement that sets the variable. False: the variable may
+ * have no value there, or its address is taken, so that it may change before the row is updated. */
+static bool begin_after_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
         is_set |= inner_statement_sets(t->block->children[i], variable);
@@ -207,12 +209,12 @@ static bool await_variable(inner_rest *t, const ir_variable *variable) {
     return is_set && !variable->address_taken;
 }
 
-static bool await_variables(inner_rest *t, const ir_node *node) {
+static bool begin_after_variables(inner_rest *t, const ir_node *node) {
     if (node->kind == IR_VARIABLE && loop_array_of_base(t->facts, node) < 0 &&
-        !await_variable(t, node->variable))
+        !begin_after_variable(t, node->variable))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!await_variables(t, node->children[i]))
+        if (!begin_after_variables(t, node->children[i]))
             return false;
     return true;
 }
@@ -232,7 +234,7 @@ static const loop_span *span_below(const inner_rest *t, const reduction_update *
     return NULL;
 }
 
-/** The value that the header gives it; NULL: another statement does. */
+/** The value that the loop's header gives the variable; NULL: another statement sets it. */
 static const ir_node *first_value(const loop_span *span, const ir_variable *variable) {
     const counted_loop *counted = &span->counted;
     if (variable == counted->counter)
@@ -243,15 +245,15 @@ static const ir_node *first_value(const loop_span *span, const ir_variable *vari
     return NULL;
 }
 
-/** A plain value that is known before the rest of an inner iteration. */
-static bool await_value(inner_rest *t, const ir_node *value) {
+/** Lets the rest begin where the value is known. False: it is not plain, or not known. */
+static bool begin_after_value(inner_rest *t, const ir_node *value) {
     return value && !expression_has_load(value, false) && !expression_has_hazard(value) &&
-           await_variables(t, value);
+           begin_after_variables(t, value);
 }
 
-/** A variable that the loop steps from the value that it had before: only there, and the loop is a
- *  statement of the block. */
-static bool await_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
+/** Lets the rest begin where the variable has the value from which the nested loop steps it. False:
+ *  another statement changes it later, or the loop is no statement of the block. */
+static bool begin_after_entry(inner_rest *t, const loop_span *span, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable), is_behind = false;
     for (unsigned i = 0; i < t->block->child_count; i++) {
         const ir_node *statement = t->block->children[i];
@@ -268,24 +270,27 @@ static bool await_entry(inner_rest *t, const loop_span *span, const ir_variable 
     return is_set && is_behind && !variable->address_taken;
 }
 
-/** The same for all values that determine which rows the loop below steps through. */
-static bool await_span(inner_rest *t, const loop_span *span, const ir_node *row) {
+/** Lets the rest begin where all values are known that determine through which rows the nested loop
+ *  steps. */
+static bool begin_after_span(inner_rest *t, const loop_span *span, const ir_node *row) {
     const ir_variable *stepped = span_stepped_in(span, row);
     if (row->kind == IR_VARIABLE && row->variable == stepped) {
         const ir_node *first = first_value(span, stepped);
-        return (first ? await_value(t, first) : await_entry(t, span, stepped)) &&
-               await_value(t, span->counted.lower) && await_value(t, span->counted.bound);
+        return (first ? begin_after_value(t, first) : begin_after_entry(t, span, stepped)) &&
+               begin_after_value(t, span->counted.lower) &&
+               begin_after_value(t, span->counted.bound);
     }
     if (row->kind == IR_VARIABLE && loop_array_of_base(t->facts, row) < 0 &&
-        !await_variable(t, row->variable))
+        !begin_after_variable(t, row->variable))
         return false;
     for (unsigned i = 0; i < row->child_count; i++)
-        if (!await_span(t, span, row->children[i]))
+        if (!begin_after_span(t, span, row->children[i]))
             return false;
     return true;
 }
 
-/** False: too many rows, or an unknown one. */
+/** Adds the update's row to those that are checked. False: there are too many, or it is not known
+ *  early enough. */
 static bool add_row(inner_rest *t, const reduction_update *update) {
     const loop_span *span = span_below(t, update);
     for (unsigned i = 0; i < t->row_count; i++)
@@ -293,7 +298,7 @@ static bool add_row(inner_rest *t, const reduction_update *update) {
             return true;
     if (t->row_count == MOST_SKIP_ROWS || update->last || update->row->type->size <= 0 ||
         expression_has_load(update->row, true) || expression_has_hazard(update->row) ||
-        !(span ? await_span(t, span, update->row) : await_variables(t, update->row)))
+        !(span ? begin_after_span(t, span, update->row) : begin_after_variables(t, update->row)))
         return false;
     t->rows[t->row_count++] = (skip_row){update, span};
     return true;
@@ -309,7 +314,8 @@ static bool find_rows(inner_rest *t) {
 
 /* ---- sums ---------------------------------------------------------------------------------- */
 
-/** Do its variables have the same values in the inner iteration as at the sum's update? */
+/** Do the row's variables have the same values in the inner iteration as at the update that reads
+ * the sum? */
 static bool is_fixed(const inner_rest *t, const ir_node *row) {
     const loop_facts *facts = t->facts;
     if (row->kind == IR_VARIABLE && private_of(facts, row->variable) &&
@@ -321,7 +327,7 @@ static bool is_fixed(const inner_rest *t, const ir_node *row) {
     return true;
 }
 
-/** Is the loop executed at most once in an iteration? */
+/** Is the inner loop executed at most once in an iteration of the outer one? */
 static bool is_executed_once(const inner_rest *t) {
     const ir_node *const body = t->facts->counted.body;
     for (const ir_node *node = t->inner; node != body; node = node->parent)
@@ -332,7 +338,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** The same for the subscripts of p[c][d], where the element itself is the sum. */
+/** flows_into_updates for the subscripts of p[c][d], where the element itself is the sum. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))
@@ -340,8 +346,8 @@ static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_varia
     return true;
 }
 
-/** Is the sum read only by updates outside of the loop, of elements that are not read? Adds their
- *  rows. */
+/** Is the sum read only by updates outside of the inner loop, and is none of these elements read
+ *  again? Adds the updates' rows. */
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum) {
     const reduction_update *update = loop_update_at(t->facts, node);
     if (update && expression_mentions(node, sum))
@@ -382,7 +388,7 @@ static const char *why_not(inner_rest *t) {
     if (t->block->kind != IR_BLOCK || !find_rows(t))
         return "the rows that it updates cannot be named before its work";
     if (!may_be_left_out(t))
-        return "the rest of an iteration is little work, or does something else than updates";
+        return "the rest of an inner iteration is short, or has effects other than updates";
     if (!sums_flow_into_updates(t))
         return "a sum that it adds to is read other than by an update";
     for (unsigned i = 0; i < t->row_count; i++)

@@ -13,12 +13,12 @@
  * together: in a loop over pairs of blocks, a thread that owns neither block skips the pair.
  *
  * Why it is sound: the rest of the inner iteration has no effects except updates and changes of its
- * private variables, also of those declared outside that are set again before each use
- * (inner_variables.h), so that skipping it cannot be observed; and the rows that it updates are
- * known before it. It may also add to variables that are read only by updates outside of the inner
- * loop, as in `p += e; ... f[i] += p;`: then the thread must not own their rows either. Additions
- * to series, and errno, which a mathematical function in it may set, are those of the thread that
- * leads in the iteration.
+ * private variables, including variables declared outside that are set again before each use
+ * (inner_variables.h). So skipping the rest cannot be observed. The rows that it updates are known
+ * before it. It may also add to variables that are read only by updates outside of the inner loop,
+ * as in `p += e; ... f[i] += p;`: then a thread that skips it must not own the rows of those
+ * updates either. One thread leads in each iteration and skips nothing: it adds to series, and sets
+ * errno if a mathematical function does.
  */
 #ifndef PLAN_INNER_ITERATIONS_H
 #define PLAN_INNER_ITERATIONS_H
@@ -36,7 +36,7 @@ typedef struct skip_row {
 /** An inner loop whose iterations are skipped by threads that own none of the rows. */
 typedef struct inner_skip {
     const ir_node *loop;
-    const char *declined;  /* the reason why none is skipped; NULL: */
+    const char *declined;  /* the reason why nothing is skipped; NULL: the following is set */
     const ir_node *before; /* the statement of the body before which ownership is checked */
     bool needs_leader;     /* the skipped part adds to series, or may set errno: the thread that
                             * leads in an iteration skips nothing */

@@ -15,7 +15,8 @@ bool inner_statement_sets(const ir_node *statement, const ir_variable *variable)
            expression_is_variable(statement->children[0], variable);
 }
 
-/** Also for one of several assignments with commas in between, in the header of a `for`. */
+/** Does the statement, or the first part of a `for`, set the variable, perhaps in one of several
+ *  assignments separated by commas? */
 static bool header_sets(const ir_node *start, const ir_variable *variable) {
     if (start->kind == IR_EXPRESSION)
         start = start->children[0];
@@ -28,8 +29,8 @@ static bool header_sets(const ir_node *start, const ir_variable *variable) {
 typedef enum answer { ANSWER_NONE, ANSWER_SET, ANSWER_STALE } answer;
 
 /** Searches the statements before `node` in its block, the nearest first. */
-static answer look_before(const ir_node *block, const ir_node *node, const ir_node *inner,
-                          const ir_variable *variable) {
+static answer search_before(const ir_node *block, const ir_node *node, const ir_node *inner,
+                            const ir_variable *variable) {
     unsigned i = 0;
     while (block->children[i] != node)
         i++;
@@ -43,13 +44,14 @@ static answer look_before(const ir_node *block, const ir_node *node, const ir_no
     return ANSWER_NONE;
 }
 
-static answer look_around(const ir_node *node, const ir_node *inner, const ir_variable *variable) {
+static answer search_around(const ir_node *node, const ir_node *inner,
+                            const ir_variable *variable) {
     const ir_node *parent = node->parent;
     if (parent->kind == IR_BLOCK)
-        return look_before(parent, node, inner, variable);
+        return search_before(parent, node, inner, variable);
     if (!ir_is_loop(parent))
         return ANSWER_NONE;
-    if (ir_contains(parent, inner)) /* it may still have the value of the preceding iteration */
+    if (ir_contains(parent, inner)) /* the value may be from the preceding iteration of `inner` */
         return ANSWER_STALE;
     return parent->kind == IR_FOR && node != parent->children[0] &&
                    header_sets(parent->children[0], variable)
@@ -59,7 +61,7 @@ static answer look_around(const ir_node *node, const ir_node *inner, const ir_va
 
 static bool is_set_for(const ir_node *body, const ir_node *inner, const ir_node *read) {
     for (const ir_node *node = read; node != body; node = node->parent) {
-        const answer found = look_around(node, inner, read->variable);
+        const answer found = search_around(node, inner, read->variable);
         if (found != ANSWER_NONE)
             return found == ANSWER_SET;
     }
@@ -77,7 +79,7 @@ static bool are_reads_set(const ir_node *body, const ir_node *inner, const ir_no
     return true;
 }
 
-bool inner_value_is_spent(const ir_node *body, const ir_node *inner, const ir_variable *variable) {
+bool inner_value_is_dead(const ir_node *body, const ir_node *inner, const ir_variable *variable) {
     const bool may_enter_blocks = ir_has_kind(body, IR_LABEL) || ir_has_kind(body, IR_SWITCH);
     return ir_type_is_scalar(variable->type) && !may_enter_blocks &&
            are_reads_set(body, inner, body, variable);

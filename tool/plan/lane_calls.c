@@ -10,7 +10,7 @@
 
 enum { MOST_DEPTH = 8, MANY = 1000000 };
 
-/** Values of errno after a failing call. */
+/** Bits for the values of errno after a failing call: EDOM, ERANGE. */
 enum { DOMAIN = 1, RANGE = 2 };
 
 static bool is_among(const char *const *names, size_t count, const char *name) {
@@ -20,7 +20,7 @@ static bool is_among(const char *const *names, size_t count, const char *name) {
     return false;
 }
 
-/** C17 7.12: the functions that can fail in one way only. */
+/** The values of errno that a call of the function may set (C17 7.12). */
 static unsigned errors_of(const ir_unit *unit, const ir_function *callee) {
     static const char *const domain[] = {"sqrt", "sqrtf", "cos", "cosf", "sin", "sinf"};
     static const char *const range[] = {"exp",  "expf",  "exp2",  "exp2f",
@@ -51,11 +51,11 @@ bool lane_may_call(const ir_unit *unit, const ir_node *call) {
            lane_is_real(call->type) && call->child_count > 1;
 }
 
-/** Calls of functions without a body: how many may fail per iteration, and how; how many have no
- *  vector form. */
+/** Calls of functions without a body, per iteration. */
 typedef struct calls {
-    int64_t failing, by_lane;
-    unsigned errors;
+    int64_t failing;     /* those that may set errno */
+    int64_t by_lane;     /* those without a vector form */
+    unsigned errors;     /* the values that errno may get */
     const ir_node *last; /* the body's last call that may fail */
 } calls;
 

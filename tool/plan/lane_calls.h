@@ -2,8 +2,8 @@
 /**
  * Calls of the C library in iterations executed as lanes. A function without a vector form is
  * called lane by lane, at the place of the call: its bits are the library's, for any order of
- * calls. The order matters only to errno, which the loop must leave as the last failing call does.
- * Lanes make a call for all iterations before the next call, and calls in update statements last.
+ * calls. The order matters only to errno, which keeps the value of the last call that fails. Lanes
+ * make each call for all iterations before the next call, and calls in update statements last.
  * So lanes are allowed only if all calls fail in the same way, or at most one call per iteration
  * can fail, or only calls in update statements can.
  */
@@ -19,11 +19,11 @@ enum { LANE_CALL_WORK = 40 };
  *  floats. */
 bool lane_may_call(const ir_unit *unit, const ir_node *call);
 
-/** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf, fabsf), or NULL.
- */
+/** The callee's name if it has a vector form in redcc/lanes.h (sqrt, fabs, sqrtf,
+ *  fabsf), or NULL. */
 const char *lane_known_call(const ir_function *callee);
 
-/** Records a problem if errno may end with another value. */
+/** Records a problem if errno may have another value after the loop. */
 void lane_check_errors(lane_scope *l);
 
 /** Calls per iteration that are made lane by lane, without those in update statements. */

@@ -95,7 +95,8 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
-/** The lane_value variable whose element or value this is, with permitted subscripts, or NULL. */
+/** The LANE_VECTOR variable whose element or value the node is; NULL: none, or a subscript is not
+ *  allowed. */
 static const ir_variable *vector_root(const lane_scope *l, const ir_node *node,
                                       bool (*allows)(const lane_scope *l,
                                                      const ir_node *subscript)) {
@@ -156,7 +157,7 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node) {
         (node->kind == IR_UNARY &&
          (node->op == IR_OP_DEREFERENCE || node->op >= IR_OP_PRE_INCREMENT)))
         return false;
-    /* the value may be outside of the integer's range */
+    /* undefined if the value is outside of the integer's range */
     if (node->kind == IR_CAST && !lane_is_real(node->type) && lane_is_real(node->children[0]->type))
         return false;
     const bool is_arithmetic =
@@ -186,7 +187,7 @@ static bool is_of_updates(const lane_scope *l, const ir_node *node) {
     return !l->function && node->kind == IR_DECLARATOR && lane_updating(l, node);
 }
 
-/** The initial class of a variable of that type. */
+/** The class of a variable before the classes are propagated. */
 static lane_class first_class(lane_scope *l, const ir_variable *variable, const ir_node *node) {
     const ir_type *type = variable->type;
     const ir_type *innermost = ir_type_innermost(type);
@@ -202,7 +203,7 @@ static lane_class first_class(lane_scope *l, const ir_variable *variable, const 
     return LANE_UNIFORM;
 }
 
-/** Is it 1 or 0: a comparison, or several with && || and !? */
+/** Is the node's value 0 or 1: a comparison, or several joined by &&, || and !? */
 static bool is_truth(const ir_node *node) {
     return (node->kind == IR_UNARY && node->op == IR_OP_NOT) ||
            (node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_OR);
@@ -218,12 +219,12 @@ static bool find_mask(ir_node *node, void *context) {
     return true;
 }
 
-typedef struct spreading {
+typedef struct propagation {
     lane_scope *l;
     bool has_changed;
-} spreading;
+} propagation;
 
-static void spread(spreading *s, const ir_variable *variable, const ir_node *value) {
+static void propagate(propagation *s, const ir_variable *variable, const ir_node *value) {
     lane_scope *l = s->l;
     if (!lane_is_own(l, variable) || l->class_of[variable->id] != LANE_UNIFORM)
         return;
@@ -239,7 +240,7 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
 
 /** Is this part of the node executed under a condition, or a number of times, that differs between
  *  lanes? */
-static bool is_divided(const lane_scope *l, const ir_node *node, const ir_node *part) {
+static bool is_divergent(const lane_scope *l, const ir_node *node, const ir_node *part) {
     switch (node->kind) {
     case IR_IF:
     case IR_CONDITIONAL:
@@ -259,9 +260,9 @@ static bool is_divided(const lane_scope *l, const ir_node *node, const ir_node *
     }
 }
 
-/** The part of the scope outside of which the variable's value is not used: the block with its
- *  declaration, or the outermost `for` around the write, if all uses of the variable lie in such
- *  loops that initialise it. */
+/** The part of the scope outside of which the value written is not used: the block with the
+ *  variable's declaration; or, if all uses lie in loops that initialise the variable, the outermost
+ *  such `for` around the write. */
 static const ir_node *life_of(const lane_scope *l, const ir_node *write,
                               const ir_variable *variable) {
     const bool is_counter = lane_is_counter_only(l->body, variable);
@@ -281,14 +282,14 @@ static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
                              const ir_variable *variable) {
     const ir_node *const life = life_of(l, write, variable);
     for (const ir_node *at = write; at != life && at->parent; at = at->parent)
-        if (is_divided(l, at->parent, at))
+        if (is_divergent(l, at->parent, at))
             return true;
     return false;
 }
 
 /** A private integer or pointer is the same for all lanes only if all of them execute every write
  *  of it. */
-static void spread_of_some_lanes(spreading *s, const ir_node *node) {
+static void propagate_divergent_write(propagation *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);
     const bool is_assignment = node->kind == IR_ASSIGN || ir_is_increment(node);
@@ -303,7 +304,7 @@ static void spread_of_some_lanes(spreading *s, const ir_node *node) {
 }
 
 /** Variables written in an update statement are per lane, except for loop counters. */
-static void spread_beside_updates(spreading *s, const ir_node *node) {
+static void propagate_update_write(propagation *s, const ir_node *node) {
     lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);
     if ((node->kind != IR_ASSIGN && !ir_is_increment(node)) || target->kind != IR_VARIABLE ||
@@ -315,13 +316,13 @@ static void spread_beside_updates(spreading *s, const ir_node *node) {
     s->has_changed = true;
 }
 
-static bool spread_node(ir_node *node, void *context) {
-    spread_beside_updates(context, node);
-    spread_of_some_lanes(context, node);
+static bool propagate_node(ir_node *node, void *context) {
+    propagate_update_write(context, node);
+    propagate_divergent_write(context, node);
     if (node->kind == IR_ASSIGN && node->children[0]->kind == IR_VARIABLE)
-        spread(context, node->children[0]->variable, node->children[1]);
+        propagate(context, node->children[0]->variable, node->children[1]);
     if (node->kind == IR_DECLARATOR && node->child_count > 0)
-        spread(context, node->variable, node->children[0]);
+        propagate(context, node->variable, node->children[0]);
     return true;
 }
 
@@ -345,14 +346,14 @@ static bool list_node(ir_node *node, void *context) {
     return true;
 }
 
-/** Parameters have theirs already. */
+/** The classes of a function's parameters are set already. */
 void lane_classify(lane_scope *l) {
     listing list = {l, ARENA_ARRAY(l->plan->arena, bool, l->plan->unit->variable_count + 1)};
-    spreading s = {.l = l, .has_changed = true};
+    propagation s = {.l = l, .has_changed = true};
     ir_walk((ir_node *)l->body, list_node, &list);
     ir_walk((ir_node *)l->body, find_mask, l);
     while (s.has_changed) {
         s.has_changed = false;
-        ir_walk((ir_node *)l->body, spread_node, &s);
+        ir_walk((ir_node *)l->body, propagate_node, &s);
     }
 }

@@ -2,10 +2,10 @@
 /**
  * Classes of an iteration's variables when several iterations are executed at once. The class of an
  * expression follows from those of its variables. Control flow is the same for all lanes, except
- * for conditions around updates, which are made lane by lane.
+ * for conditions around updates, which are executed lane by lane.
  *
- * A variable is uniform if all values assigned to it are, and no condition that differs between
- * lanes decides whether it is assigned: the classes are propagated over assignments to a fixed
+ * A variable is uniform if all values assigned to it are uniform and no condition that differs
+ * between lanes decides whether it is assigned. Classes are propagated over assignments to a fixed
  * point.
  */
 #ifndef PLAN_LANE_CLASS_H
@@ -17,7 +17,8 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer per lane: an array of them */
-    LANE_MASK,  /* a constant integer that is a comparison of doubles or floats: a mask, -1 for 1 */
+    LANE_MASK,  /* a const integer initialised by a comparison of reals: a vector of -1 (true) or 0
+                 */
     LANE_LOCAL, /* declared in an update statement: private to each lane's updates */
     LANE_VECTOR /* a double or float, or an array of them, per lane: vectors */
 } lane_class;
@@ -28,41 +29,43 @@ typedef struct lane_scope {
     const ir_function *function; /* NULL: the loop's body */
     const ir_node *body;
     lane_class *class_of; /* by variable */
-    ir_range place;       /* of the last statement with text in the file itself */
+    ir_range place;       /* the range of the last statement that the file itself contains */
     lanes_outcome *outcome;
 } lane_scope;
 
-/** Records the reason why the scope has no vector form, unless there is one already; `node`: its
- *  place; NULL: the last recorded place. */
+/** Records the reason why the scope has no vector form, unless a reason is recorded already. The
+ *  message points at `node` or, if it is NULL, at the last recorded place. */
 void lane_problem(const lane_scope *l, lane_reason why, const ir_node *node);
 /** Records the place of the current statement. */
 void lane_note_place(lane_scope *l, const ir_node *node);
 
-/** Gives each variable of the scope its class. Parameters of a function have theirs already. */
+/** Gives each variable of the scope its class, except for parameters of a function, whose classes
+ *  are set by the call (lane_parameter_class). */
 void lane_classify(lane_scope *l);
 
-/** Is it a variable of the iteration, or of the function being written? */
+/** Is the variable private to the iteration, or declared in the function being written? */
 bool lane_is_own(const lane_scope *l, const ir_variable *variable);
 bool lane_is_uniform(const lane_scope *l, const ir_node *node);
-/** No call, no assignment in it. */
+/** Does the expression contain no call and no assignment? */
 bool lane_is_plain(const ir_node *node);
-/** Is a lane_value variable used other than through one of its elements? */
+/** Is a LANE_VECTOR variable used other than through one of its elements? */
 bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);
 bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
-/** The lane_value variable whose element or value this is, the same one in all lanes, or NULL. */
+/** The LANE_VECTOR variable of which the node is the value, or the same element in all lanes; NULL:
+ *  none. */
 const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
-/** The same if each lane may use another element: its subscripts are integers per lane. */
+/** The LANE_VECTOR variable of which the node is an element, perhaps another one in each lane. */
 const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
-/** A double or a float, which have vectors. */
+/** Is the type double or float? They have vectors. */
 bool lane_is_real(const ir_type *type);
-/** May it be evaluated even if the program does not? */
+/** Is it safe to evaluate the expression where the program does not? */
 bool lane_is_safe(const lane_scope *l, const ir_node *node);
-/** Is it one of the arithmetic operators of vectors, + - * and /? */
+/** Do vectors have the operator: + - * or /? */
 bool lane_has_operator(ir_operator op);
 /** The reason why an operand that is not plain is rejected. */
 lane_reason lane_effect_of(const ir_node *node);
-/** The type of an operator's result: double if an operand is, else float; NULL if neither is, or
- *  one has no lane type. */
+/** The type of an operator's result: double if an operand is, else float. NULL: neither operand is
+ *  real, or one is neither real nor an integer. */
 const ir_type *lane_common(const ir_type *left, const ir_type *right);
 /** `d > 0 ? 1 : 0`: may the operands be converted before the selection? */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node);

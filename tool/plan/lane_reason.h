@@ -6,8 +6,8 @@
 #include "ir/ir.h"
 
 typedef enum lane_reason {
-    LANES_WRITTEN,   /* it has one */
-    LANES_NOT_ASKED, /* such a form is not requested */
+    LANES_WRITTEN,   /* the loop has such a form */
+    LANES_NOT_ASKED, /* none is requested */
 #define X(NAME, slug, message) NO_LANES_##NAME,
 #include "plan/lane_reasons.def"
 #undef X
@@ -17,12 +17,12 @@ typedef enum lane_reason {
 /** The result for one loop for which lanes were requested. */
 typedef struct lanes_outcome {
     lane_reason why;
-    ir_range range; /* of the reason, or of the loop, in the main file */
+    ir_range range; /* the place of the reason, or the loop, in the main file */
 } lanes_outcome;
 
-/** "used-below"; NULL of LANES_WRITTEN and LANES_NOT_ASKED. */
+/** For example "used-below"; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */
 const char *lane_reason_slug(lane_reason why);
-/** A sentence without a full stop; NULL for the same. */
+/** A sentence without a full stop; NULL for LANES_WRITTEN and LANES_NOT_ASKED. */
 const char *lane_reason_message(lane_reason why);
 
 #endif

@@ -28,7 +28,7 @@ lane_reason plan_lanes(const loop_plan *plan) {
     if (!facts->inspector.exists)
         return NO_LANES_INSPECTOR;
     if (leaves_values(facts) || facts->forward_count > 0 || facts->slice.exits ||
-        plan_has_leaders(plan)) /* errno */
+        plan_has_leaders(plan)) /* an iteration that may set errno */
         return NO_LANES_OTHER_VALUES;
     if (plan->options->order == ORDER_ANY)
         return NO_LANES_ANY_ORDER;
@@ -83,8 +83,6 @@ bool lane_begins_with(const ir_node *loop, const ir_variable *variable) {
            assigned_by(first, &other) == variable;
 }
 
-/** Are all uses of the variable within a `for` that initialises it? Then the order of two such
- *  loops does not matter. */
 bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_FOR && lane_begins_with(node, variable))
         return true;
@@ -114,7 +112,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
         if (is_pending || i + 1 < block->child_count || !lane_is_part(facts, statement))
             return statement;
         if (!ir_contains(statement->children[1], node))
-            return NULL; /* its condition */
+            return NULL; /* in the condition, which is computed for all lanes */
         block = statement->children[1];
         i = (unsigned)-1;
     }
@@ -123,7 +121,7 @@ const ir_node *lane_updating(const lane_scope *l, const ir_node *node) {
 
 /** Work that is executed lane by lane, in statements with updates. */
 typedef struct scalar_work {
-    int64_t beside;     /* nodes outside of the updates themselves */
+    int64_t outside;    /* nodes outside of the updates themselves */
     int64_t operations; /* all operations of these statements, and calls made lane by lane */
 } scalar_work;
 
@@ -131,7 +129,7 @@ static void add_scalar_work(const lane_scope *l, const ir_node *node, scalar_wor
     if (!lane_has_update(l->plan->facts, node))
         return;
     if (node != l->body && lane_updating(l, node)) {
-        work->beside += work_beside_updates(l->plan, node);
+        work->outside += work_outside_updates(l->plan, node);
         work->operations += work_of_statement(l->plan, node);
         return;
     }
@@ -146,7 +144,7 @@ void lane_check_worth(lane_scope *l) {
         return;
     add_scalar_work(l, l->body, &scalar);
     scalar.operations += LANE_CALL_WORK * lane_count_calls(l);
-    if (scalar.operations > all / 4 || scalar.beside > all - scalar.operations)
+    if (scalar.operations > all / 4 || scalar.outside > all - scalar.operations)
         lane_problem(l, NO_LANES_SCALAR_UPDATES, l->body);
 }
 
@@ -156,7 +154,7 @@ static bool is_effect(const ir_node *node) {
            node->kind == IR_INITIALIZERS || ir_is_increment(node);
 }
 
-/** It is executed once for each lane, and may change only the element. */
+/** Checks an update, which is executed once for each lane and may change only the element. */
 static void check_update(lane_scope *l, const ir_node *statement) {
     const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
     bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
@@ -167,7 +165,7 @@ static void check_update(lane_scope *l, const ir_node *statement) {
         lane_problem(l, NO_LANES_UPDATE, statement);
 }
 
-/** Does a jump leave the statement that updates? */
+/** Does the jump leave the update statement around it? */
 static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
     for (const ir_node *at = jump->parent; at && at != updating->parent; at = at->parent)
         if (ir_is_loop(at))
@@ -177,7 +175,7 @@ static bool leaves_updates(const ir_node *jump, const ir_node *updating) {
 
 /** May an update statement assign the variable? Only if it is private to the lane: an integer or
  *  pointer per lane, an element of a vector, or a loop counter. */
-static bool is_assigned_beside(lane_scope *l, const ir_variable *variable, bool is_element) {
+static bool may_be_assigned_in_update(lane_scope *l, const ir_variable *variable, bool is_element) {
     if (!variable || !lane_is_own(l, variable))
         return false;
     switch (l->class_of[variable->id]) {
@@ -215,7 +213,7 @@ static bool check_update_node(ir_node *node, void *context) {
         (is_jump && leaves_updates(node, lane_updating(l, node))) ||
         (pointed && lane_is_own(l, pointed) && l->class_of[pointed->id] != LANE_LOCAL))
         lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
-    if ((variable || other) && !is_assigned_beside(l, variable, other))
+    if ((variable || other) && !may_be_assigned_in_update(l, variable, other))
         lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
     return true;
 }
@@ -258,7 +256,6 @@ void lane_check_order(lane_scope *l, const ir_node *body) {
     }
 }
 
-/** `if (...) continue;`? */
 bool lane_is_exit(const ir_node *statement) {
     if (statement->kind != IR_IF || statement->child_count > 2)
         return false;
@@ -268,7 +265,6 @@ bool lane_is_exit(const ir_node *statement) {
     return branch->kind == IR_CONTINUE;
 }
 
-/** An `if` that computes and updates. */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement) {
     if (statement->kind != IR_IF || statement->child_count > 2 ||
         statement->children[1]->kind != IR_BLOCK)
@@ -313,13 +309,11 @@ bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
 
 enum { MOST_DEPTH = 8 /* of calls */ };
 
-/** The element of a lane_value variable: of a pointer, its target. */
 const ir_type *lane_vector_type(const ir_variable *variable) {
     const ir_type *type = variable->type;
     return ir_type_innermost(type->kind == IR_POINTER ? type->target : type);
 }
 
-/** The class of the parameter, with this argument. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value) {
     const ir_type *type = parameter->type;
     if (type->is_volatile || type->is_atomic)
@@ -351,7 +345,6 @@ bool lane_can_be_called(const ir_function *function, const ir_node *call, unsign
            (body->child_count > 0 && body->children[body->child_count - 1]->kind == IR_RETURN);
 }
 
-/** Checks a value that becomes an integer or a pointer per lane. */
 void lane_check_operand(lane_scope *l, const ir_node *value) {
     if (!lane_is_plain(value))
         lane_problem(l, lane_effect_of(value), value);

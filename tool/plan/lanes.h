@@ -3,34 +3,36 @@
  * Several iterations at once (redcc/lanes.h): decides which loops have such a form, and which
  * statements.
  *
- * A body is split into computations, for all lanes, and updates, iteration by iteration. Why it is
- * sound: no iteration reads what another one updates, or the loop could not run in parallel, so the
- * updates may come last. Each element gets them in the order of the loop, lane by lane. No
- * statement after an update in the body changes the update's operands.
+ * A body is split into computations, which are executed for all lanes at once, and updates, which
+ * are executed iteration by iteration after them. Why it is sound: no iteration reads what another
+ * one updates, or the loop could not run in parallel. No statement after an update in the body
+ * changes the update's operands. Each element gets its updates in the order of the loop.
  */
 #ifndef PLAN_LANES_H
 #define PLAN_LANES_H
 
 #include "plan/lane_class.h"
 
-/** The reason why the loop has no such form, or that none is requested, as far as it is known
- *  before the body is analysed. */
+/** The reason why the loop has no such form, as far as known before the body is analysed;
+ *  LANES_NOT_ASKED: none is requested; LANES_WRITTEN: no reason is known yet. */
 lane_reason plan_lanes(const loop_plan *plan);
 
 /** Does the `for` initialise the variable? */
 bool lane_begins_with(const ir_node *loop, const ir_variable *variable);
-/** Are all uses of the variable within a `for` that initialises it? */
+/** Are all uses of the variable within loops that initialise it? Then the order of two such loops
+ *  does not matter. */
 bool lane_is_counter_only(const ir_node *node, const ir_variable *variable);
 /** Does the node name or declare the variable? */
 bool lane_mentions(const ir_node *node, const ir_variable *variable);
 /** Does the statement contain an update? */
 bool lane_has_update(const loop_facts *facts, const ir_node *statement);
-/** Is it `if (...) continue;`? */
+/** Is the statement `if (...) continue;`? */
 bool lane_is_exit(const ir_node *statement);
-/** Is it an `if` that computes and updates? */
+/** Is the statement an `if` whose branch contains both updates and other statements? */
 bool lane_is_part(const loop_facts *facts, const ir_node *statement);
 
-/** The update statement of the body that contains the node; NULL: it is computed for all lanes. */
+/** The update statement of the body that contains the node; NULL: the node is computed for all
+ * lanes at once. */
 const ir_node *lane_updating(const lane_scope *l, const ir_node *node);
 
 /** Records a problem if the work per lane in update statements outweighs the vector operations,
@@ -49,9 +51,9 @@ void lane_check_operand(lane_scope *l, const ir_node *value);
 bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop);
 /** May the function, at this call depth, get a vector form? It must return at its end. */
 bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth);
-/** The class of the parameter, with this argument. */
+/** The class of the parameter in a call with this argument. */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);
-/** The element of a vector variable: of a pointer, its target. */
+/** The innermost element type of a LANE_VECTOR variable; of a pointer, that of its target. */
 const ir_type *lane_vector_type(const ir_variable *variable);
 
 #endif

@@ -77,7 +77,7 @@ bool is_captured(const loop_facts *facts, const ir_variable *variable) {
 
 enum { LARGEST_COPIED_RECORD = 64 };
 
-/** A private copy per thread lets the compiler keep it in a register. */
+/** A thread's copy, unlike the shared variable, can be kept in a register. */
 bool is_copied_in(const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->kind == IR_RECORD) {

@@ -25,20 +25,20 @@ const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
  *  of the body omit it. NULL: none. */
 const ir_node *body_increment(const loop_facts *facts);
 
-/** Is it private to the iteration, or declared in the body? */
+/** Is the variable private to the iteration, or declared in the body? */
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable);
-/** Does the loop only read it? */
+/** Does the loop only read the variable? */
 bool is_captured(const loop_facts *facts, const ir_variable *variable);
-/** Does each thread have a private copy? */
+/** Does each thread have a copy of the variable? */
 bool is_copied_in(const ir_variable *variable);
 /** Is the counter declared outside of the loop, and live-out? */
 bool counter_outlives(const loop_facts *facts);
-/** Are there live-out private variables: assigned in each iteration; assigned in some only? */
+/** Are there live-out private variables that each iteration assigns; that only some assign? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
 /** Does the loop have live-out variables, assigned or stepped? */
 bool leaves_variables(const loop_facts *facts);
-/** Does it have results other than updates of arrays: such variables, or scalars? */
+/** Does the loop have results other than updates of arrays: live-out variables, or scalars? */
 bool leaves_values(const loop_facts *facts);
 /** The number of the conditional lastprivate variable that this statement assigns; or -1. */
 int conditional_live_out_of(const loop_facts *facts, const ir_node *statement);

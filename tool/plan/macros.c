@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Macros of the program that would change generated text. A macro may have the name of a member of
- * the runtime's structures (`worker.first`), of a keyword, or of the user's own variables that are
- * written again. In copied bytes of the user all macros keep their meaning.
+ * the runtime's structures (`worker.first`), of a keyword, or of a variable of the user that the
+ * generated text names. In text copied from the user's file, macros have their intended meaning.
  */
 #include "plan/macros.h"
 
@@ -41,7 +41,7 @@ static bool is_meant(const char *word, size_t length) {
     return false;
 }
 
-/** Is this word, which ends at `after`, replaced by the preprocessor? */
+/** Does the preprocessor replace this word, which ends at `after`? */
 static bool is_replaced(const map *macros, const char *word, const char *after, const char *end) {
     if (is_meant(word, (size_t)(after - word)))
         return false;
@@ -115,7 +115,7 @@ static const void *meaning_of(const map *names, const char *name) {
     return names ? map_get(names, name, strlen(name)) : NULL;
 }
 
-/** Does the program, or one of its headers, declare one of the runtime's names? */
+/** Does the program, or one of its headers, declare this name of the runtime? */
 static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
     return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
            is_own(unit, name) || (is_searched && has_name(unit->source, name));

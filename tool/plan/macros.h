@@ -10,8 +10,8 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
 /** The name of a macro, defined before the program's file begins, that the head of the written file
  *  uses (the runtime's header, pragmas); NULL: none. */
 const char *macro_name_in_head(const ir_unit *unit);
-/** A name of the runtime's, or of OpenMP's, that is written into the text and that the program
- *  declares as something else; NULL: none. */
+/** A name of the runtime that the generated text uses and that the program declares as something
+ *  else; NULL: none. */
 const char *taken_name(const ir_unit *unit);
 /** The name of a macro of the program that would change the macros of the runtime's header; NULL:
  *  none. */

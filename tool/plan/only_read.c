@@ -5,29 +5,29 @@
 
 #include "analysis/base/expression.h"
 
-enum { MOST_DEEP = 8, MOST_ALIKE = 8 };
+enum { MOST_DEPTH = 8, MOST_ALIASES = 8 };
 
 /* Variables of one function through which the parameter's target may be reached. */
-typedef struct leading {
+typedef struct aliases {
     unsigned count;
-    const ir_variable *variables[MOST_ALIKE];
+    const ir_variable *variables[MOST_ALIASES];
     unsigned depth; /* of calls */
     bool is_written;
-} leading;
+} aliases;
 
 static bool only_reads(const ir_function *function, const ir_variable *variable, unsigned depth);
 
-static bool add(leading *l, const ir_variable *variable) {
+static bool add(aliases *l, const ir_variable *variable) {
     for (unsigned i = 0; i < l->count; i++)
         if (l->variables[i] == variable)
             return true;
-    if (l->count == MOST_ALIKE || !variable_is_automatic(variable) || variable->address_taken)
+    if (l->count == MOST_ALIASES || !variable_is_automatic(variable) || variable->address_taken)
         return false;
     l->variables[l->count++] = variable;
     return true;
 }
 
-/* p->a[i].b, of the p: all of it. */
+/* The whole access path that begins with the node: of p in p->a[i].b, all of it. */
 static const ir_node *whole_path(const ir_node *node) {
     for (const ir_node *outer = node->parent; outer; node = outer, outer = outer->parent) {
         const bool goes_on = outer->kind == IR_MEMBER || outer->kind == IR_INDEX ||
@@ -39,7 +39,7 @@ static const ir_node *whole_path(const ir_node *node) {
     return node;
 }
 
-static bool is_handed_on(leading *l, const ir_node *call, const ir_node *argument) {
+static bool callee_only_reads(aliases *l, const ir_node *call, const ir_node *argument) {
     const ir_function *callee = call->children[0]->function;
     for (unsigned i = 1; callee && i < call->child_count && i <= callee->parameter_count; i++)
         if (call->children[i] == argument)
@@ -48,11 +48,11 @@ static bool is_handed_on(leading *l, const ir_node *call, const ir_node *argumen
 }
 
 /* Is the path's value used only in ways that cannot write the target? */
-static bool is_harmless(leading *l, const ir_node *path) {
+static bool is_harmless(aliases *l, const ir_node *path) {
     const ir_node *user = path->parent;
     if (expression_written(user) == path)
         return path->kind == IR_VARIABLE; /* the variable itself is set */
-    if (path->type->kind == IR_RECORD)    /* a copy of its pointers is not followed */
+    if (path->type->kind == IR_RECORD)    /* a copy of the record's pointers is not followed */
         return false;
     if (path->type->kind != IR_POINTER && path->type->kind != IR_ARRAY)
         return user->kind != IR_UNARY || user->op != IR_OP_ADDRESS;
@@ -63,7 +63,7 @@ static bool is_harmless(leading *l, const ir_node *path) {
         return user->op == IR_OP_NONE && user->children[0]->kind == IR_VARIABLE &&
                user->parent->kind == IR_EXPRESSION && add(l, user->children[0]->variable);
     case IR_CALL:
-        return is_handed_on(l, user, path);
+        return callee_only_reads(l, user, path);
     case IR_IF:
         return true;
     default:
@@ -71,8 +71,8 @@ static bool is_harmless(leading *l, const ir_node *path) {
     }
 }
 
-static bool look(ir_node *node, void *context) {
-    leading *l = context;
+static bool check_node(ir_node *node, void *context) {
+    aliases *l = context;
     if (node->kind == IR_OPAQUE)
         l->is_written = true;
     for (unsigned i = 0; node->kind == IR_VARIABLE && i < l->count; i++)
@@ -82,12 +82,12 @@ static bool look(ir_node *node, void *context) {
 }
 
 static bool only_reads(const ir_function *function, const ir_variable *variable, unsigned depth) {
-    leading l = {.depth = depth};
-    if (depth == MOST_DEEP || !function->body || function->linkage.is_weak || !add(&l, variable))
+    aliases l = {.depth = depth};
+    if (depth == MOST_DEPTH || !function->body || function->linkage.is_weak || !add(&l, variable))
         return false;
     for (unsigned known = 0; known < l.count && !l.is_written;) {
         known = l.count;
-        ir_walk(function->body, look, &l);
+        ir_walk(function->body, check_node, &l);
     }
     return !l.is_written;
 }

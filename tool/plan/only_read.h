@@ -5,8 +5,9 @@
 
 #include "ir/ir.h"
 
-/** Does the function, and whatever it calls, only read through parameter `number`, a pointer, and
- *  through pointers read there? It may be passed on, and local variables may be set to it. */
+/** Does the function, with all functions that it calls, only read through parameter `number`, a
+ *  pointer, and through pointers read there? The function may pass the pointer on, and assign it to
+ *  local variables. */
 bool only_reads_through(const ir_function *function, unsigned number);
 
 #endif

@@ -8,7 +8,7 @@
 /** How a result may differ from the sequential loop's (REDCC_ORDER_... of the runtime). */
 typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
 
-/** Which loops execute several iterations at once, if possible. */
+/** Which loops shall execute several iterations at once, if possible. */
 typedef enum lanes_wish {
     LANES_OF_NONE,
     LANES_OF_HEAVY, /* loops with long iterations */
@@ -17,14 +17,14 @@ typedef enum lanes_wish {
 
 typedef struct plan_options {
     result_order order;
-    bool order_is_explicit; /* set explicitly, not by default */
+    bool order_is_explicit; /* the user has set `order`; it is not the default */
     const char *obstacle;   /* the reason why nothing may be written; NULL: none */
     const char *linked;     /* text to append to the file: it defines redcc__linked, which checks
                              * that functions of other files are those that were analysed; NULL: no
                              * loop depends on other files */
     lanes_wish lanes;
-    const unsigned char *no_lanes; /* by verdict: 1: write nothing for several iterations at once.
-                                    * NULL: 0 everywhere */
+    const unsigned char *no_lanes; /* by verdict, 1: write no form for several iterations at once;
+                                    * NULL: 0 for all verdicts */
 } plan_options;
 
 #endif

@@ -14,8 +14,8 @@ enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
 
 /* ---- the place, and the function's name ---------------------------------------------------- */
 
-/** Does a directive between the two places change the meaning of a copy? Conditional ones are
- *  copied as well (as_compiled.h). */
+/** Does a directive between the two places change the meaning of a copy? Conditional directives do
+ *  not: the copy contains them (as_compiled.h). */
 static bool changes_copies(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = loop_text_first_directive(unit, begin);
          i < unit->directive_count && unit->directives[i].range.begin < end; i++) {
@@ -39,7 +39,7 @@ static bool has_place(const loop_plan *plan) {
 
 static const char *const words_for_name[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
 
-/** May a macro of the file use the name of the enclosing function? */
+/** May a macro of the file use __func__, the name of the enclosing function? */
 static bool may_macro_name_function(const loop_plan *plan) {
     for (unsigned i = 0; has_macro(plan) && i < plan->unit->directive_count; i++) {
         const char *text = plan->unit->directives[i].text;
@@ -57,7 +57,7 @@ static unsigned count_names(const loop_plan *plan, const ir_node *node) {
     return count;
 }
 
-/** May the body use the name of its function in a part missing from the tree, as in a sizeof? */
+/** May the body use __func__ in a part that the tree does not contain, such as a sizeof? */
 static bool may_name_function(const loop_plan *plan) {
     const ir_node *body = plan->facts->counted.body;
     const char *text = plan->unit->source->text;
@@ -83,7 +83,7 @@ static bool is_of_file(const ir_variable *variable) {
     return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
 }
 
-/** Is it declared within the function, other than as a parameter? */
+/** Is the variable declared in the function's body, and not as a parameter? */
 static bool is_of_function(const loop_facts *facts, const ir_variable *variable) {
     const ir_range body = facts->function->body->range;
     return variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
@@ -100,8 +100,8 @@ static bool has_address_taken(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-/** Arrays are passed as a pointer. */
-static bool can_be_handed(const loop_plan *plan, const ir_variable *variable) {
+/** Can the variable be passed by value? Arrays are passed as a pointer. */
+static bool can_be_passed(const loop_plan *plan, const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->is_volatile || type->is_atomic)
         return false;
@@ -119,9 +119,10 @@ static bool is_stand_in(const loop_plan *plan, const ir_variable *variable, bool
     return false;
 }
 
-/* ---- both ---------------------------------------------------------------------------------- */
+/* ---- by address ---------------------------------------------------------------------------- */
 
-/** The tree's names are replaced; a name missing from the tree is found to be undeclared. */
+/** Can the variable be passed by its address? Names in the tree are replaced. A name that the tree
+ *  does not contain would be undeclared in the written text, and is found when that is compiled. */
 static bool can_be_pointed_to(const ir_variable *variable) {
     const ir_type *type = variable->type;
     return type->spelling && type->size > 0 && type->kind != IR_OTHER_TYPE && !type->is_volatile &&
@@ -134,18 +135,18 @@ static bool is_declared_in_body(const loop_facts *facts, const ir_variable *vari
            variable->range.begin < body.end;
 }
 
-handing handing_of(const loop_plan *plan, const ir_variable *variable, bool of_body) {
+passing passing_of(const loop_plan *plan, const ir_variable *variable, bool of_body) {
     const loop_facts *facts = plan->facts;
     if (variable == facts->counted.counter || is_declared_in(facts, variable) ||
         is_declared_in_body(facts, variable) || is_stand_in(plan, variable, of_body))
-        return NOT_HANDED;
+        return NOT_PASSED;
     const bool names_object = is_of_file(variable) && !is_of_function(facts, variable) &&
                               variable->type->kind == IR_ARRAY;
-    if (can_be_handed(plan, variable))
-        return names_object ? NOT_HANDED : HANDED;
+    if (can_be_passed(plan, variable))
+        return names_object ? NOT_PASSED : PASSED_BY_VALUE;
     if (is_of_file(variable) && !is_of_function(facts, variable))
-        return NOT_HANDED;
-    return can_be_pointed_to(variable) ? HANDED_BY_ADDRESS : CANNOT_BE_HANDED;
+        return NOT_PASSED;
+    return can_be_pointed_to(variable) ? PASSED_BY_ADDRESS : CANNOT_BE_PASSED;
 }
 
 const char *plan_outline(const loop_plan *plan) {

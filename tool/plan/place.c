@@ -34,15 +34,15 @@ bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *wo
     return false;
 }
 
-/** Positions of tokens of the file. */
+/** Positions in the file, plus 1; 0: none. */
 typedef struct token_ends {
-    uint32_t last;        /* the last one's position plus 1; 0: none */
-    uint32_t declaration; /* the same for the last ; or } outside of parentheses */
+    uint32_t last;        /* of the last token */
+    uint32_t declaration; /* of the last ; or } outside of parentheses */
 } token_ends;
 
-/** The position after the last function body that ends before `end`, or the beginning of the file's
- *  text. No answer depends on the text before it, and reading that for each function would be slow
- *  in a long file. */
+/** The position after the last function body that ends before `end`, or the beginning of the file.
+ *  Searches begin there: the text before it decides nothing, and to read it for each function would
+ *  be slow in a long file. */
 static uint32_t last_body_before(const ir_unit *unit, uint32_t end) {
     const source *file = unit->source;
     uint32_t last = source_starts_with(file->text, "\xef\xbb\xbf") ? 3 : 0;
@@ -81,7 +81,8 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     return found;
 }
 
-/** A pragma may apply to the text after it. */
+/** Is there a pragma, other than redcc's, in bytes [begin, end)? It may apply to the
+ *  text after it. */
 static bool has_foreign_pragma(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];

@@ -56,7 +56,7 @@ static void plan_form(loop_plan *plan) {
         plan_obstacle(plan, facts->loop->range, "%s", obstacle);
     plan_prefetch(plan);
     if (leaves_variables(facts))
-        plan->no_bins = "the loop leaves variables besides its updates";
+        plan->no_bins = "the loop has live-out variables as well as updates";
     else
         plan_bins(plan);
     plan_inner_skips(plan);

@@ -25,30 +25,31 @@ enum { SOURCE_NOT_LOGGED = -1 };
 /** Whether one thread logs all iterations in order before they are inspected (precheck.h). */
 typedef enum dependence_precheck {
     PRECHECK_NONE,
-    PRECHECK_OF_UPDATES, /* the ranges that must not be updated are known before */
-    PRECHECK_OF_ALL      /* or they are logged as the iterations read them */
+    PRECHECK_OF_UPDATES, /* updates are checked: the ranges read are known before the loop */
+    PRECHECK_OF_ALL      /* reads are logged and checked as well */
 } dependence_precheck;
 
-/** Permissions of the runtime for the loop (execution.h). */
-/** What an OpenMP clause says of one array, in elements of what its name means: expressions of
- *  variables and numbers. */
+/** The section of an array that an OpenMP clause names, counted in elements of the array or in
+ *  targets of the pointer: expressions of variables and numbers. */
 typedef struct array_section {
     const char *lower, *length;
 } array_section;
 
+/** What the runtime may do with the loop (execution.h). */
 typedef struct execution_plan {
-    bool keeps_plan;            /* its plan may be kept; its key: */
-    unsigned key_count;         /* words, including the trip count */
+    bool keeps_plan;            /* the runtime may keep the loop's plan for a key: */
+    unsigned key_count;         /* words of the key, including the trip count */
     bool needs_order;           /* updates keep the order of the loop, whatever the user permits */
-    bool needs_every_iteration; /* also those that update none of a thread's elements */
-    bool needs_whole; /* an update may change a value that the executor reads before the loop, or
-                       * keeps until its end: the first update needs the guard of all */
-    bool may_begin;   /* the first iterations may be executed in order before anything is known, and
-                       * the remaining ones as a separate loop */
-    bool is_over_blocks;           /* its inspection is short, however heavy iterations are */
-    int64_t work;                  /* operations of an iteration (work.h) */
-    const array_section *sections; /* of each array (sections.h); NULL: it has none */
-    result_order order;            /* that the loop keeps */
+    bool needs_every_iteration; /* an iteration may not be skipped, even if it updates nothing */
+    bool needs_whole;    /* an update may change a value that the executor reads before the loop, or
+                          * keeps until its end: no update is made before the guard has compared the
+                          * accesses of all iterations */
+    bool may_begin;      /* the first iterations may be executed in order before the inspection, and
+                          * the remaining ones as a separate loop */
+    bool is_over_blocks; /* its inspection is short, even if its iterations are long */
+    int64_t work;        /* operations of an iteration (work.h) */
+    const array_section *sections; /* by array (sections.h); NULL: the loop has none */
+    result_order order;            /* the order that the results keep */
 } execution_plan;
 
 /** base[subscript]: both are variables of the loop's function. */
@@ -56,24 +57,24 @@ typedef struct gather {
     const ir_variable *base, *subscript;
 } gather;
 
-/** What its executor prefetches (prefetch.h). */
+/** What the loop's executor prefetches (prefetch.h). */
 typedef struct prefetch_plan {
     const char *declined; /* the reason why it prefetches nothing, or NULL */
-    unsigned ahead;       /* iterations; 0: nothing */
+    unsigned ahead;       /* the distance in iterations; 0: it prefetches nothing */
     bool is_light;        /* light iterations: prefetches only if their accesses are irregular */
     unsigned gather_count;
-    const gather *gathers; /* rows to be prefetched that the inspector does not log */
+    const gather *gathers; /* rows that are prefetched although the inspector does not log them */
 } prefetch_plan;
 
 typedef struct loop_plan {
     arena *arena;         /* owns the plan */
-    const ir_unit *whole; /* all code of the file; */
-    const ir_unit *unit;  /* the code of this compilation, without branches that its loops skip */
+    const ir_unit *whole; /* all code of the file */
+    const ir_unit *unit;  /* the same without branches that this compilation never takes */
     const loop_facts *facts;
     const plan_options *options;
-    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. Otherwise
-                      * the fields after `precheck` are not set. id: REASON_INDEX_EXPENSIVE, if it
-                      * can only be written for bins, or NONE */
+    reason obstacle; /* why the loop cannot be written in any form; message NULL: it can. With an
+                      * obstacle the fields after `precheck` are not set. id: REASON_INDEX_EXPENSIVE
+                      * if the loop can be written for bins only; else NONE */
 
     unsigned source_count;
     const logged_source *sources;

@@ -8,7 +8,7 @@
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 
-/** Checks the reads needed for &row. */
+/** Checks the reads that computing &row makes. */
 static void check_row(unverified_reads *s, const ir_node *row, control how) {
     if (row->kind == IR_VARIABLE)
         return;
@@ -47,7 +47,7 @@ static void check_logged_at(unverified_reads *s, const ir_node *place, control h
             check_source(s, &facts->sources[i], how);
 }
 
-/** True: the node makes an update; the slice needs only its address. */
+/** Checks the addresses of the updates that the node makes. False: it makes none. */
 static bool check_updates_at(unverified_reads *s, const ir_node *node, control how) {
     const loop_facts *facts = s->plan->facts;
     bool is_update = false;
@@ -62,7 +62,7 @@ static bool check_updates_at(unverified_reads *s, const ir_node *node, control h
     return is_update;
 }
 
-/** Checks the node's text in the slice, and its logged addresses. */
+/** Checks those parts of the node that the slice contains, and the addresses that it logs. */
 static void check_held(unverified_reads *s, const ir_node *node, control how) {
     const loop_facts *facts = s->plan->facts;
     const bool is_held = facts->slice.holds[node->id];
@@ -97,7 +97,7 @@ static bool slice_is_harmed(loop_plan *plan, const bool *is_suspect) {
 
 /* ---- evaluated before the first iteration ---------------------------------------------------- */
 
-/** The header evaluates it before anything is written. */
+/** Does the loop's header evaluate the expression? It does so before the first write. */
 static bool is_in_header(const loop_facts *facts, const ir_node *part, const ir_node *node) {
     if (part == facts->counted.body)
         return false;
@@ -118,8 +118,9 @@ static void check_ahead(unverified_reads *s, const ir_node *node, bool as_addres
     }
 }
 
-/** Keys, bases, and rows known beforehand; reads that an iteration logs before its first statement,
- *  perhaps long before they are made. */
+/** May reads before the first iteration be harmed: keys, bases, rows known before the loop? Or
+ * reads that an iteration logs before its first statement, perhaps long before the loop makes them?
+ */
 static bool harms_ahead(loop_plan *plan, const bool *is_suspect) {
     const loop_facts *facts = plan->facts;
     unverified_reads s = unverified_begin(plan, is_suspect, true);
@@ -166,7 +167,7 @@ void plan_precheck(loop_plan *plan) {
     }
     if (!slice_is_harmed(plan, is_suspect))
         return;
-    /* a pre-check of the updates covers everything known beforehand */
+    /* a pre-check of the updates covers the sources whose ranges are known before the loop */
     for (unsigned i = 0; i < facts->source_count; i++)
         is_suspect[i] &= facts->sources[i].extent == EXTENT_TOUCHED;
     plan->precheck = slice_is_harmed(plan, is_suspect) ? PRECHECK_OF_ALL : PRECHECK_OF_UPDATES;

@@ -28,7 +28,7 @@ static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** Does the slice contain loops in called functions? */
+/** Does the slice log reads in loops of called functions? */
 static bool has_source_loop(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].loop_count > 0)
@@ -40,7 +40,8 @@ static bool has_source_loop(const loop_facts *facts) {
 
 typedef VECTOR(gather) gather_list;
 
-/** The arguments of a function's parameters: variables of the loop's function, or NULL. */
+/** A call that the search has entered, by which parameters are traced to variables of the loop's
+ *  function. */
 typedef struct frame {
     const struct frame *caller; /* NULL: the loop itself */
     const ir_function *function;
@@ -61,7 +62,7 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-/** Functions already visited, with the loop's variables that they were given. */
+/** `visited`: functions, each with the loop's variables that were its arguments. */
 typedef struct gather_search {
     arena *arena;
     map *visited;
@@ -110,7 +111,7 @@ static void list_gathers(gather_search *search, const frame *in, const ir_node *
         list_gathers(search, in, node->children[i]);
 }
 
-/** Does each iteration of the slice give it a value before its end? */
+/** Does the slice give the variable a value in each iteration? */
 static bool is_computed(const loop_facts *facts, const ir_variable *variable) {
     const ir_node *body = facts->counted.body;
     for (unsigned i = 0; body->kind == IR_BLOCK && i < body->child_count; i++) {
@@ -161,7 +162,8 @@ static bool has_continue(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** An iteration that ends by `continue` skips the end of the slice, where gathers are inserted. */
+/** Prefetches of gathers are inserted at the end of the slice: a `continue` would skip them, so a
+ *  slice with one has none. */
 static void plan_gathers(const loop_plan *plan, prefetch_plan *prefetch) {
     const loop_facts *facts = plan->facts;
     const frame top = {.call = facts->loop};

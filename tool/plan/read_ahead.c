@@ -25,7 +25,7 @@ typedef struct search {
     bool may_have_left; /* a jump may skip the following code */
 } search;
 
-static void pass(search *s, const ir_node *node);
+static void visit(search *s, const ir_node *node);
 
 static bool is_jump(const ir_node *node) {
     return node->kind == IR_CONTINUE || node->kind == IR_BREAK || node->kind == IR_GOTO ||
@@ -47,7 +47,7 @@ static bool starts_with_constant(const ir_node *start, const ir_variable *counte
     return true;
 }
 
-/** for (c = 0; c < 3; ...): the body is executed at least once. */
+/** Is the body executed at least once, as in for (c = 0; c < 3; ...)? */
 static bool iterates(const ir_node *loop) {
     const ir_node *condition = ir_child(loop, 1);
     int64_t first;
@@ -70,55 +70,56 @@ static bool iterates(const ir_node *loop) {
     }
 }
 
-static void pass_inner_loop(search *s, const ir_node *loop) {
+static void visit_inner_loop(search *s, const ir_node *loop) {
     const bool may_have_left = s->may_have_left;
     if (loop->kind == IR_FOR) {
-        pass(s, ir_child(loop, 0));
-        pass(s, ir_child(loop, 1));
+        visit(s, ir_child(loop, 0));
+        visit(s, ir_child(loop, 1));
         if (iterates(loop))
-            pass(s, ir_child(loop, 3));
+            visit(s, ir_child(loop, 3));
     } else {
-        pass(s, ir_child(loop, 0)); /* the condition, or the body of a do loop */
+        visit(s, ir_child(loop, 0)); /* the condition, or the body of a do loop */
     }
     s->may_have_left = may_have_left; /* jumps of an inner loop end there: others are refused */
 }
 
-/** &e->rest[t] reads the pointer e->rest, and t, but not the element. */
-static void pass_address(search *s, const ir_node *object) {
+/** Visits what computing an object's address reads: &e->rest[t] reads the pointer e->rest, and t,
+ * but not the element. */
+static void visit_address(search *s, const ir_node *object) {
     const ir_node *first = ir_child(object, 0);
     switch (object->kind) {
     case IR_VARIABLE:
         return;
     case IR_MEMBER:
         if (object->flags & IR_ARROW)
-            pass(s, first);
+            visit(s, first);
         else
-            pass_address(s, first);
+            visit_address(s, first);
         return;
     case IR_INDEX:
         if (first->type->kind == IR_ARRAY)
-            pass_address(s, first);
+            visit_address(s, first);
         else
-            pass(s, first);
-        pass(s, ir_child(object, 1));
+            visit(s, first);
+        visit(s, ir_child(object, 1));
         return;
     default: /* *p */
         for (unsigned i = 0; i < object->child_count; i++)
-            pass(s, object->children[i]);
+            visit(s, object->children[i]);
         return;
     }
 }
 
-/** The pointer p of p->a.b; NULL if it is no member behind a pointer. */
+/** The pointer p of p->a.b; NULL: the node is no member behind a pointer. */
 static const ir_node *structure_of(const ir_node *node) {
     while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
         node = ir_child(node, 0);
     return node->kind == IR_MEMBER ? ir_child(node, 0) : NULL;
 }
 
-/** The expression itself, or another member of the same structure: if p->a is read, p points to the
- *  whole structure, and p->b may be read. */
-static bool answers(const search *s, const ir_node *node) {
+/** Is the node the expression searched for, or another member of the same structure? If p->a is
+ * read, p points to a whole structure, and p->b may be read. */
+static bool matches(const search *s, const ir_node *node) {
     if (!ir_is_expression(node))
         return false;
     const ir_node *other = structure_of(node);
@@ -128,8 +129,8 @@ static bool answers(const search *s, const ir_node *node) {
     return syntax_same(node, s->wanted) || (structure && other && syntax_same(other, structure));
 }
 
-/** find(A, i, j): reads of A that the function makes in any case. */
-static void pass_callee(search *s, const ir_node *call) {
+/** Visits the reads of A that a function always makes when it is called as find(A, i, j). */
+static void visit_callee(search *s, const ir_node *call) {
     const ir_node *callee = ir_child(call, 0);
     const ir_node *structure = s->parameter ? NULL : structure_of(s->wanted);
     if (s->is_found || callee->kind != IR_FUNCTION || !callee->function->body ||
@@ -146,66 +147,67 @@ static void pass_callee(search *s, const ir_node *call) {
             variable_is_written_in(function->body, parameter))
             continue;
         search inside = {.facts = s->facts, .parameter = parameter};
-        pass(&inside, function->body);
+        visit(&inside, function->body);
         s->is_found |= inside.is_found;
     }
 }
 
-/** mat_add(m, r, c, v): the address that the call updates, which only the function names. */
-static void pass_called_update(search *s, const ir_node *statement) {
+/** Visits the address that a call such as mat_add(m, r, c, v) updates, which only the callee
+ *  names. */
+static void visit_called_update(search *s, const ir_node *statement) {
     for (unsigned i = 0; i < s->facts->update_count; i++) {
         const reduction_update *update = &s->facts->updates[i];
         if (update->statement == statement && !ir_contains(statement, update->target))
-            pass_address(s, update->target);
+            visit_address(s, update->target);
     }
 }
 
-static void pass(search *s, const ir_node *node) {
+static void visit(search *s, const ir_node *node) {
     if (s->is_found || s->may_have_left)
         return;
-    if (answers(s, node)) {
+    if (matches(s, node)) {
         s->is_found = true;
         return;
     }
     switch (node->kind) {
     case IR_EXPRESSION:
-        pass(s, ir_child(node, 0));
-        pass_called_update(s, node);
+        visit(s, ir_child(node, 0));
+        visit_called_update(s, node);
         return;
     case IR_IF:
     case IR_SWITCH:
-        pass(s, ir_child(node, 0));
+        visit(s, ir_child(node, 0));
         s->may_have_left |= ir_any(node, is_jump);
         return;
     case IR_FOR:
     case IR_WHILE:
     case IR_DO:
-        pass_inner_loop(s, node);
+        visit_inner_loop(s, node);
         return;
     case IR_CONDITIONAL:
-        pass(s, ir_child(node, 0));
+        visit(s, ir_child(node, 0));
         return;
     case IR_BINARY:
-        pass(s, ir_child(node, 0));
+        visit(s, ir_child(node, 0));
         if (node->op != IR_OP_AND && node->op != IR_OP_OR)
-            pass(s, ir_child(node, 1));
+            visit(s, ir_child(node, 1));
         return;
     case IR_UNARY:
         if (node->op == IR_OP_ADDRESS)
-            pass_address(s, ir_child(node, 0));
+            visit_address(s, ir_child(node, 0));
         else
-            pass(s, ir_child(node, 0));
+            visit(s, ir_child(node, 0));
         return;
     case IR_OPAQUE:
         return;
     case IR_CALL:
         for (unsigned i = 0; i < node->child_count; i++)
-            pass(s, node->children[i]);
-        pass_callee(s, node);
+            visit(s, node->children[i]);
+        visit_callee(s, node);
         return;
     default:
         for (unsigned i = 0; i < node->child_count; i++)
-            pass(s, node->children[i]);
+            visit(s, node->children[i]);
         s->may_have_left |= is_jump(node);
         return;
     }
@@ -215,9 +217,9 @@ static bool is_certain(const loop_facts *facts, const ir_node *wanted) {
     const counted_loop *counted = &facts->counted;
     search s = {.facts = facts, .wanted = wanted};
     if (counted->lower)
-        pass(&s, counted->lower);
-    pass(&s, counted->bound);
-    pass(&s, counted->body);
+        visit(&s, counted->lower);
+    visit(&s, counted->bound);
+    visit(&s, counted->body);
     return s.is_found;
 }
 
@@ -247,7 +249,7 @@ static bool children_are_safe(const loop_facts *facts, const ir_node *node) {
     return true;
 }
 
-/** May the address of an lvalue be computed? Of its parts only pointers and subscripts are read. */
+/** Is it safe to compute the address of the lvalue? That reads only its pointers and subscripts. */
 static bool address_is_safe(const loop_facts *facts, const ir_node *node) {
     const ir_node *first = ir_child(node, 0);
     switch (node->kind) {
@@ -308,7 +310,7 @@ static bool value_is_safe(const loop_facts *facts, const ir_node *node) {
 
 /* ---- the loop's own expressions ------------------------------------------------------------- */
 
-/** A pointer is read; of an array only the address is taken. */
+/** Is it safe to read the base before the loop? If it is an array, only its address is computed. */
 static bool base_is_safe(const loop_facts *facts, const ir_node *base) {
     return base->type->kind == IR_ARRAY ? address_is_safe(facts, base) : value_is_safe(facts, base);
 }

@@ -7,8 +7,8 @@
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
 
-/** The address of the base itself (of a whole array, a pointer to an array; of a pointer, its
- *  location) differs from that of its replacement. */
+/** Records an obstacle if the node is the address of the base itself (a pointer to the whole array,
+ *  or the location of a pointer): its replacement has another address. */
 static void check_address(loop_plan *plan, const ir_node *base, const ir_node *node) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS && syntax_same(base, node->children[0]))
         plan_obstacle(plan, node->range, "the address of its array as a whole is taken");
@@ -22,8 +22,8 @@ static bool is_constant_scalar(const ir_type *type) {
            ir_type_is_scalar(inner) && inner->kind != IR_POINTER;
 }
 
-/** Is the variable used other than by reading it or its elements? Variables declared in the body
- *  exist once per copy. */
+/** Is the variable used other than by reading it or its elements? Then its address matters, and a
+ *  variable declared in the body exists once in each copy of the body. */
 static bool goes_by_address(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable) {
         const ir_node *whole = node;
@@ -41,7 +41,7 @@ static bool goes_by_address(const ir_node *node, const ir_variable *variable) {
 
 static void check_statement(loop_plan *plan, const ir_node *node) {
     if (node->kind == IR_LABEL)
-        plan_obstacle(plan, node->range, "its body holds a label, which cannot stand twice");
+        plan_obstacle(plan, node->range, "its body contains a label, which cannot be duplicated");
     if (node->kind == IR_DECLARATOR && node->variable->storage == IR_GLOBAL)
         plan_obstacle(plan, node->range, "its body declares '%s' extern", node->variable->name);
     if (node->kind == IR_DECLARATOR && node->variable->storage == IR_STATIC_LOCAL &&
@@ -64,7 +64,7 @@ static bool is_shared_inline(const ir_unit *unit, const ir_function *function) {
     const char *text = unit->source->text;
     for (uint32_t i = function->range.begin; i + 6 <= function->body->range.begin; i++)
         if (strncmp(text + i, "inline", 6) == 0 && !(i > 0 && isalnum((unsigned char)text[i - 1])))
-            return true; /* not that of `noinline` */
+            return true; /* not a part of another word, such as `noinline` */
     return false;
 }
 
@@ -92,14 +92,15 @@ static void check_loop(loop_plan *plan) {
 
 enum {
     WIDE_SIZE = 8, /* redcc_int, the type of iteration numbers */
-    STEP_BITS = 40 /* longer steps are not written */
+    STEP_BITS = 40 /* loops with larger steps are not written */
 };
 
 static bool is_integer(const ir_type *type) {
     return (type->kind == IR_INTEGER && type->size <= WIDE_SIZE) || type->kind == IR_BOOLEAN;
 }
 
-/** Iterations are counted in 64 bits, signed: counter, bound and first value must fit. */
+/** Records an obstacle unless counter, bound and first value fit in 64 bits, signed, in which
+ *  iterations are counted. */
 static void check_counter(loop_plan *plan) {
     const counted_loop *counted = &plan->facts->counted;
     const ir_type *counter = counted->counter->type;
@@ -112,7 +113,7 @@ static void check_counter(loop_plan *plan) {
              counted->lower->type->kind != IR_FLOATING)
         plan_obstacle(plan, counted->lower->range, "the counter's first value is not an integer");
     else if (counted->step >> STEP_BITS != (counted->step > 0 ? 0 : -1))
-        plan_obstacle(plan, plan->facts->loop->range, "its step is too long");
+        plan_obstacle(plan, plan->facts->loop->range, "its step is too large");
 }
 
 /* ---- updates ------------------------------------------------------------------------------- */
@@ -126,7 +127,8 @@ static bool contains_base(const loop_facts *facts, const ir_node *node, unsigned
     return false;
 }
 
-/** An update that does not spell its array would write past the thread's own copy. */
+/** Records an obstacle for an update that does not name its array: in the body the array's name
+ * means the thread's own copy, and such an update would not reach it. */
 static void check_updates(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {
@@ -134,11 +136,11 @@ static void check_updates(loop_plan *plan) {
         if (!facts->arrays[update->array].order_is_kept &&
             !contains_base(facts, update->statement, update->array))
             plan_obstacle(plan, update->statement->range,
-                          "an update does not name '%s', the array it goes to",
+                          "an update does not name '%s', the array that it changes",
                           facts->arrays[update->array].name);
         for (unsigned other = 0; other < i; other++)
             if (facts->updates[other].statement == update->statement)
-                plan_obstacle(plan, update->statement->range, "two updates stand in one statement");
+                plan_obstacle(plan, update->statement->range, "one statement makes two updates");
     }
 }
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Obstacles to writing a loop in any form. The result contains the body twice, and the first copy
- * runs in several threads: nothing in it may be unique in the program (a label, a static variable,
- * a thread-local object), and its text must be separate (no macro call may expand to it and more).
- * The copy replaces names of arrays, so an update must spell its array's name, and the address of
- * the array as a whole may not be taken.
+ * runs in several threads. So nothing in the body may be unique in the program (a label, a static
+ * variable, a thread-local object), and no macro call may expand to the body and more. The copy
+ * replaces names of arrays, so an update must name its array, and the address of the array as a
+ * whole may not be taken.
  */
 #ifndef PLAN_REWRITABLE_H
 #define PLAN_REWRITABLE_H
@@ -13,8 +13,8 @@
 
 /** Records an obstacle if the loop's place or text forbids duplicating it. */
 void check_place(loop_plan *plan);
-/** Records an obstacle if its iterations cannot be counted in 64 bits, or if an update cannot be
- *  redirected. */
+/** Records an obstacle if the loop's iterations cannot be counted in 64 bits, or if an update
+ * cannot be redirected to a copy of the array. */
 void check_iterations(loop_plan *plan);
 
 #endif

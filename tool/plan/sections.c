@@ -18,8 +18,6 @@ static const openmp_item *clause_of(const loop_plan *plan, const ir_variable *va
     return NULL;
 }
 
-/* The constant that a name stands for in the functions of the file; NULL: none does, or a
- * function's own. */
 static const ir_node *enumerator_in(const ir_node *node, const char *name) {
     const ir_node *found = node->kind == IR_NUMBER && node->flags & IR_HAS_VALUE && node->text &&
                                    strcmp(node->text, name) == 0
@@ -30,6 +28,8 @@ static const ir_node *enumerator_in(const ir_node *node, const char *name) {
     return found;
 }
 
+/* A use of the enumerator of that name in the functions of the file, which has its value. NULL: the
+ * name is no enumerator there, or a function declares the name itself. */
 static const ir_node *enumerator_of(const ir_unit *unit, const char *name) {
     const ir_node *found = NULL;
     if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
@@ -40,7 +40,8 @@ static const ir_node *enumerator_of(const ir_unit *unit, const char *name) {
     return found;
 }
 
-/* A name in the expression: an integer variable, or the value of an enumerator. NULL: neither. */
+/* The text for a name in the expression: the name of an integer variable, or the value of an
+ * enumerator. NULL: it is neither. */
 static const char *value_of(const loop_plan *plan, const char *name) {
     const ir_variable *variable =
         openmp_variable(plan->unit, plan->facts->loop, plan->facts->function, name);
@@ -53,8 +54,9 @@ static const char *value_of(const loop_plan *plan, const char *name) {
     return constant ? arena_format(plan->arena, "(%lld)", (long long)constant->value) : NULL;
 }
 
-/* An expression of variables, numbers and operators. It has no effect and can be evaluated before
- * the loop: nothing traps or reads other memory. NULL: it is another one. */
+/* The expression, if it consists of integer variables, numbers, + - * and parentheses: it has no
+ * effect and can be evaluated before the loop, since it neither traps nor reads other memory. NULL:
+ * it contains something else. */
 static const char *simple_expression(const loop_plan *plan, const char *text) {
     buffer out = {0};
     size_t length;
@@ -74,7 +76,7 @@ static const char *simple_expression(const loop_plan *plan, const char *text) {
     return is_simple && is_some ? result : NULL;
 }
 
-/* Of "]["-separated brackets behind the first one: are they whole rows of this type? */
+/* Do the brackets after the first one, which "][" separates, name whole rows of this type? */
 static bool are_whole(const char *rest, const ir_type *row) {
     for (; rest; row = row->target) {
         rest += strlen("][");
@@ -89,10 +91,10 @@ static bool are_whole(const char *rest, const ir_type *row) {
             return false;
         rest = next;
     }
-    return !row || row->kind != IR_ARRAY; /* a part of the rows */
+    return !row || row->kind != IR_ARRAY; /* else brackets are missing */
 }
 
-/* False: it cannot be told from the text. */
+/* Sets *it to the array's section in the clause. False: the text does not show it. */
 static bool find_section(const loop_plan *plan, const reduction_array *array, array_section *it) {
     const ir_node *base = array->base;
     const openmp_item *item =

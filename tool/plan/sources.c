@@ -16,7 +16,6 @@ static bool move_together(const loop_source *left, const loop_source *right) {
            left->bounds == right->bounds;
 }
 
-/** Numbers the sources that the runtime must know: possible overlaps, and subscripts. */
 void plan_sources(loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     logged_source *sources = ARENA_ARRAY(plan->arena, logged_source, facts->source_count + 1);

@@ -28,17 +28,17 @@ static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-enum { MOST_MENTIONS = 64 }; /* each is searched for in the whole body */
+enum { MOST_MENTIONS = 64 }; /* each costs a search of the whole body */
 
-/** Do only the tree's own nodes name the variable in the body? Names in types (the length of an
- *  array, a typeof) are missing from the tree, and may use the array's type or size. */
+/** Does the tree have a node for each mention of the variable in the body's text? It has none for
+ *  names in types (the length of an array, a typeof), which may use the array's type or size. */
 static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable) {
     const ir_node *body = plan->facts->counted.body;
     const char *text = plan->unit->source->text;
     const size_t length = strlen(variable->name);
     unsigned mentions = 0;
     for (uint32_t at = body->range.begin; at < body->range.end; at++) {
-        if (text[at] == '\\' || text[at] == '?') { /* words may have another spelling */
+        if (text[at] == '\\' || text[at] == '?') { /* a splice, \u or trigraph changes a word */
             if (text[at] == '\\' || text[at + 1] == '?')
                 return false;
             continue;
@@ -53,7 +53,8 @@ static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable
     return !is_named_by_macro(body, variable);
 }
 
-/** A macro may name the variable without a trace in the tree: `#define LIKE typeof(h)`. */
+/** A macro may name a variable in a type, for which the tree has no node: `#define LIKE
+ *  typeof(h)`. */
 bool has_macro(const loop_plan *plan) {
     const ir_range body = plan->facts->counted.body->range;
     return macro_name_in(plan->arena, plan->unit, plan->unit->source->text + body.begin,
@@ -65,8 +66,6 @@ bool can_be_pointer(const loop_plan *plan, const ir_variable *variable) {
            is_named_by_nodes(plan, variable);
 }
 
-/** A pointer of the same name may replace the variable, unless its type or its size as an array may
- *  be used. */
 bool can_be_shadowed(const loop_plan *plan, const ir_node *base) {
     if (base->kind != IR_VARIABLE)
         return false;

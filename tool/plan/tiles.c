@@ -31,7 +31,7 @@ static bool is_of_constants(const ir_node *loop) {
     return counted_constant(loop, &counter, &first, &last);
 }
 
-/** The inner loop: all of the body, or one of its statements. */
+/** The inner loop, which is the body itself or one of its statements. */
 static const ir_node *find_inner(const loop_facts *facts, const ir_node *node) {
     if (node->kind == IR_FOR)
         return is_of_constants(node) || !holds_update(facts, node) ? NULL : node;
@@ -47,8 +47,8 @@ static bool is_number_of(const ir_type *type) {
     return ir_type_is_plain_integer(type) && type->size >= 4;
 }
 
-/** `row + c`, c >= 0: *offset is c. It does not wrap around: with one step the counter stays in its
- *  type. */
+/** Is the node `row + c` with c >= 0, without wrapping around? It does not wrap if c is at most the
+ *  step, since the counter plus the step stays in its type. Sets *offset to c. */
 static bool is_row_plus(const pairs *p, const ir_node *node, int64_t *offset) {
     *offset = 0;
     if (expression_is_variable(node, p->row))
@@ -82,7 +82,7 @@ static bool is_named_bound(const pairs *p, const ir_node *node, const ir_node *l
            text->text[before - 1] == (condition->op == IR_OP_LESS ? '<' : '=');
 }
 
-/** In the text of the header, so that it can be replaced there. */
+/** Is the node in the text of the loop's header, where it can be replaced? */
 static bool is_editable(const pairs *p, const ir_node *node, const ir_node *loop) {
     return node && !(node->flags & IR_FROM_CALL) && node->range.begin < node->range.end &&
            loop->range.begin < node->range.begin &&
@@ -90,8 +90,8 @@ static bool is_editable(const pairs *p, const ir_node *node, const ir_node *loop
            (!(node->flags & IR_FROM_MACRO) || is_named_bound(p, node, loop));
 }
 
-/** Is the first column one of the rows' numbers? With a step of more than one it may lie between
- *  them. */
+/** Are the first row and the first column equal modulo the step? Otherwise columns lie between
+ *  rows. */
 static bool begin_together(const counted_loop *outer, const counted_loop *inner) {
     int64_t row, column;
     return outer->step == 1 || (outer->lower && expression_constant(outer->lower, &row) &&
@@ -99,8 +99,8 @@ static bool begin_together(const counted_loop *outer, const counted_loop *inner)
                                 column >= 0 && row % outer->step == column % outer->step);
 }
 
-/** The reason why the header does not make a triangle, in which all columns are above their rows or
- *  all are below; NULL: it does. */
+/** The reason why the pairs are no triangle, in which every column is at least its row, or every
+ * one at most; NULL: they are. */
 static const char *check_header(const pairs *p, tile_plan *tiles) {
     const counted_loop *outer = &p->facts->counted, *inner = &p->span.counted;
     int64_t offset;
@@ -123,7 +123,7 @@ static const char *check_header(const pairs *p, tile_plan *tiles) {
     return begin_together(outer, inner) ? NULL : "columns lie between rows";
 }
 
-/* ---- what it does ---------------------------------------------------------------------------- */
+/* ---- effects --------------------------------------------------------------------------------- */
 
 static bool may_leave(const ir_node *node, bool is_inside) {
     if (node->kind == IR_GOTO || node->kind == IR_LABEL || node->kind == IR_RETURN ||
@@ -136,8 +136,8 @@ static bool may_leave(const ir_node *node, bool is_inside) {
     return false;
 }
 
-/** Does the statement write only variables of the iteration, apart from updates and sums of the
- *  row, each of which is one statement? */
+/** Does the statement write nothing but variables of the iteration, except in updates and sums of
+ *  scalars? */
 static bool only_computes(const pairs *p, const ir_node *node) {
     const ir_node *written = expression_written(node);
     const reduction_update *update = loop_update_at(p->facts, node);
@@ -154,7 +154,7 @@ static bool only_computes(const pairs *p, const ir_node *node) {
     return true;
 }
 
-/** The same for all statements before and after the inner loop, in the blocks around it. */
+/** only_computes for all statements before and after the inner loop, in the blocks around it. */
 static bool row_only_computes(const pairs *p) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; i < node->parent->child_count; i++)
@@ -163,7 +163,7 @@ static bool row_only_computes(const pairs *p) {
     return true;
 }
 
-/** Do the statements after the inner loop read the value that the variable then has? */
+/** Do the statements after the inner loop read the value that the variable has when it ends? */
 static bool is_read_after(const pairs *p, const ir_variable *variable) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = node->parent->child_count; node->parent->children[--i] != node;)
@@ -183,7 +183,7 @@ static bool is_written_in(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-/** May the statements before the inner loop assign it? */
+/** May a statement before the inner loop assign the variable? */
 static bool is_set_before(const pairs *p, const ir_variable *variable) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; node->parent->children[i] != node; i++) {
@@ -196,7 +196,7 @@ static bool is_set_before(const pairs *p, const ir_variable *variable) {
     return false;
 }
 
-/** Keeps a variable from tile to tile. */
+/** Adds the variable to those that are kept from tile to tile. False: it cannot be kept. */
 static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item) {
     const ir_variable *variable = item->variable;
     enum { MOST_BYTES = 128 };
@@ -211,18 +211,18 @@ static bool keep(const pairs *p, tile_plan *tiles, const private_variable *item)
     return true;
 }
 
-/** May a turn, or the header, leave a value in it that a later turn or the statements after the
- *  loop read? */
+/** May an inner iteration, or the inner loop's header, leave a value in the variable that a later
+ *  inner iteration or the statements after the inner loop read? */
 static bool may_be_left(const pairs *p, const ir_variable *variable) {
-    const ir_node *const step = p->span.loop->children[2]; /* executed after each turn */
+    const ir_node *const step = p->span.loop->children[2]; /* executed after each inner iteration */
     return variable->address_taken ||
            (is_written_in(p->span.loop, variable) &&
             (is_read_after(p, variable) || expression_mentions(step, variable) ||
              !is_fresh_in(ir_loop_body(p->span.loop), variable)));
 }
 
-/** Lists the iteration's variables in which turns leave values. Variables declared in the inner
- *  loop are new in each turn. */
+/** Lists the iteration's variables in which inner iterations leave values. Variables declared in
+ * the inner loop are new in each of its iterations. False: one cannot be kept. */
 static bool keep_values(const pairs *p, tile_plan *tiles) {
     const loop_variables *variables = &p->facts->variables;
     for (unsigned i = 0; i < variables->private_count; i++) {
@@ -269,7 +269,7 @@ static bool add(int64_t *sum, int64_t value, int64_t times) {
            !__builtin_add_overflow(*sum, product, sum);
 }
 
-/** Adds a value in [low, high], times `bytes`. */
+/** Adds `bytes` times a value in [low, high] to the address. */
 static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
     return add(&e->low, bytes < 0 ? high : low, bytes) &&
            add(&e->high, bytes < 0 ? low : high, bytes);
@@ -277,8 +277,8 @@ static bool add_range(element *e, int64_t low, int64_t high, int64_t bytes) {
 
 static bool add_term(const pairs *p, const ir_node *node, int64_t bytes, element *e);
 
-/** Adds an operation in 64 bits, which wraps around as addresses do, or in a type that never wraps
- *  around. */
+/** Adds the value of an operator to the address: one in 64 bits, which wraps around as addresses
+ * do, or in a type that never wraps around. */
 static bool add_operation(const pairs *p, const ir_node *node, int64_t bytes, element *e) {
     int64_t factor, times;
     if (!is_number_of(node->type) || !(ir_type_never_wraps(node->type) || node->type->size == 8))
@@ -329,8 +329,8 @@ static bool find_element(const pairs *p, const reduction_update *update, element
     return add(&e->high, update->row->type->size, 1);
 }
 
-/** Does each update of the array change bytes of the element with its row's or its column's number?
- *  These do not overlap: the array's bytes lie within one stride. */
+/** Does each update of the array change only bytes of the element whose number is its row or its
+ *  column? Elements do not overlap: the bytes that updates change lie within one stride. */
 static bool has_elements(const pairs *p, unsigned array) {
     int64_t stride = 0, low = INT64_MAX, high = INT64_MIN, span;
     for (unsigned i = 0; i < p->facts->update_count; i++) {
@@ -352,7 +352,7 @@ static bool has_elements(const pairs *p, unsigned array) {
     return stride > 0 && !__builtin_sub_overflow(high, low, &span) && span <= stride;
 }
 
-static const char *look_at_updates(const pairs *p) {
+static const char *check_elements(const pairs *p) {
     for (unsigned i = 0; i < p->facts->array_count; i++)
         if (p->facts->arrays[i].is_scattered || !has_elements(p, i))
             return "an update is not of the element of its row or of its column";
@@ -372,18 +372,18 @@ static const char *why_not(const loop_plan *plan, tile_plan *tiles) {
     if (why)
         return why;
     if (!facts->inspector.exists)
-        return "its subscripts cannot be computed before";
+        return "its subscripts cannot be computed before the loop";
     if (plan->precheck != PRECHECK_NONE)
-        return "its subscripts must be checked in order before";
+        return "its subscripts must be checked in order before the loop";
     if (may_leave(facts->counted.body, false) || may_leave(ir_loop_body(tiles->inner), false))
         return "its inner loop may end early";
     if (has_other_results(facts) || !sums_are_in_order(&p))
         return "it has other results than updates and sums";
     if (!row_only_computes(&p))
-        return "a row does more than to compute values and update its element";
+        return "a row has effects other than updates of its element";
     if (!keep_values(&p, tiles))
-        return "what turns of the inner loop leave cannot be kept";
-    return look_at_updates(&p);
+        return "a value that an inner iteration leaves cannot be kept from tile to tile";
+    return check_elements(&p);
 }
 
 void plan_tiles(loop_plan *plan) {

@@ -11,33 +11,33 @@
  *         f[i] += sum;
  *     }
  *
- * A tile is a band of rows i and a block of columns j. Its turns are executed in the order of the
+ * A tile is a band of rows i and a block of columns j. Its pairs are executed in the order of the
  * loop, after the tiles above it and to its left.
  *
- * Why it is sound: (i, j) names a turn of the inner loop, and element e of an array the bytes of [S
- * e, S e + S) from a fixed place, S being the array's stride. Turn (i, j) updates bytes of elements
- * i and j only, and j >= i. It reads nothing else that the loop writes: no array (the overlap
- * guard), and no variable of an earlier turn (fresh.h). So it suffices that turns that share an
- * element keep their order. Let e be that element. Turns that update it are (r, e) with r <= e, and
- * (e, c) with c >= e; the loop executes the former by ascending r, and then the latter by ascending
- * c. Of two of them, the one that comes first has neither the later row nor the later column. So it
- * is in the same tile, where rows and columns keep their order, or in one that precedes it. With
- * columns below their rows, j <= i, turns (e, c) come first, by ascending c, and then (r, e) by
- * ascending r; again neither row nor column ever falls.
+ * Why it is sound: the pair (i, j) is one iteration of the inner loop. Element e of an array is the
+ * bytes [S e, S e + S) from a fixed address, where S is the array's stride. Pair (i, j) updates
+ * bytes of elements i and j only, and j >= i. It reads nothing else that the loop writes: no array
+ * (the overlap guard), and no variable of an earlier pair (fresh.h). So it suffices that pairs that
+ * share an element e keep their order. Pairs that update e are (r, e) with r <= e, and (e, c) with
+ * c >= e; the loop executes the former by ascending r, and then the latter by ascending c. Of two
+ * of these pairs, the earlier one has neither a greater row nor a greater column. So it is in the
+ * same tile, where rows and columns keep their order, or in a preceding tile. If columns are below
+ * their rows, j <= i, pairs (e, c) come first, by ascending c, and then (r, e) by ascending r;
+ * again neither row nor column ever decreases.
  *
- * Both counters may have a step of s. Columns then are among the rows' values first + s k, so that
- * elements are named by k, and tiles are cut at such values.
+ * Both counters may have a step s > 1. Then rows and columns are numbers first + s k; elements are
+ * named by k, and tiles begin at such numbers.
  *
- * What an iteration does before the inner loop and after it belongs to its row. Updates there are
- * of element i, made in the first tile of the row and in the last. So they keep their places in the
- * element's sequence: before all turns (i, c), or after them, with the turns (r, e) of other rows
- * on the same side as without tiles. All else only computes variables of the iteration, without
- * other effects: the statements before the loop are executed again in each tile, those after it in
- * the last tile. Variables that turns or the inner loop's header change and that later turns or
- * statements read (sums of a row), or whose address is taken, are kept from tile to tile: one
- * thread executes the tiles of a row, one after the other, so that turns of a row may even depend
- * on each other. The sums of scalars are kept by row, and each row's operands in the order of its
- * tiles (emit/body/series.h); bands add them one after the other.
+ * What an iteration does before and after the inner loop belongs to its row. Updates there are of
+ * element i: those before the loop are made in the first tile of the row, those after it in the
+ * last. So each element's updates keep their order: these come before or after all pairs (i, c),
+ * and pairs (r, i) of other rows stay on the same side of them as without tiles. The other
+ * statements only compute variables of the iteration: those before the inner loop are executed
+ * again in each tile, those after it in the last tile. Some variables are kept from tile to tile:
+ * those that the inner loop changes and that later pairs or statements read (sums of a row), and
+ * those whose address is taken. One thread executes the tiles of a row, one after the other, so
+ * that pairs of a row may even depend on each other. Operands of scalars are kept by row, in the
+ * order of the row's tiles (emit/body/series.h); the bands add them one after the other.
  */
 #ifndef PLAN_TILES_H
 #define PLAN_TILES_H
@@ -54,7 +54,7 @@ typedef struct kept_value {
 
 typedef struct tile_plan {
     const char *declined;         /* why there are no tiles; NULL: there are */
-    const ir_node *inner;         /* the loop over columns, a statement of the body or all of it */
+    const ir_node *inner;         /* the loop over columns: the body, or a statement in it */
     const ir_variable *column;    /* its counter */
     const ir_node *lower, *bound; /* first value and bound in its header */
     bool is_inclusive;            /* counter <= bound, not counter < bound */

@@ -7,7 +7,7 @@ static bool is_jump(const ir_node *node) {
     return node->kind == IR_BREAK || node->kind == IR_CONTINUE;
 }
 
-/** May the node leave out its statements? A loop over constants without jumps executes all
+/** May the node skip the statements inside it? A loop over constants without jumps executes all its
  *  iterations. */
 static bool has_condition(const ir_node *node) {
     const ir_variable *counter;
@@ -17,7 +17,7 @@ static bool has_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH;
 }
 
-/** Is there a `continue`, of a loop around `statement` and before it, that the slice omits? */
+/** Does the slice omit a `continue` that precedes `statement` and belongs to a loop around it? */
 static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const ir_node *statement) {
     if (node->kind == IR_CONTINUE)
         return node->id < statement->id && !facts->slice.holds[node->id];

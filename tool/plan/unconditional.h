@@ -8,12 +8,12 @@
 
 /** May the inspector execute this statement when the program does not? */
 bool is_unconditional(const loop_facts *facts, const ir_node *statement);
-/** The same when it logs an update's row, or a read: the address must then be computed as a
- *  number. */
+/** May the inspector log the update's row, or the read, when the program does not execute it? The
+ *  address must then be computed as a number. */
 bool update_is_unconditional(const loop_facts *facts, const reduction_update *update);
 bool source_is_unconditional(const loop_facts *facts, const loop_source *read);
-/** Does the address as a number need & of an object? Not for an array, nor for a pointer in its
- *  place. */
+/** Does computing the address as a number need the operator & on an object? It does not for an
+ * array, nor for a pointer in an array's place. */
 bool row_needs_address(const row_address *address);
 
 #endif

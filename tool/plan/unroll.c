@@ -2,8 +2,8 @@
 /**
  * Short loops inside a body, which the compiler should unroll (REDCC_UNROLLED): gcc does not at
  * -O2. Subscripts and signs that follow from their counters then become constants, and elements of
- * arrays of vectors stay in registers. At -O2 the assembly of a cloth's forces by lanes took two
- * thirds of the time (script/bench lanes).
+ * arrays of vectors stay in registers. With the pragma, the assembly of a cloth's forces by lanes
+ * took two thirds of the time that it took without, at -O2 (script/bench lanes).
  */
 #include "plan/unroll.h"
 
@@ -16,9 +16,9 @@
 
 enum {
     MOST_ITERATIONS = 16, /* as in REDCC_UNROLLED of redcc/loop.h */
-    /* nodes of the IR, once unrolled: */
-    MOST_COMPUTED = 12000,   /* 11,700: blocks of 3 x 3 of forces' derivatives, 3 x 3 corners */
-    MOST_LANE_UPDATES = 600, /* such a block. More is slow to compile, and hardly faster */
+    /* numbers of IR nodes, after unrolling: */
+    MOST_COMPUTED = 12000,   /* a triangle's force derivatives, 9 blocks of 3 x 3, have 11,700 */
+    MOST_LANE_UPDATES = 600, /* one such block; more is slow to compile, and hardly faster */
     MOST_BODY = 300          /* if it is also compiled for owner-checked iterations */
 };
 
@@ -67,7 +67,7 @@ static bool has_at_most(const ir_node *loop, int64_t most) {
     const int64_t iterations = few_iterations(loop);
     if (iterations == 0 || iterations * unrolled_size(loop->children[3], most) > most)
         return false;
-    /* its trip count must be constant in each copy of the loops around it */
+    /* the loop's trip count must be constant in each copy of the loops around it */
     for (const ir_node *around = loop->parent; around; around = around->parent) {
         const ir_variable *counter;
         int64_t first, last;
@@ -90,7 +90,8 @@ bool is_unrolled_in_body(const ir_node *loop) {
     return has_at_most(loop, MOST_BODY);
 }
 
-/** Does an attribute end right before it, [[...]] or __attribute__((...))? Or perhaps a comment. */
+/** May an attribute, [[...]] or __attribute__((...)), end right before the node? A comment there
+ * counts as one. */
 static bool has_attribute(const char *text, const ir_node *node) {
     uint32_t at = node->range.begin;
     while (at > 0 && strchr(" \t\r\n", text[at - 1]))

@@ -5,11 +5,12 @@
 
 #include "plan/plan.h"
 
-/** May the `for`, of few iterations, be unrolled: in vector code; around updates in vector code; in
- *  the body for one iteration? Decided by the size of the result. */
+/** Should the compiler unroll the `for`: in vector code; around updates in vector code; in the body
+ * for one iteration? The size of the result decides. */
 bool is_unrolled_computation(const ir_node *loop);
 bool is_unrolled_lane_update(const ir_node *loop);
 bool is_unrolled_in_body(const ir_node *loop);
+
 /** May a pragma be inserted before a `for` of the user's text? Not if a pragma, attribute or label
  *  precedes it. */
 bool takes_pragma(const loop_plan *plan, const ir_node *node);

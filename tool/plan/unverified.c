@@ -21,8 +21,9 @@ static bool any_child_is_unverified(const unverified_reads *s, const ir_node *no
     return false;
 }
 
-/** Is it, or a part that it begins with, read from a source that may overlap a reduction array? */
-static bool hangs_on_guarded(const unverified_reads *s, const ir_node *path, bool is_whole) {
+/** Is the path, or the base or row that it begins with, read from a source that may overlap a
+ *  reduction array? `is_whole`: the path is complete, not the beginning of one. */
+static bool depends_on_guarded(const unverified_reads *s, const ir_node *path, bool is_whole) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *read = &facts->sources[i];
@@ -31,10 +32,10 @@ static bool hangs_on_guarded(const unverified_reads *s, const ir_node *path, boo
             return true;
     }
     return path->child_count > 0 && path->kind != IR_CALL &&
-           hangs_on_guarded(s, path->children[0], false);
+           depends_on_guarded(s, path->children[0], false);
 }
 
-/** Is it the row, or a part of it? */
+/** Is the path the row, or a part of the row? */
 static bool is_of_row(const ir_node *path, const ir_node *row) {
     while (!syntax_same(path, row)) {
         if (path->child_count == 0 || path->kind == IR_CALL)
@@ -46,8 +47,8 @@ static bool is_of_row(const ir_node *path, const ir_node *row) {
     return true;
 }
 
-/** A source that nothing can overlap, or a key: everything that the slice reads is one or the
- *  other. */
+/** Is the path part of a source that no update can overlap, or a key? All that the slice reads is a
+ *  source or a key. */
 static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
     const loop_facts *facts = s->plan->facts;
     bool is_known = false;
@@ -62,17 +63,18 @@ static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
     return is_known;
 }
 
-/** What the iteration has stored there may be computed from whatever is unverified. */
+/** Is the path an own element that the iteration may have computed from an unverified value? */
 static bool is_own(const unverified_reads *s, const ir_node *path) {
     return own_element_at(s->plan->facts, path) >= 0 &&
            unverified_has_suspects(s->plan, s->is_suspect);
 }
 
 static bool may_read_unverified(const unverified_reads *s, const ir_node *path) {
-    return is_own(s, path) || (hangs_on_guarded(s, path, true) && !is_known_fresh(s, path));
+    return is_own(s, path) || (depends_on_guarded(s, path, true) && !is_known_fresh(s, path));
 }
 
-/** A pointer computed by the iteration: its target is not analysed. */
+/** Does the path begin with a pointer that the iteration has computed? Its target is
+ *  not analysed. */
 static bool begins_with_private_pointer(const unverified_reads *s, const ir_node *path) {
     const ir_variable *root = ir_root_variable(path);
     return !root || (root->type->kind == IR_POINTER && !is_captured(s->plan->facts, root));
@@ -83,7 +85,7 @@ static bool is_access(const ir_node *node) {
            (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
 }
 
-/** Not if only an address is used. */
+/** Does the node read memory, and not only compute the address of an array? */
 static bool reads_memory(const ir_node *node) {
     return is_access(node) && node->type && node->type->kind != IR_ARRAY;
 }
@@ -100,8 +102,8 @@ static const ir_function *callee_of(const ir_node *call) {
     return call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
 }
 
-/** In a called function: may it be read where a source is? Reads there that may overlap an update
- *  are sources in the caller's terms, with a known type. */
+/** May a read of this type in a called function read an unverified source? Each read of the callee
+ *  that may overlap an update is a source of the caller, whose type is known. */
 static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
     for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
         const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
@@ -112,7 +114,7 @@ static bool callee_may_read_unverified(const unverified_reads *s, const ir_type 
     return !s->is_typed;
 }
 
-/** Does a function's result depend on memory that may be unverified? */
+/** Does the value of a node in a called function depend on memory that may be unverified? */
 static bool has_unverified_read(const unverified_reads *s, const ir_node *node) {
     const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
     if (node->kind == IR_CALL || node->kind == IR_OPAQUE)
@@ -127,7 +129,7 @@ static bool has_unverified_read(const unverified_reads *s, const ir_node *node) 
     return false;
 }
 
-/** Does it pass a pointer computed by the iteration, whose target may have another type? */
+/** Does the call pass a pointer computed by the iteration, whose target may have another type? */
 static bool passes_private_memory(const unverified_reads *s, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];
@@ -162,7 +164,7 @@ static bool variable_is_unverified(const unverified_reads *s, const ir_node *nod
     return s->in_callee ? callee_may_read_unverified(s, node->type) : may_read_unverified(s, node);
 }
 
-/** For an object only the operands of its address. */
+/** Does the object's address depend on an unverified value? */
 static bool unverified_address(const unverified_reads *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;
@@ -195,7 +197,8 @@ bool unverified_value(const unverified_reads *s, const ir_node *node) {
 
 /* ---- marking ------------------------------------------------------------------------------- */
 
-/** A write through a pointer modifies no variable, or one whose address was taken. */
+/** Marks the variable that a write modifies. A write through a pointer modifies none, or one whose
+ *  address was taken. */
 static void mark(unverified_reads *s, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const bool is_behind = root && root->type->kind == IR_POINTER && lvalue->kind != IR_VARIABLE;
@@ -234,11 +237,11 @@ bool unverified_condition(const unverified_reads *s, const ir_node *node) {
     }
 }
 
-/** An unverified condition decides whether a node is executed. */
+/** How it is decided whether a node is executed. */
 typedef struct decision {
-    bool is_unverified;
-    const ir_node *branch; /* the innermost such conditions are those of `if` statements alone: the
-                            * branch of the last one; else NULL */
+    bool is_unverified;    /* by an unverified condition */
+    const ir_node *branch; /* if only `if` statements have unverified conditions: the branch of the
+                            * innermost one; else NULL */
 } decision;
 
 static bool decides_value(const unverified_reads *s, decision by, const ir_node *lvalue) {
@@ -256,7 +259,7 @@ static decision decided_below(const unverified_reads *s, const ir_node *node, un
     return (decision){true, is_branch ? node->children[part] : NULL};
 }
 
-static void spread(unverified_reads *s, const ir_node *node, decision by) {
+static void propagate(unverified_reads *s, const ir_node *node, decision by) {
     const ir_node *written = expression_written(node);
     if (written && (decides_value(s, by, written) ||
                     unverified_value(s, node->children[node->child_count - 1])))
@@ -267,13 +270,13 @@ static void spread(unverified_reads *s, const ir_node *node, decision by) {
     if (node->kind == IR_CALL)
         mark_arguments(s, node);
     for (unsigned i = 0; i < node->child_count; i++)
-        spread(s, node->children[i], decided_below(s, node, i, by));
+        propagate(s, node->children[i], decided_below(s, node, i, by));
 }
 
-static void unverified_spread(unverified_reads *s, const ir_node *body) {
+static void propagate_to_fixed_point(unverified_reads *s, const ir_node *body) {
     do {
         s->changed = false;
-        spread(s, body, (decision){false, NULL});
+        propagate(s, body, (decision){false, NULL});
     } while (s->changed);
 }
 
@@ -286,7 +289,8 @@ static bool is_evaluated_anyway(const unverified_reads *s, const ir_node *node) 
     return false;
 }
 
-/** The inspector reads the subscripts of such an update in each iteration as well. */
+/** Is the node part of an update that the inspector logs under fewer conditions than the loop? The
+ *  inspector then reads the update's subscripts anyway. */
 static bool is_subscript_of_unconditional_update(const unverified_reads *s, const ir_node *node) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
@@ -295,8 +299,8 @@ static bool is_subscript_of_unconditional_update(const unverified_reads *s, cons
     return false;
 }
 
-/** A member, or an element with a constant subscript, of a private variable of the iteration: it
- *  exists under any conditions. */
+/** Is the node a member, or an element with a constant subscript, of a local variable? It can
+ * always be read. */
 static bool is_fixed_part(const ir_node *node) {
     for (; node->kind != IR_VARIABLE; node = node->children[0]) {
         const bool is_element = node->kind == IR_INDEX && node->children[1]->flags & IR_HAS_VALUE;
@@ -336,7 +340,8 @@ static void check_division(unverified_reads *s, const ir_node *node, control how
     s->is_harmful |= !is_safe && (how.is_unverified || any_child_is_unverified(s, node));
 }
 
-/** In the callee all memory is unverified; of its parameters those with unverified arguments. */
+/** Checks the callee's body. Its memory is unverified, and so are the parameters whose arguments
+ *  are. */
 static void check_callee(unverified_reads *s, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     const unsigned count = callee->parameter_count;
@@ -356,13 +361,13 @@ static void check_callee(unverified_reads *s, const ir_node *call) {
         inner.is_unverified[callee->parameters[i]->id] =
             callee->parameters[i]->type->kind != IR_POINTER &&
             unverified_value(s, call->children[i + 1]);
-    unverified_spread(&inner, callee->body);
+    propagate_to_fixed_point(&inner, callee->body);
     unverified_check(&inner, callee->body, (control){false, false});
     s->is_harmful |= inner.is_harmful;
 }
 
-/** A function without a body: system functions on numbers accept any values; others may do anything
- *  with unverified ones. */
+/** Is a call of a function without a body harmless? System functions on numbers accept any values;
+ *  other functions may do anything with unverified ones. */
 static bool is_harmless_unseen(const unverified_reads *s, const ir_node *call, control how) {
     const bool is_known = callee_of(call)->is_from_system;
     for (unsigned i = 1; i < call->child_count; i++)
@@ -392,7 +397,6 @@ static bool is_jump(const ir_node *node) {
            node->kind == IR_GOTO;
 }
 
-/** The control flow into the parts of a node: `first` is evaluated with it. */
 control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first) {
     const bool decides =
         node->kind == IR_IF || node->kind == IR_CONDITIONAL || node->kind == IR_SWITCH ||
@@ -403,7 +407,7 @@ control unverified_below(const unverified_reads *s, const ir_node *node, control
     return (control){how.is_unverified || unverified_condition(s, node), false};
 }
 
-/** `continue` of the loop itself. */
+/** Is the node a `continue` of the analysed loop itself? */
 static bool is_next_iteration(const unverified_reads *s, const ir_node *node) {
     if (node->kind != IR_CONTINUE || s->in_callee)
         return false;
@@ -412,7 +416,7 @@ static bool is_next_iteration(const unverified_reads *s, const ir_node *node) {
     return node == s->plan->facts->loop;
 }
 
-/** Is the node a part of the lvalue that ends at the pointer or variable it is reached by? */
+/** Is the node the lvalue, or a part of its path up to the pointer or variable that leads to it? */
 static bool is_part_of(const ir_node *node, const ir_node *lvalue) {
     while (is_access(lvalue)) {
         const ir_node *first = lvalue->children[0];
@@ -425,9 +429,9 @@ static bool is_part_of(const ir_node *node, const ir_node *lvalue) {
     return false;
 }
 
-/** The body in bins only computes the address of an updated element: it is in a record, or on a
- *  private copy if that has the row. A row's pointer is loaded if its place is readable
- *  (REDCC_ELEMENT_BEHIND). */
+/** Is the node part of an updated element? In bins the body only computes that element's address,
+ * and stores the update in a record or in a private copy of the row. A row's pointer is loaded only
+ * if its address is readable (REDCC_ELEMENT_BEHIND). */
 static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->update_count && !s->in_slice && !s->in_callee; i++)
@@ -456,7 +460,7 @@ void unverified_check(unverified_reads *s, const ir_node *node, control how) {
     else if (node->kind == IR_CALL)
         check_call(s, node, how);
     else if (s->in_slice && how.is_unverified && is_next_iteration(s, node))
-        s->may_have_left = true; /* if the loop does not continue */
+        s->may_have_left = true; /* the program may not execute the `continue` */
     else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_unverified) ||
              (node->kind == IR_DECLARATOR && node->variable->type->size < 0))
         s->is_harmful = true;
@@ -487,12 +491,12 @@ unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect,
                           .in_slice = in_slice,
                           .is_typed = true};
     assert(is_suspect);
-    unverified_spread(&s, plan->facts->counted.body);
+    propagate_to_fixed_point(&s, plan->facts->counted.body);
     return s;
 }
 
 control unverified_in_iteration(const loop_plan *plan) {
-    /* a jump may skip the statements after it: none of them is certain then */
+    /* in a body with a jump no statement is certain: the jump may skip it */
     return (control){false, !ir_any(plan->facts->counted.body, is_jump)};
 }
 

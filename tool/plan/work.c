@@ -7,10 +7,10 @@
 #include "plan/lookup.h"
 
 enum {
-    EXPENSIVE = 8,    /* a division, a square root, a call of a mathematical function */
+    EXPENSIVE = 8,    /* a floating-point division, or a call with a floating result */
     UNKNOWN_TRIP = 4, /* iterations of an inner loop with an unknown trip count */
     MOST_DEPTH = 8,   /* of calls */
-    MOST_WORK = 10000 /* more need not be distinguished */
+    MOST_WORK = 10000 /* counting stops here */
 };
 
 int64_t work_constant_trip(const ir_node *loop) {
@@ -99,16 +99,16 @@ static int64_t size_of(const ir_node *node, int depth) {
     return size < MOST_WORK ? size : MOST_WORK;
 }
 
-int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement) {
+int64_t work_outside_updates(const loop_plan *plan, const ir_node *statement) {
     const int64_t trip = ir_is_loop(statement) ? work_constant_trip(statement) : 1;
-    int64_t beside = 0;
+    int64_t size = 0;
     if (loop_update_at(plan->facts, statement))
         return 0;
     if (ir_is_expression(statement) || statement->kind == IR_EXPRESSION ||
         statement->kind == IR_DECLARATION)
         return size_of(statement, 0);
-    /* the header of a loop over constants is unrolled */
+    /* unrolling removes the header of a loop over constants, so only its body counts */
     for (unsigned i = ir_is_loop(statement) && trip ? 3 : 0; i < statement->child_count; i++)
-        beside += work_beside_updates(plan, statement->children[i]);
-    return beside * (trip ? trip : UNKNOWN_TRIP);
+        size += work_outside_updates(plan, statement->children[i]);
+    return size * (trip ? trip : UNKNOWN_TRIP);
 }

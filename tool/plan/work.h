@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Estimates the work of an iteration: floating-point operations, a division or a call counted as
- *  8. */
+/** Estimates the work of an iteration in floating-point operations. A division or a call of a
+ *  mathematical function counts as 8. */
 #ifndef PLAN_WORK_H
 #define PLAN_WORK_H
 
 #include "plan/plan.h"
 
 /** With this many operations, an iteration takes longer than loading its rows from the caches, and
- *  lanes pay. Measured by script/bench lanes: cloth, membrane, triangle, hinge and drag gained;
- *  springs, contacts and Lennard-Jones, which are all below this number, did not. */
+ *  computing several iterations at once (lanes.h) pays. Measured by script/bench lanes: cloth,
+ *  membrane, triangle, hinge and drag gained; springs, contacts and Lennard-Jones, which are all
+ *  below this number, did not. */
 enum { WORK_HEAVY = 150 };
 
-/** Operations of an iteration, or a large number that need not be distinguished. */
+/** Operations of an iteration; counting stops at 10000. */
 int64_t work_of_iteration(const loop_plan *plan);
 
-/** The same of a statement of the iteration. */
+/** Operations of a statement of the iteration. */
 int64_t work_of_statement(const loop_plan *plan, const ir_node *statement);
 
 /** The statement's work other than its updates: nodes of expressions, times their executions,
  *  including called functions. */
-int64_t work_beside_updates(const loop_plan *plan, const ir_node *statement);
+int64_t work_outside_updates(const loop_plan *plan, const ir_node *statement);
 
 /** The trip count of a loop over constants: 3 for `for (c = 0; c < 3; c++)`. 0: unknown, or above
  *  10000. */

@@ -19,7 +19,8 @@ int written_loop_at(const emit_result *written, uint32_t offset) {
     return -1;
 }
 
-/** The piece of the loop's text that contains this byte; NULL: the translator's own text. */
+/** The origin of the word or copy that contains this byte of the loop's text; NULL: the byte is the
+ *  translator's own. */
 static const origin *origin_at(const written_loop *loop, uint32_t at) {
     unsigned low = 0, high = loop->origins.items.count;
     while (low < high) {
@@ -33,9 +34,9 @@ static const origin *origin_at(const written_loop *loop, uint32_t at) {
     return found && found->begin <= at ? found : NULL;
 }
 
-/** The original offset of a byte outside of the loops. */
+/** The offset in the original file of a byte outside of the loops. */
 static uint32_t place_before(const emit_result *written, uint32_t offset) {
-    const written_loop *last = NULL; /* the last one that ends before */
+    const written_loop *last = NULL; /* the last piece that ends before the byte */
     for (unsigned i = 0; i < written->loop_count && written->loops[i].end <= offset; i++)
         last = &written->loops[i];
     if (last)
@@ -46,7 +47,8 @@ static uint32_t place_before(const emit_result *written, uint32_t offset) {
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** The compiler's word for an unnamed declaration contains its position. */
+/** Is the declaration named? libclang names others by a text with their position, in
+ *  parentheses. */
 static bool has_name(const ir_declared *declared) {
     return declared->name[0] && !strchr(declared->name, '(');
 }
@@ -98,8 +100,8 @@ static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
     return unit->references + low;
 }
 
-/** A name in a copy of byte `offset` of the program: everything that a macro expands to has one
- *  offset. */
+/** Does the name, which is in a copy of byte `offset` of the program, have the same meaning there?
+ * All names to which a macro expands have one offset. */
 static bool is_as_before(const comparison *c, const ir_reference *reference, uint32_t offset) {
     const ir_reference *end = c->before->references + c->before->reference_count;
     bool is_known = false;
@@ -118,14 +120,14 @@ static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
-/** A name of the runtime or the compiler: a program that uses it otherwise is not translated
- *  (emit's taken_name). */
+/** Is it a name of the runtime or the compiler? Programs that use one for something else are not
+ *  translated (taken_name of plan/macros.h). */
 static bool is_own_name(const char *name) {
     return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
            starts_with(name, "__builtin_") || starts_with(name, "__atomic_");
 }
 
-/** Does the translator's own text declare it? */
+/** Is the name declared by text that the translator wrote itself? */
 static bool is_own(const comparison *c, const ir_declared *declared) {
     const int number = declared->file ? -1 : written_loop_at(c->written, declared->offset);
     const written_loop *loop = number < 0 ? NULL : &c->written->loops[number];
@@ -165,7 +167,7 @@ static const char *wrong_reference(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
-/** A name that is missing from the compiler's tree of the written text. */
+/** A name of the loop's text that the compiler's tree does not contain; NULL: none. */
 static const char *unseen_name(const comparison *c, const ir_unit *after,
                                const written_loop *loop) {
     const ir_reference *end = c->before->references + c->before->reference_count;
@@ -196,7 +198,7 @@ static const ir_typed_place *typed_place_at(const ir_unit *unit, uint32_t offset
     return unit->typed_places + low;
 }
 
-/** Are they one type in two parses of the program? */
+/** Are the types, of two parses of the program, the same? */
 static bool is_same_type(const ir_type *a, const ir_type *b) {
     while (a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY) &&
            a->count == b->count)
@@ -208,7 +210,7 @@ static bool is_same_type(const ir_type *a, const ir_type *b) {
            (has_name ? strcmp(a->spelling, b->spelling) == 0 : !a->spelling && !b->spelling);
 }
 
-/** Does an expression of the type begin there? */
+/** Does an expression of the type begin at this offset? */
 static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) {
     const ir_typed_place *const end = unit->typed_places + unit->typed_place_count;
     for (const ir_typed_place *at = typed_place_at(unit, offset); at < end && at->offset == offset;
@@ -218,7 +220,8 @@ static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) 
     return false;
 }
 
-/** An expression whose type differs from the original's, or that is missing from the tree. */
+/** The type of an expression in the loop's text that has another type than the original, or is
+ * missing from the tree; NULL: none. */
 static const char *wrong_type(const ir_unit *after, const written_loop *loop) {
     for (unsigned i = 0; i < loop->origins.items.count; i++) {
         const origin *o = &loop->origins.items.items[i];

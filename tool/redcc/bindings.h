@@ -16,8 +16,8 @@
 void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
                     const char **wrong);
 
-/** The same for the types of expressions that replace others: sets wrong[i] to the spelling of the
- *  first type that an expression should have but does not. */
+/** Checks the types of expressions that replace others: sets wrong[i] to the spelling of the first
+ * type that an expression should have but does not have, or leaves it unchanged. */
 void types_check(const ir_unit *after, const emit_result *written, const char **wrong);
 
 /** The loop of `written` whose text contains this offset of the result, or -1. */

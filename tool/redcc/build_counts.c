@@ -17,7 +17,7 @@
 
 enum { IN_HEADERS_KEPT = 128 };
 
-/* A loop of a header, which other commands report as well. */
+/* A loop of a header. Every command whose source includes the header reports it. */
 typedef struct loop_in_header {
     uint64_t place; /* a hash of its file, line and column */
     reason_id why;  /* REASON_NONE: it is transformed */
@@ -28,7 +28,7 @@ typedef struct command_outcome {
     unsigned files, left, transformed, refused[REASON_COUNT];
     char why[256];
     unsigned in_header_count;
-    loop_in_header in_headers[IN_HEADERS_KEPT]; /* further ones count in each command */
+    loop_in_header in_headers[IN_HEADERS_KEPT]; /* further ones are counted once for each command */
 } command_outcome;
 
 typedef struct counting {
@@ -53,7 +53,7 @@ static const char *find_wrapper(arena *a) {
 
 /* ---- a command ------------------------------------------------------------------------------ */
 
-/* Passes the options given here to the build in the way it reads its own. */
+/* Passes the options of this redcc to redcc-cc, by its environment variable. */
 static void set_options(arena *a, const options *o) {
     static const char *const lanes[] = {
         [LANES_OF_NONE] = " --lanes=off", [LANES_OF_HEAVY] = "", [LANES_OF_ALL] = " --lanes=4"};
@@ -75,8 +75,8 @@ static word_list words_for(const counting *c, const compile_command *command) {
     arena *a = c->memory;
     word_list words = {0};
     words_add(a, &words, c->wrapper);
-    for (unsigned i = 0; i < command->words.count; i++) /* a build that uses redcc-cc uses this
-                                                         * one */
+    for (unsigned i = 0; i < command->words.count; i++) /* if the command names a redcc-cc, this one
+                                                         * is called */
         if (i > 0 || strcmp(path_base(command->words.items[0]), "redcc-cc") != 0)
             words_add(a, &words, command->words.items[i]);
     for (unsigned i = 0; i < c->options->flags.count; i++)
@@ -100,7 +100,7 @@ static uint64_t hash(uint64_t before, const void *bytes, size_t count) {
     return before;
 }
 
-/* The process is in the command's directory. */
+/* A hash of the loop's file, line and column. The current folder is the command's. */
 static uint64_t place_of(const char *file, const json_t *loop) {
     const json_int_t at[2] = {json_integer_value(json_object_get(loop, "line")),
                               json_integer_value(json_object_get(loop, "column"))};
@@ -156,7 +156,7 @@ static void report_command(unsigned number, void *result, void *context) {
     if (file < 0)
         return;
     setenv("REDCC_BUILD_REPORT", path, 1);
-    unsetenv("REDCC_STRICT"); /* files that would end the build are counted as well */
+    unsetenv("REDCC_STRICT"); /* with it, the first file that is left alone would end the command */
     unsetenv("REDCC_DISABLE");
     unsetenv("REDCC_KEEP");
     set_options(c->memory, c->options);
@@ -171,7 +171,7 @@ static void report_command(unsigned number, void *result, void *context) {
 /* ---- all of them ---------------------------------------------------------------------------- */
 
 static void add_left(counting *c, const command_outcome *outcome) {
-    /* an error of the source, whose message differs each time */
+    /* an error in the source, for which each file has another message */
     const char *why =
         strncmp(outcome->why, "redcc: ", 7) == 0 ? "redcc cannot read it" : outcome->why;
     build_counts *counts = c->counts;
@@ -184,7 +184,7 @@ static void add_left(counting *c, const command_outcome *outcome) {
                 ((left_alone){arena_string(c->memory, why), outcome->left}));
 }
 
-/* Each once in the build. */
+/* Counts the loops of headers, each once for the whole build. */
 static void add_in_headers(counting *c, const command_outcome *outcome) {
     for (unsigned i = 0; i < outcome->in_header_count; i++) {
         const loop_in_header *loop = &outcome->in_headers[i];

@@ -9,7 +9,7 @@
 #include "driver/words.h"
 #include "support/compiler_options.h"
 
-/** `path` as seen from `folder`. */
+/** The path, which is relative to `folder`. */
 static const char *joined(arena *a, const char *folder, const char *path) {
     return path[0] == '/' ? path : arena_format(a, "%s/%s", folder, path);
 }
@@ -41,7 +41,7 @@ static word_list words_of(arena *a, const json_t *entry) {
 
 /* ---- flags --------------------------------------------------------------------------------- */
 
-/** An option that only selects the last stage or additional outputs. */
+/** Does the option only select the last stage of the compilation, or outputs? */
 static bool is_about_output(const option *known) {
     return strcmp(known->name, "-o") == 0 ||
            known->meaning & (OPTION_NO_LINK | OPTION_NO_OBJECT | OPTION_DEPENDENCY);
@@ -63,7 +63,7 @@ static void add_option(arena *a, const word_list *words, unsigned *i, const char
         const size_t length = strlen(known->name);
         word = arena_format(a, "%s%s", known->name, joined(a, directory, word + length));
     }
-    if (meaning & OPTION_LIBERTY) { /* redcc-cc compiles what it translates without it */
+    if (meaning & OPTION_LIBERTY) { /* redcc-cc compiles translated text without it */
         for (const char *const *rest = option_without_liberty(word); *rest; rest++)
             VECTOR_PUSH(a, flags, *rest);
         return;
@@ -93,7 +93,7 @@ static bool is_entry_of(arena *a, const json_t *entry, const char *input, const 
     return file && same_file(joined(a, *directory, file), input);
 }
 
-/** NULL, with *wrong set, if it cannot be read. */
+/** The database; NULL, with a message in *wrong, if it cannot be read. */
 static json_t *load(arena *a, const char *path, const char **wrong) {
     json_error_t error;
     json_t *root = json_load_file(path, 0, &error);

@@ -9,15 +9,15 @@
 
 /** A command that compiles a C file. */
 typedef struct compile_command {
-    const char *file, *directory; /**< valid from the current folder; the directory is absolute if
-                                   * it is given so */
+    const char *file, *directory; /**< paths from the current folder, or absolute if the database
+                                   * has absolute ones */
     word_list words;              /**< the compiler and its arguments */
 } compile_command;
 
 typedef VECTOR(compile_command) compile_command_list;
 
-/** Appends to *flags those with which FOLDER/compile_commands.json compiles `input`; relative paths
- *  are adapted to the current folder. Returns NULL, or a message in the arena. */
+/** Appends to *flags the flags with which FOLDER/compile_commands.json compiles `input`; relative
+ * paths are made relative to the current folder. Returns NULL, or a message in the arena. */
 const char *compile_commands_flags(arena *a, const char *folder, const char *input,
                                    string_list *flags);
 

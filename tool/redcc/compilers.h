@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A program may be other code for gcc than for clang, whose parser is used. */
+/** Compares the program that gcc sees with the one that clang sees, whose parser redcc uses. */
 #ifndef COMPILERS_H
 #define COMPILERS_H
 
@@ -8,7 +8,7 @@
 
 /** Is the file the same program for gcc? Called only if the unit names a compiler
  *  (unit->text.compiler_word): the file is parsed again with gcc's predefined names instead of
- *  clang's, and must give the same tree. Errors count as no. */
+ *  clang's, and must give the same tree. False if that has errors. */
 bool compilers_agree(arena *a, const source *file, const string_list *flags, const ir_unit *unit);
 
 #endif

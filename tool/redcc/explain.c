@@ -46,13 +46,13 @@ const char *explain_section(arena *a, const char *reason) {
 const char *explain_link(arena *a, const char *reason) {
     const char *folder = installation_documents(a);
     for (unsigned i = 0; folder && i < REASON_COUNT; i++)
-        if (strcasecmp(reason, reasons[i].id) == 0) /* headings are anchors in small letters */
+        if (strcasecmp(reason, reasons[i].id) == 0) /* anchors of headings are in lower case */
             return arena_format(a, "%s/reasons.md#r%s-%s", folder, reasons[i].id + 1,
                                 reasons[i].slug);
     return NULL;
 }
 
-/* The reasons whose slugs contain the word, at most a line of them; "" if there are none. */
+/* At most one line of reasons whose slugs contain the word; "": there are none. */
 static const char *reasons_with(arena *a, const char *word) {
     enum { SHORTEST = 3, MOST = 6 };
     const char *list = "";

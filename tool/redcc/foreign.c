@@ -44,18 +44,18 @@ const map *foreign_known(arena *a, const foreign_functions *all) {
     return known;
 }
 
-/* ---- facts that a verdict rests on ----------------------------------------------------------- */
+/* ---- facts on which a verdict depends -------------------------------------------------------- */
 
 typedef struct call_search {
     arena *memory;
     const foreign_functions *all;
     const analysis_options *options;
     bool *is_visited; /* [function_count] */
-    ir_range place;   /* range of the call in the loop, also for calls that its callee makes */
+    ir_range place;   /* the call in the loop, also if the callee makes the call in question */
     VECTOR(foreign_call) found;
 } call_search;
 
-/* A function declared pure by the user needs no other file. */
+/* Does the user assert that the function is pure (--pure)? Then no other file is needed. */
 static bool is_given(const analysis_options *options, const ir_function *function) {
     for (unsigned i = 0; i < options->pure_count; i++)
         if (strcmp(options->pure[i], function->name) == 0)

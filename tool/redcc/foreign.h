@@ -15,11 +15,11 @@
 typedef struct foreign_function {
     exported_kind kind;
     const char *file;
-    unsigned definitions; /* number of definitions in the build */
+    unsigned definitions; /* the number of definitions in the build */
 } foreign_function;
 
 typedef struct foreign_functions {
-    map *by_name; /* -> foreign_function */
+    map *by_name; /* the function's name -> foreign_function */
     VECTOR(const char *) names;
 } foreign_functions;
 
@@ -30,10 +30,12 @@ void foreign_write(buffer *out, const exported_functions *functions);
  *  does. */
 void foreign_read(arena *a, foreign_functions *all, const char *file, const char *text);
 
-/** The facts that may be relied on, for analysis_options.external; in the arena. */
+/** The facts about functions with exactly one definition, for analysis_options.external; in the
+ *  arena. */
 const map *foreign_known(arena *a, const foreign_functions *all);
 
-/** Sets `foreign` of the verdicts whose loops call such functions, directly or indirectly. */
+/** Sets `foreign` of the verdicts whose loops call functions of other files, directly or
+ * indirectly. */
 void foreign_note(arena *a, const foreign_functions *all, const analysis_options *options,
                   const ir_unit *unit, const analysis_result *analysis, loop_verdict *verdicts);
 

@@ -11,24 +11,25 @@ enum { MOST_FILES = 12 };
 
 /* ---- which functions ------------------------------------------------------------------------- */
 
-typedef struct wish {
+typedef struct wanted {
     arena *memory;
     bool *is_visited; /* by function */
     string_list names;
-    string_list headers; /* that declare them; NULL: the file itself does */
-    unsigned loops;      /* number of loops around the node */
-} wish;
+    string_list
+        headers;    /* for each name, the header that declares it; NULL: the file itself does */
+    unsigned loops; /* the number of loops around the node */
+} wanted;
 
-static void wish_of(wish *w, ir_node *node);
+static void find_wanted(wanted *w, ir_node *node);
 
 /* Follows the calls of a function that is called in a loop. */
-static void follow(wish *w, const ir_function *function) {
+static void follow(wanted *w, const ir_function *function) {
     if (w->is_visited[function->id])
         return;
     w->is_visited[function->id] = true;
     if (function->body) {
         w->loops++;
-        wish_of(w, function->body);
+        find_wanted(w, function->body);
         w->loops--;
     } else if (!function->linkage.is_static && !function->is_from_system &&
                strncmp(function->name, "__builtin_", 10) != 0) {
@@ -37,21 +38,21 @@ static void follow(wish *w, const ir_function *function) {
     }
 }
 
-static void wish_of(wish *w, ir_node *node) {
+static void find_wanted(wanted *w, ir_node *node) {
     const bool is_loop = ir_is_loop(node);
     w->loops += is_loop;
     if (node->kind == IR_FUNCTION && w->loops)
         follow(w, node->function);
     for (unsigned i = 0; i < node->child_count; i++)
-        wish_of(w, node->children[i]);
+        find_wanted(w, node->children[i]);
     w->loops -= is_loop;
 }
 
-static wish wishes(arena *a, const ir_unit *unit, const analysis_result *before) {
-    wish w = {.memory = a, .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+static wanted wanted_functions(arena *a, const ir_unit *unit, const analysis_result *before) {
+    wanted w = {.memory = a, .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     for (unsigned i = 0; i < before->verdict_count; i++)
         if (before->verdicts[i].kind == VERDICT_REFUSE)
-            wish_of(&w, before->verdicts[i].function->body);
+            find_wanted(&w, before->verdicts[i].function->body);
     return w;
 }
 
@@ -85,7 +86,7 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
     unsigned files = 0;
     bool is_any = false;
     for (bool is_new = true; is_new && files < MOST_FILES;) {
-        const wish w = wishes(a, unit, before);
+        const wanted w = wanted_functions(a, unit, before);
         is_new = false;
         for (unsigned i = 0; i < w.names.count && files < MOST_FILES; i++) {
             const char *name = w.names.items[i];
@@ -125,15 +126,15 @@ static bool note_call(ir_node *node, void *context) {
     return true;
 }
 
-/* Facts about a loop's variables come from the whole loop's function and the functions that it
- * calls, and from no others. */
+/* Notes the calls of the functions that contain translated loops. Facts about a loop's variables
+ * come from its whole function and from the functions which that calls, and from no others. */
 static void note_calls_of_loops(calls *c, const analysis_result *analysed) {
     for (unsigned i = 0; i < analysed->verdict_count; i++)
         if (analysed->verdicts[i].kind == VERDICT_TRANSFORM)
             ir_walk(analysed->verdicts[i].function->body, note_call, c);
 }
 
-/* Is it declared outside of all functions? */
+/* Is the function declared outside of all functions? */
 static bool is_at_file_scope(const ir_unit *unit, const ir_function *function) {
     const ir_declared *declared = function->declared;
     if (!declared || declared->file)

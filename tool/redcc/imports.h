@@ -17,9 +17,10 @@ bool imports_add(arena *a, ir_unit *unit, const project *around, const string_li
                  const analysis_result *before);
 
 /**
- * The text appended to the file that compares the linked definitions with those parsed, of the
- * functions that translated loops depend on: `static const redcc_linkage *redcc__linked(void)`;
- * NULL: they depend on no function of another file. Sets *obstacle if it cannot be written.
+ * The text to append to the file: `static const redcc_linkage *redcc__linked(void)`. With it the
+ * runtime compares the definitions that are linked with those that were parsed, for all functions
+ * on which translated loops depend. NULL: they depend on no function of another file; or it cannot
+ * be written, which sets *obstacle.
  */
 const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *analysed,
                           const char **obstacle);

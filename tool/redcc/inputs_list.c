@@ -17,7 +17,7 @@ static void add(buffer *list, char kind, const char *path) {
 
 static int add_library(struct dl_phdr_info *library, size_t size, void *list) {
     (void)size;
-    if (library->dlpi_name[0] == '/') /* skips this program itself and the kernel's page */
+    if (library->dlpi_name[0] == '/') /* not this program itself, nor the kernel's vDSO */
         add(list, 'l', library->dlpi_name);
     return 0;
 }

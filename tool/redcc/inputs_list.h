@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** redcc --inputs-file: the inputs of a translation, for caches of translations. */
+/** redcc --inputs-file: the files on which a translation depends, for caches of translations. */
 #ifndef INPUTS_LIST_H
 #define INPUTS_LIST_H
 

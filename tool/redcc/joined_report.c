@@ -42,7 +42,8 @@ static bool has_rule(const json_t *rules, const json_t *rule) {
     return false;
 }
 
-/* A loop of a header is a result of each file that includes it: the log has it once. */
+/* Adds the results that the log does not contain yet: a loop of a header is a result of each file
+ * that includes it. */
 static void add_results(joined_report *joined, json_t *results) {
     json_t *all = json_object_get(run_of(joined->log), "results");
     for (size_t i = 0; i < json_array_size(results); i++) {
@@ -87,7 +88,7 @@ const char *joined_report_end(arena *a, joined_report *joined) {
     const report_input nothing = {.analysis = &(analysis_result){0}, .version = REDCC_VERSION};
     if (joined->log)
         json_print(&joined->text, joined->log);
-    else if (joined->form == REPORT_SARIF) /* no file could be read */
+    else if (joined->form == REPORT_SARIF) /* an empty log: no file could be read */
         report_write(a, &joined->text, REPORT_SARIF, &nothing);
     const char *wrong = output_write(a, joined->path, joined->text.data ? joined->text.data : "",
                                      joined->text.length);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One report on many files: merges the reports that a process for each file made. */
+/** One report on many files, each of which a separate process analyses: merges their reports. */
 #ifndef JOINED_REPORT_H
 #define JOINED_REPORT_H
 
@@ -13,15 +13,15 @@ typedef struct joined_report {
     report_form form;
     const char *path; /* the output file; "-": standard output */
     buffer text;      /* for forms whose reports are concatenated */
-    json_t *log;      /* SARIF: the first file's, with the runs of the others in its run */
-    json_t *known;    /* SARIF: the texts of the results so far */
+    json_t *log;   /* SARIF: the first file's log, to whose run the results of others are added */
+    json_t *known; /* SARIF: the texts of the results so far */
 } joined_report;
 
 /** Must the reports on the files be merged (and not printed one by one)? A SARIF log covers all
  *  files, and a file is written once. */
 bool joined_report_is_needed(const options *o);
 
-/** The options for the processes of the files: the same, with the report on standard output. */
+/** The options for the process of one file: those of `o`, with the report on standard output. */
 options joined_report_of_one(const options *o);
 
 /** Begins a report; joined_report_end frees it. */

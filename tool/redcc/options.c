@@ -87,7 +87,7 @@ typedef enum option_name {
     OPTION_VERSION
 } option_name;
 
-/** Those with two dashes; a name that ends in = takes a value. */
+/** The options with two dashes; a name that ends in = takes a value. */
 static const struct long_option {
     const char *text;
     option_name name;
@@ -353,7 +353,7 @@ typedef struct words {
 } words;
 
 static const char *read_long_option(arena *a, options *o, words *w, const char *word) {
-    if (strcmp(word, "--explain") == 0) /* the option whose value may be the next word */
+    if (strcmp(word, "--explain") == 0) /* its value may be the next word */
         return set_option(a, o, OPTION_EXPLAIN, w->next < w->count ? w->items[w->next++] : "");
     for (size_t i = 0; i < COUNT(long_options); i++) {
         const char *text = long_options[i].text;
@@ -427,14 +427,15 @@ static const char *check_together(arena *a, const options *o) {
     if (cxx_input(o))
         return arena_format(a, "'%s' is C++: redcc translates C", cxx_input(o));
     if (o->inputs.count > 1 && !o->analyze)
-        return arena_format(a, "one input file at a time, but for --analyze: '%s' is a second one",
+        return arena_format(a,
+                            "one input file at a time, except with --analyze: '%s' is a second one",
                             o->inputs.items[1]);
     if (o->output && path_same_file(o->output, o->inputs.items[0]))
         return arena_format(a, "the output '%s' is the input: name another file", o->output);
     if (o->analyze && o->output)
-        return "--analyze writes no source: -o does not go with it";
+        return "--analyze writes no source: it cannot be combined with -o";
     if (o->analyze && o->verify)
-        return "--analyze writes no source: --verify does not go with it";
+        return "--analyze writes no source: it cannot be combined with --verify";
     if (!o->analyze && !o->output && !o->dump_ir && !o->verify)
         return "no output: give -o FILE or --analyze";
     if (o->report.form != REPORT_TEXT && !o->analyze && !o->report.file)

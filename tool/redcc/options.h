@@ -24,7 +24,8 @@ typedef struct order_option {
     bool is_given;
 } order_option;
 
-/** --compiler: has the caller checked for differences between compilers? Then it is redcc-cc. */
+/** --compiler: with KNOWN and CLANG the caller, usually redcc-cc, checks for differences between
+ *  compilers itself. */
 typedef enum compiler_option { COMPILER_ANY, COMPILER_KNOWN, COMPILER_CLANG } compiler_option;
 
 typedef struct options {
@@ -40,7 +41,7 @@ typedef struct options {
     compiler_option compiler;
     bool sees_project; /* --files=project */
     bool keeps_openmp; /* --openmp=keep */
-    bool in_process;   /* no separate process guards against a crashing parser */
+    bool in_process;   /* no child process protects this one against crashes of the parser */
     bool analyze, assume_noalias, require, verify, dump_ir, help, version;
 } options;
 

@@ -37,7 +37,7 @@ static const char *write_directly(arena *a, const char *path, int file, const ch
     return NULL;
 }
 
-/** The permissions a new file gets. */
+/** The permissions that a new file gets. */
 static mode_t default_mode(void) {
     const mode_t mask = umask(0);
     umask(mask);
@@ -46,8 +46,8 @@ static mode_t default_mode(void) {
 
 static const char *write_beside(arena *a, const char *path, const char *target, mode_t mode,
                                 const char *text, size_t length) {
-    char *beside = arena_format(a, "%s.XXXXXX", target);
-    const int file = mkstemp(beside);
+    char *temporary = arena_format(a, "%s.XXXXXX", target);
+    const int file = mkstemp(temporary);
     if (file < 0)
         return failure(a, path);
     bool ok = write_all(file, text, length) && fchmod(file, mode) == 0;
@@ -56,13 +56,13 @@ static const char *write_beside(arena *a, const char *path, const char *target, 
         ok = false;
         reason = errno;
     }
-    if (ok && rename(beside, target) != 0) {
+    if (ok && rename(temporary, target) != 0) {
         ok = false;
         reason = errno;
     }
     if (ok)
         return NULL;
-    unlink(beside);
+    unlink(temporary);
     errno = reason;
     return failure(a, path);
 }
@@ -75,11 +75,12 @@ const char *output_write(arena *a, const char *path, const char *text, size_t le
     if (stat(path, &state) != 0)
         return errno == ENOENT ? write_beside(a, path, path, default_mode(), text, length)
                                : failure(a, path);
-    if (!S_ISREG(state.st_mode)) /* open gives the right message for a directory */
+    if (!S_ISREG(state.st_mode)) /* for a directory, opening it gives the right message */
         return write_directly(a, path, open(path, O_WRONLY | O_TRUNC), text, length);
     if (access(path, W_OK) != 0)
         return failure(a, path);
-    char *target = realpath(path, NULL); /* a link stays a link */
+    char *target =
+        realpath(path, NULL); /* the file that a link points to is replaced, not the link */
     if (!target)
         return failure(a, path);
     const char *wrong = write_beside(a, path, target, state.st_mode & 07777, text, length);

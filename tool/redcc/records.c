@@ -8,7 +8,7 @@
 #include "ir/ir_digest.h"
 #include "support/buffer.h"
 
-/* The words of the generated text: no macro may replace them. */
+/* Does a macro replace a word of the text to be appended? */
 static bool has_macro_of_words(const ir_unit *unit) {
     static const char *const words[] = {"static", "const",    "struct", "void",
                                         "char",   "unsigned", "extern", "long"};
@@ -23,8 +23,7 @@ typedef struct callees {
     bool *is_noted; /* by function */
     const ir_unit *unit;
     VECTOR(const ir_function *) found;
-    bool has_directive; /* an OpenMP directive, in a static function that is part of the
-                         * definition */
+    bool has_directive; /* a static function that the definition calls has an OpenMP directive */
 } callees;
 
 static bool note_callee(ir_node *node, void *context) {
@@ -47,8 +46,8 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* A function declared only in a block cannot be named at the file's end: such a file gets no
- * records. */
+/* Is the function declared inside another one? Then it cannot be named at the file's end, and the
+ * file gets no records. */
 static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     for (unsigned i = 0; !f->declared->file && i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];

@@ -7,8 +7,8 @@
 #include "ir/ir.h"
 
 /** The text to append to the file: a redcc_record for each function that a loop of another file
- *  appears to call; NULL: there is none. Must be called before bodies of other files are added. The
- *  text needs no header, and is plain C with GNU attributes. */
+ * seems to call; NULL: there is none. Must be called before imports_add. The text needs no header,
+ * and is plain C with GNU attributes. */
 const char *records_write(arena *a, const ir_unit *unit, const project *around);
 
 #endif

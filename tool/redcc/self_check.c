@@ -65,7 +65,7 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                                           installation_find(a).include, NULL};
     const string_list parallel = with_flags(a, flags, parallel_flags);
     const frontend_result first = parse(a, output, &parallel);
-    if (first.unit) /* before its errors: changed meanings of names explain more */
+    if (first.unit) /* reported before errors, since changed meanings of names explain more */
         note_bindings(a, input, first.unit, written, found);
     note_errors(a, &first, written, found);
     if (first.unit)
@@ -80,7 +80,7 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
     return true;
 }
 
-/* The folder that a flag adds to the search path of headers; NULL: another flag. */
+/* The folder that flag *i adds to the search path of headers; NULL: it is another flag. */
 static const char *header_folder(const string_list *flags, unsigned *i) {
     static const char *const names[] = {"-I", "-isystem"};
     const char *flag = flags->items[*i];

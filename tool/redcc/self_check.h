@@ -13,10 +13,10 @@ bool own_runtime_header_exists(arena *a);
 
 /**
  * Parses the output as the sequential program and, with redcc's own header, which must exist, as
- * the parallel one. Sets found[i] (the caller initialises it to no reason) to the fault in the text
- * of loop i of `written`: a compiler error, which the input does not have, or a name whose meaning
- * has changed. An error outside of all loops is attributed to each. Returns whether no fault was
- * found. Texts live in the arena.
+ * the parallel one. Sets found[i], which the caller has initialised to no reason, to the fault in
+ * the text of loop i of `written`: a compiler error that the input does not have, or a name whose
+ * meaning has changed. An error outside of all loops is attributed to each loop. Returns whether no
+ * fault was found. Texts live in the arena.
  */
 bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found);

@@ -116,7 +116,8 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
                     o->pure.items[i], where);
 }
 
-/** Refuses loops that are another program for the compiler of the build, which was not analysed. */
+/** Refuses all loops of a file that may be another program for the compiler of the build than for
+ *  clang, which was analysed. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
                                          const ir_unit *unit, bool knows_compiler,
                                          analysis_result analysed) {
@@ -139,7 +140,7 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
     return (analysis_result){analysed.verdict_count, verdicts};
 }
 
-/** The verdicts after writing: loops that could not be written are refused. */
+/** The verdicts after writing, in which loops that could not be written are refused. */
 static analysis_result after_writing(arena *a, const ir_unit *unit, const analysis_result *analysis,
                                      const emit_result *written, const analysis_options *how,
                                      const foreign_functions *foreign) {
@@ -207,7 +208,7 @@ static const char *show_report(arena *a, const options *o, const report_input *i
     return wrong;
 }
 
-/** For the summary of many files. */
+/** Counts the verdicts for the summary of many files. */
 static file_outcome count_verdicts(const analysis_result *analysis) {
     file_outcome counts = {0};
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
@@ -226,8 +227,8 @@ static void dump(const ir_unit *unit) {
     buffer_free(&text);
 }
 
-/** Refuses the loops whose text is wrong. Loops with text before their function are first written
- *  again in a simpler form. */
+/** Refuses the loops whose text is wrong. A loop with lanes is not refused yet, but written again
+ *  without them. */
 static analysis_result without_wrong(arena *a, const analysis_result *analysed,
                                      const emit_result *written, const reason *found,
                                      unsigned char *no_lanes) {
@@ -250,9 +251,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
 }
 
 /**
- * Writes the analysed file, and checks it. A loop whose text is wrong is left alone, and the others
- * are written again. A report alone skips the check, because parsing the output costs as much as
- * parsing the input.
+ * Writes the analysed file, and checks it. A loop whose text is wrong is left unchanged, and the
+ * others are written again. If only a report is wanted, there is no check, because parsing the
+ * output costs as much as parsing the input.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const plan_options *how, bool is_kept, analysis_result *analysed) {
@@ -268,7 +269,7 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
     }
 }
 
-/** Analyses again with functions of other files, if a loop needs them. */
+/** Analyses the file; if a loop calls functions of other files, again with those. */
 static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
                                             const project *around, const analysis_options *asked) {
     loop_loads_name(unit);
@@ -294,15 +295,16 @@ static emit_result with_records(arena *a, const emit_result *written, const char
     return result;
 }
 
-/** A file's text and all that is known about it: the file itself, or with headers in it. */
+/** A unit and the analysis of its loops: of the file itself, or of the file with
+ *  headers in place. */
 typedef struct analysed_file {
     ir_unit *unit;
     const char *records; /* NULL: none */
     analysis_result analysed;
-    string_list headers; /* in the text */
+    string_list headers; /* those in place of their #include directives */
 } analysed_file;
 
-/** How a file is analysed. */
+/** What the analysis of a file depends on. */
 typedef struct analysing {
     arena *memory;
     const options *options;
@@ -331,14 +333,14 @@ static string_list used_headers(arena *a, const analysed_file *file, const reaso
     return used;
 }
 
-/** A text with headers in it does not follow when they change: redcc-cc, which checks the compiler
- *  itself, translates anew. */
+/** May headers be put in place? The output would not change with them: so only for a report, or for
+ *  redcc-cc, which translates again when a header changes. */
 static bool may_have_headers(const options *o) {
     return !o->output || o->compiler != COMPILER_ANY;
 }
 
-/** The file with those headers in place that have a loop which can run in parallel; itself if there
- *  is none. */
+/** The file with those headers in place that have a loop which can run in parallel; without any,
+ * the file itself. */
 static analysed_file with_headers(const analysing *by, analysed_file *file) {
     arena *a = by->memory;
     string_list headers = headers_that_fit(a, file->unit, &file->analysed);
@@ -351,7 +353,7 @@ static analysed_file with_headers(const analysing *by, analysed_file *file) {
             return *file;
         analysed_file found = analyse_unit(by, parsed.unit);
         found.headers = headers;
-        if (!first.unit) { /* all that fit are in place, and the reasons are known */
+        if (!first.unit) { /* here all such headers are in place: reasons come from this analysis */
             first = found;
             file->analysed =
                 with_reasons_in_place(a, file->unit, &file->analysed, first.unit, &first.analysed);
@@ -389,7 +391,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     if (is_kept && is_written && !own_runtime_header_exists(a))
         return fail(file->path,
                     "redcc's own header redcc/runtime.h, without which the output cannot "
-                    "be checked, lies neither beside this program (PREFIX/bin/redcc and "
+                    "be checked, is neither next to this program (PREFIX/bin/redcc and "
                     "PREFIX/include) nor below $REDCC_ROOT; nothing was written");
     plan_options how = {.order = o->order.word,
                         .order_is_explicit = o->order.is_given,
@@ -419,8 +421,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Did redcc write this text? Its first line shows it; only the user's lines may precede it (a
- *  preprocessor's #version line, the comment of a licence tool). */
+/** Did redcc write this text? A line of it shows that, which only directives and comments of other
+ * tools may precede. */
 static bool is_translated(const source *file) {
     static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&
@@ -438,7 +440,7 @@ static file_outcome leave_translated(arena *a, const options *o, const source *f
     return wrong ? fail(NULL, wrong) : (file_outcome){0};
 }
 
-/** Standard input gets the name that compilers give it, which no file has by accident. */
+/** Reads the input. Standard input is named as compilers name it, "<stdin>". */
 static const source *read_input(arena *a, const char *path, const char **wrong) {
     const source *file = source_read(a, path, wrong);
     if (!file || strcmp(path, "-") != 0)

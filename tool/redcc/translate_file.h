@@ -12,11 +12,11 @@ typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_stat
 /** Plain numbers, so that one process can pass them to another. */
 typedef struct file_outcome {
     file_status status;
-    unsigned transformed;            /* loops */
+    unsigned transformed;            /* the number of transformed loops */
     unsigned long long unknown_pure; /* names of --pure that the file does not declare: one bit
                                       * each, for the first 64; 0 if unknown */
-    unsigned by_declarations;        /* the number of these that depend on other files'
-                                      * definitions */
+    unsigned by_declarations; /* the number of transformed loops that depend on definitions in
+                               * other files */
 } file_outcome;
 
 /** Parses, analyses, writes and reports; messages and reports go to the files that the options
@@ -32,8 +32,8 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
 /** Parses as translate_file does. */
 frontend_result translate_file_parse(arena *a, const source *file, const string_list *flags);
 
-/** Appends the facts that the file exports about its functions (foreign_read); nothing, and no
- *  message, if it cannot be parsed. */
+/** Appends the facts about the file's functions, for foreign_read; nothing, without a message, if
+ * it cannot be parsed. */
 void translate_file_exports(arena *a, const options *o, const char *path, buffer *out);
 
 #endif

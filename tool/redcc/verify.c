@@ -72,15 +72,16 @@ static const char *build(const workplace *w, const program *p, bool is_parallel)
     return arena_format(a, "--verify: the %s program cannot be built", p->name);
 }
 
-/* With one thread nothing would be verified. */
+/* The number of threads: at least 2, since with one thread nothing would be verified. */
 static long threads_to_use(void) {
     const char *wanted = getenv("OMP_NUM_THREADS");
     const long threads = wanted ? strtol(wanted, NULL, 10) : sysconf(_SC_NPROCESSORS_ONLN);
     return threads < 2 ? 2 : threads;
 }
 
-/* The parallel program executes each loop in parallel from the first call on, and reports it
- * (docs/report.md, REDCC_VALIDATE): by default it would begin with the original loop. */
+/* Runs the program. REDCC_VALIDATE (docs/report.md) makes the parallel one execute each loop in
+ * parallel from the first call on, and report that: by default it would begin with the original
+ * loop. */
 static void execute(const workplace *w, program *p, bool is_parallel) {
     word_list words = {0};
     if (is_parallel) {
@@ -143,7 +144,7 @@ const char *verify_output(arena *a, const source *input, const string_list *flag
                    .flags = flags,
                    .redcc = installation_find(a)};
     if (!w.redcc.include || !w.redcc.library)
-        return "--verify: redcc's runtime library is not found beside the program";
+        return "--verify: redcc's runtime library is not found next to the program";
     w.folder = temporary_create(a);
     if (!w.folder)
         return "--verify: no temporary folder can be made";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** --verify: the sequential and the parallel program are built and run, and must print the same. */
+/** --verify: builds and runs the sequential and the parallel program, which must print the same. */
 #ifndef VERIFY_H
 #define VERIFY_H
 

@@ -21,11 +21,11 @@ enum { EXPORTS_SIZE = 1 << 20 };
 typedef struct whole_program {
     arena *memory;
     options options;
-    string_list files;  /* each once */
-    unsigned *mentions; /* [files.count] how often the build compiles it */
+    string_list files;  /* the build's C files, each once */
+    unsigned *mentions; /* [files.count] how often the build compiles the file */
     foreign_functions functions;
     joined_report joined;
-    const char *what; /* name of the round, for the progress line */
+    const char *what; /* the name of the round, for the progress line */
     unsigned failed, by_declarations;
     unsigned long long unknown_pure; /* names that no file declares */
 } whole_program;
@@ -69,7 +69,7 @@ static void export_file(unsigned number, void *result, void *context) {
 static void take_exports(unsigned number, const void *result, int ended_by, void *context) {
     whole_program *p = context;
     const char *text = result;
-    if (ended_by != 0) /* the second round reports it */
+    if (ended_by != 0) /* the process failed, which the second round reports */
         return;
     text = arena_string(p->memory, text);
     for (unsigned i = 0; i < p->mentions[number]; i++) /* a file compiled twice defines its
@@ -132,7 +132,7 @@ static bool run_round(whole_program *p, const char *what, size_t result_size,
     return workers_run(&how);
 }
 
-/* A line of the table. */
+/* Prints a line of the table. */
 static void show_count(const char *what, unsigned count) {
     fprintf(stderr, "%-24s%7u\n", what, count);
 }
@@ -157,8 +157,8 @@ static void show_summary(const whole_program *p) {
         fprintf(stderr, "   (%u could not be analysed)", p->failed);
     fputs("\n", stderr);
     if (!is_counted) {
-        fputs("redcc: warning: redcc-cc is not beside redcc: what a build by it transforms is not "
-              "counted\n",
+        fputs("redcc: warning: redcc-cc is not next to redcc: the loops that it transforms are "
+              "not counted\n",
               stderr);
         return;
     }

@@ -16,13 +16,13 @@ typedef struct piece {
     pid_t process; /* 0: not started, or ended */
     int status;    /* as wait gives it */
     bool is_ended;
-    FILE *output, *errors; /* its output, if kept */
+    FILE *output, *errors; /* the process's output, if it is kept */
 } piece;
 
 typedef struct pool {
     const workers *w;
     piece *pieces;
-    char *results; /* shared with the processes */
+    char *results; /* memory shared with the processes */
     unsigned begun, ended, shown;
 } pool;
 
@@ -49,7 +49,7 @@ static void show(FILE *kept, FILE *stream) {
 
 _Noreturn static void be_worker(const pool *all, unsigned number) {
     const piece *p = &all->pieces[number];
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* it must not write after the waiting process has ended */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* the child must not write after its parent has ended */
     if (p->output) {
         dup2(fileno(p->output), STDOUT_FILENO);
         dup2(fileno(p->errors), STDERR_FILENO);
@@ -77,7 +77,7 @@ static bool begin(pool *all) {
     return true;
 }
 
-/* Waits for one to end. */
+/* Waits for one process to end. */
 static bool wait_for_one(pool *all) {
     int status;
     const pid_t process = wait(&status);
@@ -117,7 +117,8 @@ static void show_ended(pool *all) {
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-/* Avoids copying the pages that loading a large library has written. */
+/* Works in the caller's own process, which avoids copying pages that a large library
+ * has written. */
 static bool work_in_process(const workers *w) {
     for (unsigned i = 0; i < w->count; i++) {
         void *result = calloc(1, w->result_size);

@@ -9,20 +9,20 @@
 
 typedef struct workers {
     unsigned count;     /* pieces of work, numbered from 0 */
-    unsigned at_once;   /* number of processes; 0: works in the caller's own process, and a crash
-                         * ends that */
+    unsigned at_once;   /* the number of processes; 0: the caller's own process does the work, and a
+                         * crash ends it */
     size_t result_size; /* bytes of a result, without pointers */
-    bool keeps_output;  /* show the output of a piece only after that of the pieces before it, each
-                         * at once */
-    /** May be NULL; else output is kept. Called in the caller's process, in order, before `done`,
-     *  with the standard output of a piece, which is not shown. `output` is at its beginning, and
-     *  closed afterwards. Not with at_once 0. */
+    bool keeps_output; /* the output of a piece is kept until it can be shown as a whole, after that
+                        * of the pieces before it */
+    /** May be NULL; otherwise output is kept. Called in the caller's process, in order, before
+     * `done`, with the standard output of a piece, which is then not shown. `output` is at its
+     * beginning, and is closed afterwards. Not with at_once 0. */
     void (*take)(unsigned number, FILE *output, void *context);
-    /** Called in a separate process: does the piece of work and fills in *result, which is zeroed
+    /** Called in a separate process: does the piece of work and fills in *result, which is zero
      *  before. */
     void (*work)(unsigned number, void *result, void *context);
-    /** Called in the caller's process, in order: `ended_by` is 0, or the signal that ended the
-     *  process, or -1 if it failed otherwise. */
+    /** Called in the caller's process, in the order of the pieces. `ended_by`: 0; or the signal
+     * that ended the process; or -1 if it failed otherwise. */
     void (*done)(unsigned number, const void *result, int ended_by, void *context);
     /** May be NULL. Called in the caller's process, as pieces end, in any order. */
     void (*progress)(unsigned finished, void *context);

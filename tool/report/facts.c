@@ -97,7 +97,8 @@ const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
                                                                                : "sequential",
                             reason_code(verdict->why.id), verdict->why.message);
     default:
-        return arena_format(a, "loop in '%s' has no update in which iterations may meet", function);
+        return arena_format(a, "loop in '%s' has no update by which iterations may conflict",
+                            function);
     }
 }
 

@@ -9,7 +9,7 @@
  *  runtime/src/settings.c). */
 enum { LEAST_TRIP = 1024 };
 
-/** The number of iterations if it is a constant, else -1. */
+/** The number of iterations if it is constant, else -1. */
 static int64_t constant_trip(const counted_loop *counted) {
     int64_t lower, bound;
     if (!counted->lower || counted->stride || counted->counter->type->kind != IR_INTEGER ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The result for each loop, and the reasons: the same verdicts in several forms. */
+/** The report: the verdict on each loop and its reason, in several forms. */
 #ifndef REPORT_REPORT_H
 #define REPORT_REPORT_H
 
@@ -10,10 +10,10 @@ typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML }
 
 /** The reason why a loop that runs in parallel has no form for several iterations at once. */
 typedef struct lanes_remark {
-    bool is_asked;    /* such a form was requested */
-    const char *slug; /* NULL: it has one */
+    bool is_asked;    /* such a form was requested for the loop */
+    const char *slug; /* NULL: the loop has such a form */
     const char *message;
-    ir_range range; /* of the reason */
+    ir_range range; /* the reason's place in the file */
 } lanes_remark;
 
 typedef struct report_input {
@@ -22,7 +22,7 @@ typedef struct report_input {
     const char *version;       /* of redcc */
     const char *order;         /* as --order takes it */
     const lanes_remark *lanes; /* of each verdict; NULL: no such form was requested */
-    bool all;                  /* include verdicts that need no review: SARIF's results of kind
+    bool all;                  /* include loops that need no review: in SARIF, results of kind
                                 * `pass` */
     /** The text of docs/reasons.md on a reason, in the arena; NULL for none. Used in SARIF's
      *  rules. */

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/** A path. */
+/** The path as a URI. */
 static json_t *uri(const char *path) {
     buffer out = {0};
     buffer_uri(&out, path);
@@ -27,7 +27,7 @@ static json_t *location(ir_position at) {
     json_object_set_new(artifact, "uri", uri(at.file));
     json_t *physical = json_object();
     json_object_set_new(physical, "artifactLocation", artifact);
-    if (at.line > 0) { /* regions begin at line 1 (3.30.5); `#line 0` makes a line before it */
+    if (at.line > 0) { /* regions begin at line 1 (3.30.5), but `#line 0` makes a line 0 */
         json_t *region = json_object();
         json_object_set_new(region, "startLine", json_integer(at.line));
         json_object_set_new(region, "startColumn", json_integer(at.column));
@@ -42,7 +42,7 @@ static const char *rule_of(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_REFUSE ? reason_code(verdict->why.id) : verdict_word(verdict);
 }
 
-/** A property bag: assertions taken from the user's pragmas, and the use of plans. */
+/** Adds a property bag with the assertions of the user's pragmas, and the use of plans. */
 static void add_properties(arena *a, json_t *result, const loop_verdict *verdict) {
     const plan_answer plan = verdict_plan(a, verdict);
     json_t *bag = json_object(), *pragmas = json_array();
@@ -60,7 +60,7 @@ static void add_properties(arena *a, json_t *result, const loop_verdict *verdict
     json_decref(bag);
 }
 
-/** The reason, for the loop or for a form of it. */
+/** Adds the place of a reason to the result, with a text. */
 static void add_related(json_t *result, ir_position at, const char *text) {
     json_t *where = location(at);
     json_object_set_new(where, "message", message(text));
@@ -93,11 +93,12 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     return result;
 }
 
-/* The message without the name that it inserts, which becomes dots. */
+/* The verdict's message for all loops: dots replace the name in it. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
-        return verdict_is_written(verdict) ? "the loop runs in parallel"
-                                           : "the loop has no update in which iterations may meet";
+        return verdict_is_written(verdict)
+                   ? "the loop runs in parallel"
+                   : "the loop has no update by which iterations may conflict";
     return reason_make(a, verdict->why.id, "...", (ir_range){0}).message;
 }
 
@@ -120,8 +121,8 @@ static json_t *rule_object(arena *a, const report_input *input, const loop_verdi
     return rule;
 }
 
-/* Is it a result? A loop that runs in parallel needs no review. */
-static bool is_told(const report_input *input, const loop_verdict *verdict) {
+/* Is the loop a result? A loop that runs in parallel needs no review. */
+static bool is_reported(const report_input *input, const loop_verdict *verdict) {
     return input->all || !verdict_is_written(verdict);
 }
 
@@ -136,7 +137,7 @@ static json_t *rules_of(arena *a, const report_input *input) {
     json_t *rules = json_array();
     for (unsigned i = 0; i < input->analysis->verdict_count; i++) {
         const loop_verdict *verdict = &input->analysis->verdicts[i];
-        if (is_told(input, verdict) && !has_rule(rules, rule_of(verdict)))
+        if (is_reported(input, verdict) && !has_rule(rules, rule_of(verdict)))
             json_array_append_new(rules, rule_object(a, input, verdict));
     }
     return rules;
@@ -151,7 +152,7 @@ void report_sarif(arena *a, buffer *out, const report_input *input) {
     json_object_set_new(tool, "driver", driver);
     json_t *results = json_array();
     for (unsigned i = 0; i < input->analysis->verdict_count; i++)
-        if (is_told(input, &input->analysis->verdicts[i]))
+        if (is_reported(input, &input->analysis->verdicts[i]))
             json_array_append_new(results, result_of(a, input, &input->analysis->verdicts[i]));
     json_t *run = json_object();
     json_object_set_new(run, "tool", tool);

@@ -5,7 +5,7 @@
 #include "report/facts.h"
 #include "report/plan.h"
 
-/** The source line with a caret below it. */
+/** Appends the source line with a caret below it. */
 static void show_place(buffer *out, const ir_unit *unit, uint32_t offset) {
     const source *s = unit->source;
     const position at = source_position(s, offset);
@@ -32,7 +32,7 @@ static bool has_place(ir_range range) {
     return range.begin < range.end;
 }
 
-/** Facts that come from other files. */
+/** Notes for facts that come from other files. */
 static void by_other_files(arena *a, buffer *out, const report_input *input,
                            const loop_verdict *verdict) {
     for (unsigned i = 0; i < verdict->foreign_count; i++) {
@@ -47,15 +47,15 @@ static void by_other_files(arena *a, buffer *out, const report_input *input,
     }
 }
 
-/** Assertions taken from the user's pragmas. */
+/** Notes for assertions of the user's pragmas. */
 static void by_pragma(arena *a, buffer *out, const report_input *input,
                       const loop_verdict *verdict) {
     for (unsigned i = 0; i < verdict->pragma_count; i++)
         message(out, input, verdict->pragmas[i].range.begin, "note",
-                arena_format(a, "by your word: %s", verdict->pragmas[i].text), "");
+                arena_format(a, "as you assert: %s", verdict->pragmas[i].text), "");
 }
 
-/** The reason why its plan is not kept. */
+/** The note why the loop's plan is not kept. */
 static void say_plan(arena *a, buffer *out, const report_input *input,
                      const loop_verdict *verdict) {
     const plan_answer plan = verdict_plan(a, verdict);
@@ -104,7 +104,7 @@ static void transformed(arena *a, buffer *out, const report_input *input,
     by_pragma(a, out, input, verdict);
 }
 
-/** Of a loop in a header, without its line of text. */
+/** The remark on a loop in a header, without the source line. */
 static void in_header(arena *a, buffer *out, const ir_position *at, const loop_verdict *verdict) {
     const bool is_refused = verdict->kind == VERDICT_REFUSE;
     buffer_format(out, "%s:%u:%u: remark: %s [-Rredcc-%s%s]\n", at->file, at->line, at->column,

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** LLVM optimization records: what opt-viewer and its like read (llvm.org/docs/Remarks.html). */
+/** LLVM optimization records, for opt-viewer and similar tools (llvm.org/docs/Remarks.html). */
 #include "report/facts.h"
 #include "report/plan.h"
 
-/** A single-quoted YAML scalar on one line. */
+/** Appends a single-quoted YAML scalar on one line. */
 static void scalar(buffer *out, const char *text) {
     buffer_byte(out, '\'');
     for (const char *c = text; *c; c++) {

@@ -5,11 +5,12 @@
 
 #include "emit/base/loop.h"
 
-/** Declares the variables, those of the slice only or all. */
+/** Declares the variables that replace such elements, of the slice (`of_slice`) or all. */
 void declare_forwards(loop_text *loop, writer *out, bool of_slice);
 /** The variable that replaces a read of this node, or NULL. */
 const char *forward_read_name(const loop_text *loop, const ir_node *node);
-/** Assigns the stored value to the variable, and that to the element, in a separate statement. */
+/** write_forward assigns the stored value to the variable; write_forwarded_store assigns the
+ * variable to the element. */
 void write_forward(loop_text *loop, writer *out, const forwarded_store *store, ir_c_rename rename,
                    void *context);
 void write_forwarded_store(loop_text *loop, writer *out, const forwarded_store *store,

@@ -8,8 +8,6 @@
 
 #include "ir/ir_position.h"
 
-/* ---- helpers of the parts ------------------------------------------------------------------ */
-
 void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...) {
     if (loop->obstacle)
         return;

@@ -14,51 +14,52 @@
 
 /** The names of a reduction array in the generated text. */
 typedef struct array_text {
-    const char *base;       /* the user's own expression: `b`, `s->b` */
-    const char *local;      /* its name in the executor: the same name (a shadow), or another that
-                             * replaces the user's bytes; NULL, as is base: none, for an array whose
-                             * elements are scattered */
-    const char *declarator; /* the same, in its declaration */
+    const char *base;  /* the user's own expression: `b`, `s->b` */
+    const char *local; /* its name in the executor: the user's name, which a pointer shadows, or
+                        * another that replaces the user's bytes. `base` and `local` are NULL for
+                        * an array whose elements are scattered */
+    const char *declarator; /* `local` as a declarator */
     const char *owner;      /* the local variable that is passed to redcc_owns */
     bool is_shadowed;
 } array_text;
 
-/** A function for several iterations at once (lanes.c). */
+/** A function for several iterations at once (emit/lanes/lanes.c). */
 typedef struct lanes_text {
-    bool is_wanted;
+    bool is_wanted;   /* the loop is being written with such a function */
     const char *name; /* NULL: none */
     const char *arguments;
-    lanes_outcome *outcome; /* for the loop, in any form; NULL: not requested */
+    lanes_outcome
+        *outcome; /* whether the loop gets such a function, and why not; NULL: not requested */
 } lanes_text;
 
 /** Slice and body as separate functions (outline.c). */
 typedef struct outline_text {
     bool possible;                      /* cleared when an obstacle is found */
-    bool *is_handed;                    /* by variable: passed to slice or body */
+    bool *is_passed;                    /* by variable: passed to slice or body */
     const char **by_address;            /* by variable: the text that replaces its name */
-    const char *text;                   /* of both, and of each thread's last
-                                         * statements */
+    const char *text;                   /* slice, body and each thread's last statements: the names
+                                         * in it are those that the context must pass */
     const char *slice_call, *body_call; /* for iteration redcc__k */
     const char *reads_call; /* replaces the slice while records are appended; NULL: the slice
                              * serves */
-    const char *tile_call;  /* for the iteration's turns in a tile; or NULL */
+    const char *tile_call;  /* for the inner iterations of a row in a tile; or NULL */
     const char *body_parameters, *body_arguments; /* ", ..." without the counter */
 } outline_text;
 
 typedef struct loop_text {
     arena *arena;
-    const ir_unit *whole; /* all code of the file; */
-    const ir_unit *unit;  /* without branches that its loops skip (as_compiled.h) */
+    const ir_unit *whole; /* all code of the file */
+    const ir_unit *unit;  /* the same without skipped branches in its loops (as_compiled.h) */
     const loop_facts *facts;
     const loop_plan *plan;
     const plan_options *options;
-    const char *obstacle; /* the first; NULL: none so far */
+    const char *obstacle; /* the first reason why the loop cannot be written; NULL: none so far */
     ir_range obstacle_range;
 
     const array_text *arrays; /* indexed as facts->arrays */
     const char *counter_type; /* as spelled in a declaration or cast of the counter */
 
-    bool is_unfused; /* contraction is turned off in its functions and its block */
+    bool is_unfused; /* contraction is turned off in the loop's functions and its block */
     outline_text outline;
     const struct bins_plan *bins; /* from the plan, if it is written in that form; or NULL */
     lanes_text lanes;
@@ -68,7 +69,7 @@ typedef struct loop_text {
 /** Records the reason why this loop cannot be written, unless there is one already. */
 void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/** text_operand that records an obstacle, and then returns "0". */
+/** As text_operand; if the expression cannot be spelled, records an obstacle and returns "0". */
 const char *loop_operand(loop_text *loop, const ir_node *expression);
 /** `#line N "file"` for the user's text at `offset`. */
 const char *loop_line_directive(loop_text *loop, uint32_t offset);

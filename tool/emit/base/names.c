@@ -29,7 +29,7 @@ static void name_arrays(loop_text *loop) {
         array_text *text = &arrays[i];
         text->owner = arena_format(loop->arena, "redcc__own_%s", name);
         if (facts->arrays[i].is_scattered)
-            continue; /* the body's own text reaches its elements */
+            continue; /* the array has no name: the body's text reaches its elements */
         text->base = loop_operand(loop, base);
         text->is_shadowed = loop->plan->is_shadowed[i];
         text->declarator = text->is_shadowed ? origin_declarator(loop->arena, base->variable)
@@ -50,15 +50,16 @@ static void name_counter(loop_text *loop) {
         loop->counter_type = "int";
 }
 
-void name_things(loop_text *loop) {
+void set_names(loop_text *loop) {
     name_arrays(loop);
     name_counter(loop);
 }
 
 /* ---- declarations -------------------------------------------------------------------------- */
 
-/** The type's spelling for a parameter or variable of another function: every C standard knows
- *  __restrict__, and for a parameter itself the qualifier is not needed. */
+/** The type's spelling for a parameter or variable of a generated function. `restrict` becomes
+ *  __restrict__, which compilers know in every C standard; at the end, where it qualifies the
+ *  parameter itself, it is dropped. */
 static const char *spelling_of(arena *a, const ir_type *type) {
     static const char word[] = "restrict";
     enum { LENGTH = sizeof word - 1 };
@@ -92,7 +93,7 @@ const char *declaration_text(loop_text *loop, const ir_type *type, const char *n
     return "int";
 }
 
-/** The spelling without a qualifier of the type itself. */
+/** The type's spelling without its own `const`, so that objects of it can be assigned. */
 static const char *unqualified(arena *a, const ir_type *type) {
     static const char before[] = "const ", after[] = "const";
     const char *spelling = spelling_of(a, type);
@@ -126,7 +127,7 @@ const char *pointed_name(const loop_text *loop, const ir_node *node) {
     return loop->outline.by_address[node->variable->id];
 }
 
-/** Does a loop of the tree begin in [begin, end)? */
+/** Does a loop of the tree begin in bytes [begin, end)? */
 static bool has_loop_between(const ir_node *node, uint32_t begin, uint32_t end) {
     if (ir_is_loop(node) && node->range.begin >= begin && node->range.begin < end)
         return true;
@@ -136,7 +137,7 @@ static bool has_loop_between(const ir_node *node, uint32_t begin, uint32_t end) 
     return false;
 }
 
-/** Does another loop of the function begin before this one on its line? */
+/** Does another loop of the function begin on the same line, before this one? */
 static bool is_behind_another(const loop_text *loop) {
     const uint32_t end = loop->facts->loop->range.begin;
     uint32_t begin = end;

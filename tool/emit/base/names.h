@@ -6,19 +6,20 @@
 #include "emit/base/loop.h"
 
 /** Sets arrays and counter_type. */
-void name_things(loop_text *loop);
+void set_names(loop_text *loop);
 
-/** The name of a function before the user's: "redcc__slice_springs_15". */
+/** The name of a part that is written before the user's function: "redcc__slice_springs_15". */
 const char *outlined_name(loop_text *loop, const char *part);
-/** The suffix of the name of the function for lanes. */
+/** The name, without the prefix "redcc__", of the function for several iterations at once. */
 const char *loop_lanes_name(loop_text *loop);
-/** The declaration of an object of this type in a function before the user's. */
+/** The declaration of an object of this type in a function written before the user's. */
 const char *declaration_text(loop_text *loop, const ir_type *type, const char *name);
-/** The same for an object that is assigned to. */
+/** As declaration_text, for an object that is assigned after its declaration. */
 const char *assignable_declaration_text(loop_text *loop, const ir_type *type, const char *name);
-/** The text that replaces the node, a variable whose address slice or body get; or NULL. */
+/** The text that replaces the node if it is a variable that slice or body get by
+ *  address; or NULL. */
 const char *pointed_name(const loop_text *loop, const ir_node *node);
-/** The declaration of a private variable, of an iteration or of its slice. */
+/** The declaration of a private variable in the body or in the slice. */
 const char *private_declaration(loop_text *loop, const private_variable *item);
 
 #endif

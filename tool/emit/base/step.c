@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Induction variables (analysis/induction.h): the copy of iteration redcc__k begins with the value
- * on entry, redcc__from_N, plus redcc__k steps, or those of the turns before (redcc/tiles.h). Words
- * of 64 bits wrap around, and after conversion have the sequential loop's value.
+ * Induction variables (analysis/private/induction.h): the body for iteration redcc__k begins with
+ * the value on entry, redcc__from_N, plus redcc__k steps. If an inner loop of a triangle steps the
+ * variable, it is instead one step for each preceding inner iteration (redcc/tiles.h). The value is
+ * computed in words of 64 bits, which wrap around; converted to the variable's type, it is that of
+ * the sequential loop.
  */
 #include "emit/base/step.h"
 
@@ -10,7 +12,7 @@
 
 #include "emit/text/origin.h"
 
-/** The step of an iteration, in words. */
+/** The step, as a word of 64 bits. */
 static const char *stride_text(loop_text *loop, const private_variable *item) {
     const ir_type *type = item->variable->type;
     const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
@@ -23,7 +25,7 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
                         (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
-/** The number of turns of the first iteration; may be negative, which means none. */
+/** The number of inner iterations in the first iteration; a negative number means none. */
 static const char *turns_text(loop_text *loop, const private_variable *item) {
     const triangle *turns = &item->inner;
     const char *end = loop_operand(loop, turns->end);
@@ -33,7 +35,8 @@ static const char *turns_text(loop_text *loop, const private_variable *item) {
                : arena_format(loop->arena, "(redcc_int)%s - redcc__lower + %lld", end, offset);
 }
 
-/** How many steps precede an iteration. */
+/** The number of steps before an iteration. `first`: the number of inner iterations in
+ *  the first. */
 static const char *count_text(loop_text *loop, const private_variable *item, const char *first,
                               const char *iteration) {
     if (!item->inner.loop)
@@ -42,7 +45,7 @@ static const char *count_text(loop_text *loop, const private_variable *item, con
                         item->inner.is_below ? "below" : "above", first, iteration);
 }
 
-/** Its type, at a place where the type's name may be undeclared. */
+/** The variable's type, spelled so that no undeclared name is needed. */
 static const char *type_of(loop_text *loop, const private_variable *item) {
     return item->is_declared_in_header ? origin_type(loop->arena, item->variable->type)
                                        : arena_format(loop->arena, "__typeof__(%s)",
@@ -53,7 +56,8 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
         const char *name = origin_variable(loop->arena, item->variable);
-        if (item->stride && !by_header) /* the loop is known to iterate, and to evaluate it */
+        if (item->stride &&
+            !by_header) /* here the loop is known to iterate, and to evaluate the step */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
         if (item->inner.loop && !by_header)
             writer_line(out, "const redcc_int redcc__turns_%u = %s;", i, turns_text(loop, item));

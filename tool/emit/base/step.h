@@ -5,14 +5,15 @@
 
 #include "emit/base/loop.h"
 
-/** Declares their values on entry, redcc__from_N, of those that the header sets or of the others;
- *  the value with which private variable `number` begins an iteration, " = ..."; their values after
- *  the loop. */
+/** declare_entry_values declares redcc__from_N, the values on entry: of the variables that the
+ * header sets (`by_header`), or of the others. stepped_value is the value with which private
+ * variable `number` begins an iteration, " = ...". write_stepped_values assigns the values after
+ * the loop. */
 void declare_entry_values(loop_text *loop, writer *out, bool by_header);
 const char *stepped_value(loop_text *loop, unsigned number);
 void write_stepped_values(loop_text *loop, writer *out);
-/** Makes the header's initialisations of variables that are not stepped. The original loop repeats
- *  them. */
+/** Writes the header's initialisations of variables that are not stepped. If the original loop
+ * runs, it repeats them. */
 void write_starts(loop_text *loop, writer *out);
 
 #endif

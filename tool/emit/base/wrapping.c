@@ -12,15 +12,13 @@
 #include "ir/ir_words.h"
 #include "plan/unconditional.h"
 
-/* ---- possibly not executed by the program ---------------------------------------------------- */
-
 /* ---- arithmetic ---------------------------------------------------------------------------- */
 
 static bool is_integer(const ir_node *node) {
     return node->type && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-/** Does the unsigned operator wrap around to the signed one's result, if that is defined? */
+/** Does the operator on unsigned operands give the signed result whenever that is defined? */
 static bool wraps_around(ir_operator op) {
     return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY ||
            op == IR_OP_SHIFT_LEFT;
@@ -54,8 +52,8 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
 
 /* ---- addresses ----------------------------------------------------------------------------- */
 
-/** The subscript of a span, which increases by one with the counter: analysis/spans.c says how it
- *  may be composed. */
+/** The subscript of a span in 64 bits. It increases by one with the counter; analysis/loop/spans.c
+ *  says of what it may consist. */
 static const char *wide_number(arena *a, const ir_node *node, const ir_variable *counter,
                                ir_c_rename rename, void *context) {
     if (node->kind == IR_CAST && expression_mentions(node, counter))

@@ -36,7 +36,7 @@ static const char *row_type(loop_text *loop, unsigned array) {
                : type;
 }
 
-/** Is it one of the header's types, of only doubles or floats? */
+/** Does redcc/bins.h have the record's type, because all its values are doubles, or all floats? */
 static bool is_plain_record(const bins_stream *stream) {
     for (unsigned i = 1; i < stream_value_count(stream); i++)
         if (stream->kinds[i] != stream->kinds[0])
@@ -60,10 +60,10 @@ typedef struct spelling {
     const loop_text *loop;
     const bins_record *record;
     const reduction_update *update;
-    unsigned part; /* of the nest's elements */
+    unsigned part; /* the number of the element in the nest */
 } spelling;
 
-/** The element of the current update. */
+/** The element of the current update, as the apply function names it. */
 static const char *element_in_row(const spelling *its) {
     static const char *const rows[] = {"(*redcc__to)", "(*redcc__to_1)", "(*redcc__to_2)",
                                        "(*redcc__to_3)"};
@@ -78,7 +78,7 @@ static const char *element_in_row(const spelling *its) {
                : rows[array];
 }
 
-/** The printer's hook: replaces the element, and the record's values. */
+/** The printer's hook in an apply function: names of the element and of the record's values. */
 static const char *name_in_record(const ir_node *node, void *context) {
     const spelling *its = context;
     if (!ir_is_expression(node))
@@ -94,10 +94,10 @@ static const char *name_in_record(const ir_node *node, void *context) {
     return arena_format(its->loop->arena, "redcc__e.v%u", (unsigned)number * parts + its->part);
 }
 
-/** The updates of a record, on elements and a record. */
+/** The statements that apply a record: its updates, with the record's values as operands. */
 static const char *record_text(loop_text *loop, const bins_record *record) {
-    const unsigned its_tags = loop->bins->streams[record->stream].tag_count;
-    writer line = {.depth = 1 + (its_tags > 1)};
+    const unsigned tag_count = loop->bins->streams[record->stream].tag_count;
+    writer line = {.depth = 1 + (tag_count > 1)};
     spelling its = {.loop = loop, .record = record};
     printer p = {.arena = loop->arena, .out = &line, .rename = name_in_record, .context = &its};
     for (unsigned i = 0; i < record->update_count; i++) {
@@ -135,7 +135,8 @@ static const char *part_of_row_text(const loop_text *loop, const reduction_updat
     return text;
 }
 
-/** The counter of a nest at the part, of its promoted type; NULL: the node is none. */
+/** The value of a nest's counter at the part, in its promoted type; NULL: the node is
+ *  no counter. */
 static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
                                      const ir_node *node, unsigned part) {
     const struct nest_level *level = nest_level_of(nest, node);
@@ -149,7 +150,7 @@ static const char *nest_counter_text(const loop_text *loop, const bins_nest *nes
 
 /* ---- in the body ---------------------------------------------------------------------------- */
 
-/** Replacement of names when the counters of a nest have the values of an element. */
+/** Names in an operand of a nest, whose counters are replaced by their values at one element. */
 typedef struct nest_names {
     loop_text *loop;
     const bins_nest *nest;
@@ -173,7 +174,7 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
     arena *a = loop->arena;
     const unsigned parts = nest_part_count(record->nest);
     if (value >= record->operand_count * parts)
-        return "0"; /* other records of the stream have it */
+        return "0"; /* only other records of the stream use this value */
     const ir_node *operand = record->operands[value / parts];
     nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts};
     const char *text = is_floating(kind) ? text_expression(a, operand, name_in_part, &names)
@@ -186,7 +187,7 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
                                                : arena_format(a, "(%s)%s", kind_text(kind), text));
 }
 
-/** The values of this record. */
+/** The values of the record, as an argument of the appending macro. */
 static const char *values_text(loop_text *loop, const bins_record *record) {
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const unsigned count = stream_value_count(stream);
@@ -208,8 +209,8 @@ static const bins_record *record_of(const bins_plan *bins, const reduction_updat
                 return record;
 }
 
-/** A scattered array's elements are counted from address 0; their rows' pointers may be loaded from
- *  unverified places. */
+/** The element of a scattered array, counted from address 0. The macro gets the address of the
+ * row's pointer as well, because that may be an unverified value. */
 static const char *place_behind(loop_text *loop, const reduction_update *update,
                                 const char *address, ir_c_rename name) {
     const ir_node *load = row_load_of(loop->facts, update);
@@ -221,7 +222,8 @@ static const char *place_behind(loop_text *loop, const reduction_update *update,
     return arena_format(loop->arena, "%s, %s", pointer, address);
 }
 
-/** The element of the update; the macros' names say whether rows are wide. */
+/** The macro's arguments for the updated element; with wide rows, for the row and the element's
+ *  position in it. */
 static const char *place_text(loop_text *loop, const reduction_update *update, const char *address,
                               ir_c_rename name) {
     const char *base = loop->arrays[update->array].local;
@@ -254,7 +256,7 @@ const char *bins_update(loop_text *loop, const reduction_update *update, const c
                         values_text(loop, record));
 }
 
-/** Appends the record of an update in a nest. */
+/** The text that appends the record of an update in a nest. */
 static const char *append_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
     const reduction_update *update = record->updates[0];
     const bool has_values = stream_value_count(&loop->bins->streams[record->stream]) > 0;
@@ -281,7 +283,7 @@ typedef struct span_names {
     ir_c_rename others;
 } span_names;
 
-/** The first value of the counter. */
+/** A hook that replaces the span's counter by its first value. */
 static const char *name_at_first(const ir_node *node, void *context) {
     const span_names *its = context;
     if (node->kind == IR_VARIABLE && node->variable == its->span->counted->counted.counter)
@@ -298,7 +300,8 @@ static const char *span_text(loop_text *loop, const bins_record *record, const i
     return macro_argument(loop->arena, text ? text : "0");
 }
 
-/** Replaces the loop in bins. */
+/** The text that appends the record of a span; the loop itself is executed only if there are no
+ *  bins. */
 static const char *push_span_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
     const bins_span *span = record->span;
     const reduction_update *update = record->updates[0];
@@ -328,8 +331,8 @@ static const char *name_in_span(const ir_node *node, void *context) {
                : NULL;
 }
 
-/** Declares a copy of a variable of the context, for an apply function. */
-static const char *taken_declaration(loop_text *loop, const ir_variable *variable) {
+/** The declaration, in an apply function, of a copy of a variable of the context. */
+static const char *copy_declaration(loop_text *loop, const ir_variable *variable) {
     const char *name = origin_declarator(loop->arena, variable);
     return variable->type->kind == IR_ARRAY
                ? declaration_text(loop, variable->type->target,
@@ -337,15 +340,15 @@ static const char *taken_declaration(loop_text *loop, const ir_variable *variabl
                : declaration_text(loop, variable->type, name);
 }
 
-/** Declares the captured variables that the text names. */
+/** Declares copies of the context's variables that the update's operands name. */
 static void declare_captured(loop_text *loop, const reduction_update *update, const ir_node *node,
                              bool *is_declared, writer *out) {
     if (is_updated_element(node, update->target))
         return;
     if (node->kind == IR_VARIABLE && !is_declared[node->variable->id] &&
-        loop->outline.is_handed[node->variable->id]) {
+        loop->outline.is_passed[node->variable->id]) {
         is_declared[node->variable->id] = true;
-        writer_line(out, "%s = redcc__context->%s;", taken_declaration(loop, node->variable),
+        writer_line(out, "%s = redcc__context->%s;", copy_declaration(loop, node->variable),
                     node->variable->name);
     }
     for (unsigned i = 0; i < node->child_count; i++)
@@ -432,8 +435,8 @@ static unsigned tag_bits(const bins_stream *stream) {
     return bits;
 }
 
-/** The elements of the stream's arrays except for the first; different updates are selected by
- *  their tags. */
+/** The part of an apply function that makes the updates: declarations of the elements of the second
+ *  and further arrays; then the updates, selected by the record's tag. */
 static const char *updates_text(loop_text *loop, unsigned stream) {
     const bins_plan *bins = loop->bins;
     const bins_stream *its = &bins->streams[stream];
@@ -469,7 +472,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
-/** Does a record make several updates of floats, with roundings between them? */
+/** May a record make several updates of a float, each of which must round to float? */
 static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
     bool has_floats = false;
     for (unsigned i = 0; i < stream->array_count; i++) {
@@ -506,7 +509,7 @@ void write_bins(loop_text *loop, writer *out) {
 
 /* ---- the loop's description ------------------------------------------------------------------ */
 
-/** May the stream's updates be made on private copies? */
+/** Are the stream's updates exact in any order, so that they may be made on private copies? */
 static bool is_exact(const loop_text *loop, const bins_stream *stream) {
     for (unsigned part = 0; part < stream->array_count; part++) {
         const reduction_array *array = &loop->facts->arrays[stream->arrays[part]];
@@ -514,7 +517,7 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)
-        assert(!is_floating(stream->kinds[i])); /* added to integers, they keep the order */
+        assert(!is_floating(stream->kinds[i])); /* such updates of integers keep the order */
     return true;
 }
 
@@ -558,7 +561,7 @@ void write_streams(loop_text *loop, writer *out) {
     writer_line(out, "};");
 }
 
-/** May all updates be made on private copies? */
+/** Are the updates of all streams exact in any order? */
 static bool are_all_exact(const loop_text *loop) {
     for (unsigned i = 0; i < bins_stream_count(loop); i++)
         if (!is_exact(loop, &loop->bins->streams[i]))

@@ -8,13 +8,14 @@
 /** The text before an update whose element has this address; `name` spells variables. */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name);
-/** The text before a loop over constants that appends its operands; NULL: none. */
+/** The text before an inner loop that appends one record for the loop (a nest or a span); NULL:
+ *  none. */
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
-/** Do apply functions use the context, which then precedes them? */
+/** Do apply functions use the context, so that it must be declared before them? */
 bool bins_have_spans(const loop_text *loop);
 /** Writes the apply functions. */
 void write_bins(loop_text *loop, writer *out);
-/** Writes the streams; their number follows. */
+/** Writes the descriptions of the streams, of which there are bins_stream_count. */
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
 /** The arguments of REDCC_PARALLEL_BINNED for the streams. */

@@ -36,12 +36,12 @@
 
 /* ---- the printer's hooks ------------------------------------------------------------------- */
 
-/** Avoids capturing a following `else`, and warnings that it looks so. */
+/** Does the update need braces, so that a following `else` does not belong to its `if`? */
 static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** The text before an update. */
+/** The text before an update: the ownership check, or what appends a record. */
 static const char *owner_check(loop_text *loop, const reduction_update *update) {
     if (loop->tiles) /* the thread makes all updates of its tiles */
         return tiles_begin_with(loop->tiles, update->statement)
@@ -68,7 +68,7 @@ static const char *owner_check_end(const loop_text *loop, const reduction_update
     return needs_braces(update) ? "} }" : "}";
 }
 
-/** s += e: keeps the operand. */
+/** Prints, for `s += e`, the statement that keeps the operand. */
 static bool print_operand(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     const int number = scalar_update_at(loop->facts, statement);
@@ -87,7 +87,7 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** o[t] = e; the value for later reads, and the store. */
+/** Prints, for `o[t] = e`, the assignment of the variable for later reads, and the store. */
 static bool print_forward(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
     writer *out = copy->printer.out;
@@ -102,7 +102,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** k = e; and records that it was assigned in this iteration. */
+/** Prints `k = e` and, after it, what records that this iteration has assigned k. */
 static bool print_noted(body_copy *copy, const ir_node *statement) {
     const int number = conditional_live_out_of(copy->loop->facts, statement);
     if (number < 0 || copy->within == statement)
@@ -116,7 +116,7 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
-/** The operands of a loop over constants, in bins; then the loop. */
+/** Prints, in bins, what appends the record of an inner loop; then the loop itself. */
 static bool print_appends(body_copy *copy, const ir_node *statement) {
     const char *appends = copy->within == statement || copy->loop->tiles
                               ? NULL
@@ -163,7 +163,7 @@ static bool holds_pointed(const loop_text *loop, ir_range range) {
     return false;
 }
 
-/** An enumerator that the function declares, or a sizeof with a renamed operand. */
+/** Is the node an enumerator that the function declares, or a sizeof with a renamed operand? */
 static bool is_known_within(const loop_text *loop, const ir_node *node) {
     if (!(node->flags & IR_HAS_VALUE) || node->flags & IR_FROM_MACRO)
         return false;
@@ -182,8 +182,8 @@ static bool is_known_within(const loop_text *loop, const ir_node *node) {
     return false;
 }
 
-/** The replacement of this node: NULL, with *is_base set if it is an array's base. */
-static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
+/** The text that replaces the node; NULL: none. Sets *is_base: the node is an array's base. */
+static const char *replacement_name(const loop_text *loop, const ir_node *node, bool *is_base) {
     const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
     if (node->kind == IR_VARIABLE && loop_loads_has(loop->facts->variables.loads, node->variable))
@@ -206,7 +206,7 @@ static void visit_names(body_copy *copy, const ir_node *node,
     bool is_base;
     if (is_clipped(copy->loop, node))
         return;
-    const char *name = other_name(copy->loop, node, &is_base);
+    const char *name = replacement_name(copy->loop, node, &is_base);
     if (name)
         visit(copy, node, name);
     if (name || is_base)
@@ -278,8 +278,8 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** Only plain iterations, or tiles, unroll a loop with updates: the other forms are slow to
- * compile. Its step then hides the counter's value from the compiler. */
+/** A loop with updates is unrolled only in plain iterations and in tiles: in other forms it would
+ * be slow to compile. There, its step hides the counter's value from the compiler. */
 static void keep_others_rolled(body_copy *copy, const ir_node *node) {
     const ir_node *step = node->children[2];
     const char *const text = copy->loop->unit->source->text;
@@ -327,7 +327,7 @@ static void check_owners(body_copy *copy) {
 
 /* ---- the copy ------------------------------------------------------------------------------ */
 
-/** A statement from the IR, on one line. */
+/** The statement printed from the IR, on one line. */
 static const char *printed_text(body_copy *copy, const ir_node *statement) {
     writer line = {.on_one_line = true};
     copy->printer.out = &line;
@@ -363,7 +363,8 @@ static void drop_exits(body_copy *copy) {
     }
 }
 
-/** Text that is never executed may name variables that the copy does not get. */
+/** Prints statements around dead code that a macro made: dropping the dead code edits bytes, which
+ * is impossible there, and it may name variables that the copy does not get. */
 static void print_dead_in_macros(body_copy *copy, const ir_node *node) {
     if ((node->flags & (IR_DEAD | IR_FROM_MACRO)) == (IR_DEAD | IR_FROM_MACRO))
         print_instead(copy, node->parent);
@@ -383,8 +384,7 @@ static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
-    if (body->range.begin <= loop->facts->loop->range.begin) /* the header's macro contains it as
-                                                              * well */
+    if (body->range.begin <= loop->facts->loop->range.begin) /* one macro made header and body */
         VECTOR_PUSH(loop->arena, &copy->printed, body);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         print_instead(copy, loop->facts->scalars[i].statement);
@@ -406,7 +406,7 @@ static const char *copied_text(body_copy *copy) {
     clip_columns(copy);
     check_owners(copy);
     leave_columns(copy);
-    if (!loop->lanes.is_wanted) /* compiled once, in addition to the code for lanes */
+    if (!loop->lanes.is_wanted) /* with lanes, their code is unrolled instead */
         unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);
@@ -435,7 +435,7 @@ static bool reads_below(const ir_node *node, const ir_variable *variable, const 
     unsigned first = 0;
     if (node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
         ir_child(node, 0)->kind == IR_VARIABLE && !ir_value_is_used(node))
-        first = 1; /* only written */
+        first = 1; /* the variable is only written */
     for (unsigned i = first; i < node->child_count; i++)
         if (reads_below(node->children[i], variable, left_out))
             return true;
@@ -446,7 +446,7 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
     return reads_below(facts->counted.body, variable, body_increment(facts));
 }
 
-/** Spells the address of an own element: here its name is not replaced by that of the variable. */
+/** A hook that spells an own element itself, and not the variable that replaces it. */
 static const char *element_name(const ir_node *node, void *context) {
     const loop_text *loop = context;
     const int array = loop_array_of_base(loop->facts, node);

@@ -5,11 +5,11 @@
 
 #include "emit/base/loop.h"
 
-/** inline.c: preserves the inlining of functions that the compiler inlines in the sequential
- *  program because they have a single call. */
+/** Declares functions inline that the compiler inlines in the sequential program because they have
+ * a single call (inline.c). */
 void declare_inlined(loop_text *loop, writer *out);
 
-/** body.c: the user's body for one iteration, with the counter and private variables declared. */
+/** Writes the user's body for one iteration, with declarations of its private variables. */
 void write_iteration(loop_text *loop, writer *out);
 
 bool body_reads(const loop_facts *facts, const ir_variable *variable);

@@ -18,29 +18,31 @@ typedef struct body_copy {
     const ir_node *within;           /* the statement being printed */
 } body_copy;
 
-/** Hooks that spell a node of the body, with the loop_text as context: the local name of an array's
- *  base, of an own element, of a value that is forwarded, or of a variable passed by address. NULL:
- *  as the user wrote it. */
+/** A hook that spells a node of the body, with the loop_text as context: the local name of an
+ * array's base, of an own element, of a value that is forwarded, or of a variable passed by
+ * address. NULL: as the user wrote it. */
 const char *local_name(const ir_node *node, void *context);
-/** The same for code that the program may not execute: sums wrap around. */
+/** As local_name, for code that the program may not execute: signed arithmetic wraps around. */
 const char *wrapping_name(const ir_node *node, void *context);
 
 /** Replaces bytes [begin, end). The line ends among them are kept, so that the following text keeps
  *  its line number. */
 void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text);
 
-/** Prints the statement from the IR; a statement around it if a macro made it. */
+/** Lets the statement be printed from the IR instead of being copied; if a macro made it, the
+ *  innermost statement around it that can be replaced. */
 void print_instead(body_copy *copy, const ir_node *statement);
 bool is_printed(const body_copy *copy, const ir_node *node);
 
-/** tiles.c: is the node a bound of the loop over columns, which a tile replaces? */
+/** Is the node a bound of the loop over columns, which a tile replaces? */
 bool is_clipped(const loop_text *loop, const ir_node *node);
 /** In a loop with tiles, clips the loop over columns to those of the tile. */
 void clip_columns(body_copy *copy);
-/** What follows that loop: after all insertions at the end of its body, which may end with it. */
+/** Writes what follows the loop over columns. Called after all insertions at the end of that loop's
+ *  body, which may be at the same position. */
 void leave_columns(body_copy *copy);
 
-/** skip.c: skips inner iterations that do not concern the thread as soon as that is known. */
+/** Lets a thread skip the rest of an inner iteration that updates none of its elements (skip.c). */
 void skip_inner_iterations(body_copy *copy, const ir_node *node);
 
 #endif

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * gcc inlines a static function of any size if it has a single call. The generated text contains
- * several copies of that call, so a large function would no longer be inlined: measured at 12 % of
- * a loop over triangles. So it is declared inline. (clang decides for each call separately and
- * rejects such a declaration after the definition.)
+ * several copies of that call, so gcc would no longer inline a large function, which cost 12 % of
+ * the time of a loop over triangles. So the function is declared inline, for gcc only: clang
+ * decides for each call separately, and rejects such a declaration after the definition.
  */
 #include <string.h>
 
 #include "emit/body/body.h"
 #include "emit/text/origin.h"
 
-/** Options that change between functions may prevent inlining one into another. */
+/** Does a pragma of the file change compiler options? Functions with different options may not be
+ *  inlined into each other. */
 static bool has_compiler_pragmas(const ir_unit *unit) {
     for (unsigned i = 0; i < unit->directive_count; i++)
         if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
@@ -19,7 +20,7 @@ static bool has_compiler_pragmas(const ir_unit *unit) {
     return false;
 }
 
-/** The declarator's text shows attributes that libclang does not know. */
+/** Does the declarator's text contain no attributes? libclang does not report all of them. */
 static bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
     const char *at = unit->source->text + function->range.begin;
     const char *const body = unit->source->text + function->body->range.begin;
@@ -35,8 +36,8 @@ static bool is_called_once(const ir_unit *unit, const ir_function *function) {
            function->body->range.end > function->range.begin && is_declared_plainly(unit, function);
 }
 
-/** Does another declaration, perhaps a parameter, have the function's name? It may hide it at the
- *  new declaration. */
+/** Does another declaration, perhaps of a parameter, have the function's name? It may hide the
+ *  function where the new declaration is. */
 static bool is_name_shared(const ir_unit *unit, const char *name) {
     if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
         return true;

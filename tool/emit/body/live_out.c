@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Conditional lastprivate: private variables that some iterations assign and that are live-out.
- * Their final value is that of the last iteration that assigned them. Each thread records the value
- * with the iteration's number, where redcc__noted_N and redcc__when_N point to; the highest number
- * of all threads wins. Several threads that execute an iteration record the same value.
+ * Their final value is that of the last iteration that assigned them. Each thread stores the value
+ * at redcc__noted_N, and the iteration's number at redcc__when_N; of all threads' values that with
+ * the highest number is kept. Several threads that execute one iteration store the same value.
  */
 #include "emit/body/live_out.h"
 
@@ -61,8 +61,8 @@ void take_conditional_live_outs(loop_text *loop, writer *out) {
 
 /* ---- assigned in each iteration ------------------------------------------------------------ */
 
-/** An initial value for the compiler's flow analysis, which does not know that the loop has
- *  iterations, each of which assigns one. */
+/** An initial value that prevents warnings: compilers do not know that the loop has iterations,
+ * each of which assigns the variable. */
 static const char *start_value(const ir_type *type) {
     if (type->size < 0)
         return "";

@@ -5,15 +5,15 @@
 
 #include "emit/base/loop.h"
 
-/** Variables that each iteration assigns. Declares storage for their last values. */
+/** Declares storage for the last values of variables that each iteration assigns. */
 void declare_live_outs(loop_text *loop, writer *out);
 /** In the last iteration: stores their values. */
 void note_live_outs(loop_text *loop, writer *out);
 /** After the loop: copies the values to the variables. */
 void take_live_outs(loop_text *loop, writer *out);
 
-/** Variables that only some iterations assign. Declares storage for the latest value of all
- * threads, and for the iteration that assigned it. */
+/** For each variable that only some iterations assign: declares storage for the value that the
+ * latest of these iterations assigned, and for that iteration's number. */
 void declare_conditional_live_outs(loop_text *loop, writer *out);
 /** After an assignment of private variable `number`: records value and iteration. */
 void write_note(loop_text *loop, writer *out, unsigned number);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Threads that execute one iteration keep the same value, atomically. After the loop the value is
- * stored if its bits differ from the element's: then the iteration stored it, too. If the iteration
- * stored nothing, or the same bits, memory is unchanged.
+ * Each thread that executes an iteration keeps the value that the element then has; all of them
+ * keep the same value, by atomic stores. After the loop it is stored if its bits differ from the
+ * element's: then the sequential iteration would have stored it, too. If the iteration stored
+ * nothing, or the same bits, memory is not written.
  */
 #include "emit/body/own.h"
 

@@ -98,7 +98,7 @@ void declare_operands(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_OPERANDS(%u);", count);
 }
 
-/** "" if each iteration executes the update. */
+/** The statement that records whether the iteration executes the update; "": each one does. */
 static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
     return loop->facts->scalars[number].is_conditional
                ? arena_format(loop->arena,
@@ -107,7 +107,7 @@ static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
                : "";
 }
 
-/** One statement, which replaces the user's. */
+/** Writes the one statement that replaces the user's. */
 static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const char *type = type_of(&loop->facts->scalars[number]);
     writer_line(out,
@@ -117,8 +117,8 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
                 type, type, value, number, made_text(loop, number, true));
 }
 
-/** The initial value of redcc__so_far_N: neutral, or in a tile that continues an iteration what the
- *  iteration has so far. */
+/** The initial value of redcc__so_far_N: the neutral element, or, in a tile that continues an
+ *  iteration, the operand that the iteration has accumulated in preceding tiles. */
 static const char *so_far_text(loop_text *loop, unsigned number) {
     const scalar_update *update = &loop->facts->scalars[number];
     const char *neutral = neutral_of(update);
@@ -132,7 +132,6 @@ static const char *so_far_text(loop_text *loop, unsigned number) {
                         is_made, neutral, number);
 }
 
-/** The operand that an iteration accumulates for an update in an inner loop: redcc__so_far_N. */
 void declare_repeated_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (loop->facts->scalars[i].is_repeated && !loop->facts->scalars[i].is_series)
@@ -155,7 +154,7 @@ void write_operand(loop_text *loop, writer *out, unsigned number, const char *va
         write_series_operand(loop, out, number, value);
         return;
     }
-    if (update->is_repeated) /* subtracted operands are added up */
+    if (update->is_repeated) /* the sum of subtracted operands is subtracted after the loop */
         operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number,
                                update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op), operand);
     store_operand(loop, out, number, operand);
@@ -185,7 +184,7 @@ static void apply_sum(loop_text *loop, writer *out, unsigned number) {
                 name, from, name, sign_of(update->op), number);
 }
 
-/** The updates of one iteration, in textual order. */
+/** Writes the updates of one iteration, in textual order. */
 static void apply_iteration(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];

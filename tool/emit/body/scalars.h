@@ -5,17 +5,18 @@
 
 #include "emit/base/loop.h"
 
-/** What is kept of each iteration for update `number`: its operand or, if `is_made`, whether it has
- *  one. The type (NULL: nothing is kept), the name, and the number by which the runtime keeps it.
- */
+/** What each iteration keeps for update `number`: its operand or, if `is_made`, whether it executes
+ * the update. The functions give the type (NULL: nothing is kept), the name of the kept values, and
+ * the number by which the runtime knows them. */
 const char *kept_operand_type(const loop_text *loop, unsigned number, bool is_made);
 const char *kept_operand_name(loop_text *loop, unsigned number, bool is_made);
 unsigned kept_operand_number(const loop_text *loop, unsigned number, bool is_made);
 /** At the call: the requests to the runtime. */
 void declare_operands(loop_text *loop, writer *out);
-/** At the beginning of an iteration: variables for accumulated operands. */
+/** At the beginning of an iteration: declares redcc__so_far_N, in which an iteration accumulates
+ * the operands of an update in an inner loop. */
 void declare_repeated_operands(loop_text *loop, writer *out);
-/** The same: the initial state of conditional updates. */
+/** At the beginning of an iteration: records that conditional updates are not executed so far. */
 void note_no_operands(loop_text *loop, writer *out);
 /** In place of update `number`: keeps its operand `value`. */
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * For a floating scalar that an inner loop accumulates into, each iteration has any number of
- * operands: a series, identified by the number of the scalar's first update. The thread that enters
- * the loop adds them up within it, so that the time is the loop's, and the scalar gets the sum
- * after it. (A local variable is passed by value: if its address were used, it would be in memory
- * in the sequential form as well.)
+ * operands: a series, identified by the number of the scalar's first update. The thread that called
+ * the loop adds all operands up before the parallel execution ends, so that the runtime's timing
+ * includes it; the scalar gets the sum after the loop. (A local variable is passed by value: if its
+ * address were taken, the sequential form would keep it in memory as well.)
  */
 #include "emit/body/series.h"
 
@@ -23,7 +23,7 @@ static bool is_first(const loop_facts *facts, unsigned number) {
     return facts->scalars[number].is_series && series_of(facts, number) == number;
 }
 
-/** The position among the loop's series. */
+/** The position of the update's series among those of the loop. */
 static unsigned place_of(const loop_facts *facts, unsigned number) {
     unsigned place = 0;
     for (unsigned i = 0; i < series_of(facts, number); i++)
@@ -59,7 +59,7 @@ void declare_series(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_HAS_SERIES(%u);", count_series(facts));
 }
 
-bool is_kept_scalar(const loop_text *loop, unsigned number) {
+bool is_scalar_by_value(const loop_text *loop, unsigned number) {
     assert(number < loop->facts->scalar_count);
     const ir_node *target = loop->facts->scalars[number].target;
     return target->kind == IR_VARIABLE && target->variable->storage != IR_GLOBAL &&
@@ -113,16 +113,17 @@ void join_series(loop_text *loop, writer *out) {
             writer_line(out, "redcc__writers[%u].ends = redcc__ends[%u];", place_of(loop->facts, i),
                         place_of(loop->facts, i));
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (is_first(loop->facts, i) && is_kept_scalar(loop, i)) /* read before the loop */
+        if (is_first(loop->facts, i) &&
+            is_scalar_by_value(loop, i)) /* the caller has read its value */
             writer_line(
                 out,
                 "REDCC_SERIES_IN_FRONT(redcc__writers[%u], *redcc__own_sum_%u, redcc__scalar_%u)",
                 place_of(loop->facts, i), i, i);
 }
 
-/** The scalar as a thread reads it, as an argument of a macro. */
+/** The text by which a thread reads the scalar, as an argument of a macro. */
 static const char *scalar_text(loop_text *loop, unsigned number) {
-    if (is_kept_scalar(loop, number))
+    if (is_scalar_by_value(loop, number))
         return arena_format(loop->arena, "redcc__scalar_%u", number);
     const char *text =
         text_operand(loop->arena, loop->facts->scalars[number].target, pointed, loop);
@@ -132,7 +133,7 @@ static const char *scalar_text(loop_text *loop, unsigned number) {
     return macro_argument(loop->arena, text ? text : "0");
 }
 
-const char *series_go_on(loop_text *loop) {
+const char *series_condition(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     buffer out = {0};
     buffer_format(&out, "REDCC_SERIES_AGAIN(%u) && (", count_series(facts));
@@ -144,7 +145,7 @@ const char *series_go_on(loop_text *loop) {
     return buffer_take(loop->arena, &out);
 }
 
-/** Arguments of REDCC_SERIES_APPLY and REDCC_SERIES_BAND, up to the scalar. */
+/** The first arguments of REDCC_SERIES_APPLY and REDCC_SERIES_BAND, up to the scalar. */
 static const char *operation_text(loop_text *loop, unsigned number) {
     const scalar_update *update = &loop->facts->scalars[number];
     return arena_format(loop->arena, "redcc__writers[%u], %s, %s, %s, %s",

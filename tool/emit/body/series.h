@@ -8,21 +8,24 @@
 
 /** At the call: the requests to the runtime, and storage for the sums. */
 void declare_series(loop_text *loop, writer *out);
-/** The values that slice, body and each thread get for the series. */
+/** Calls `take` for each value that slice, body and threads get for the series. */
 void for_each_series_value(loop_text *loop, void (*take)(void *to, extra_value value), void *to);
 /** Is the scalar a local variable, which is passed by value? */
-bool is_kept_scalar(const loop_text *loop, unsigned number);
-/** A thread's variables; its part; its condition for continuing; its last statements. */
+bool is_scalar_by_value(const loop_text *loop, unsigned number);
+/** What each thread executes: declarations; the statements that begin its part of the series; the
+ *  condition under which it continues with the loop; its last statements. */
 void declare_thread_series(loop_text *loop, writer *out);
 void join_series(loop_text *loop, writer *out);
-const char *series_go_on(loop_text *loop);
+const char *series_condition(loop_text *loop);
 void finish_series(loop_text *loop, writer *out);
-/** After a tile: the sums of a band that is done. "": there are none. */
+/** The statement after a tile that adds the operands of a band that is done; "": there is no
+ * series. */
 const char *series_of_band(loop_text *loop);
-/** The beginning of an iteration; the text of update number `number`. */
+/** At the beginning of an iteration. */
 void begin_series(loop_text *loop, writer *out);
-/** The end of an iteration's turns in a tile. */
+/** At the end of a row's inner iterations in a tile. */
 void leave_series(loop_text *loop, writer *out);
+/** In place of update `number`: appends its operand `value`. */
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value);
 /** After the loop: the scalars get their values. */
 void take_series(loop_text *loop, writer *out);

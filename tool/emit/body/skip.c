@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Inner iterations that a thread skips because it owns no row that they would update: which rows,
- * and where in the text the question is asked.
+ * Inner iterations that a thread skips because it owns no row that they would update: writes the
+ * check, and inserts it into the text.
  */
 #include "analysis/base/row_steps.h"
 #include "analysis/base/stepped.h"
@@ -12,7 +12,7 @@
 #include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 
-/** The address of a row that the program may not compute, as a number. */
+/** The address of a row as a number, because the program may not compute it. */
 static const char *row_number(loop_text *loop, const ir_node *row) {
     row_address address;
     return row_address_of(row, &address)
@@ -20,7 +20,8 @@ static const char *row_number(loop_text *loop, const ir_node *row) {
                : NULL;
 }
 
-/** Prints a loop's stepped variables as their initial values. */
+/** The context of first_value_name, which replaces a loop's stepped variables by their first
+ * values. */
 typedef struct first_values {
     loop_text *loop;
     const loop_span *span;
@@ -44,9 +45,9 @@ static const char *first_value_name(const ir_node *node, void *context) {
     return text && type ? arena_format(it->loop->arena, "((%s)%s)", type, text) : NULL;
 }
 
-/** Checks all rows that the loop steps through. Without iterations there are none, and any answer
- *  is correct. */
-static const char *span_question(loop_text *loop, const skip_row *skipped) {
+/** The check of all rows that the nested loop steps through. If that has no iterations, there are
+ * no rows, and any answer is correct. */
+static const char *span_check(loop_text *loop, const skip_row *skipped) {
     arena *a = loop->arena;
     const counted_loop *counted = &skipped->span->counted;
     const ir_node *row = skipped->update->row;
@@ -66,7 +67,7 @@ static const char *span_question(loop_text *loop, const skip_row *skipped) {
                         (long long)row_stride(row, span_stepped_in(skipped->span, row)));
 }
 
-static const char *row_question(loop_text *loop, const skip_row *skipped) {
+static const char *row_check(loop_text *loop, const skip_row *skipped) {
     const ir_node *row = skipped->update->row;
     const char *number = row_number(loop, row);
     return number
@@ -77,29 +78,28 @@ static const char *row_question(loop_text *loop, const skip_row *skipped) {
 
 /** The expression that checks whether the thread owns any of the rows; NULL: it cannot be
  *  spelled. */
-static const char *skip_question(loop_text *loop, const inner_skip *skip) {
-    const char *question = !skip->needs_leader       ? ""
-                           : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "
-                                                     : "REDCC_LEADS_ALONE || ";
+static const char *skip_check(loop_text *loop, const inner_skip *skip) {
+    const char *check = !skip->needs_leader       ? ""
+                        : has_series(loop->facts) ? "REDCC_LEADS(redcc__writers[0]) || "
+                                                  : "REDCC_LEADS_ALONE || ";
     for (unsigned i = 0; i < skip->row_count; i++) {
         const skip_row *skipped = &skip->rows[i];
-        const char *one =
-            skipped->span ? span_question(loop, skipped) : row_question(loop, skipped);
+        const char *one = skipped->span ? span_check(loop, skipped) : row_check(loop, skipped);
         if (!one)
             return NULL;
-        question = arena_format(loop->arena, "%s%s%s", question, i > 0 ? " || " : "", one);
+        check = arena_format(loop->arena, "%s%s%s", check, i > 0 ? " || " : "", one);
     }
-    return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
+    return arena_format(loop->arena, "REDCC_TURN(%s) ", check);
 }
 
 void skip_inner_iterations(body_copy *copy, const ir_node *node) {
     loop_text *loop = copy->loop;
     const inner_skip *skip = is_printed(copy, node) ? NULL : skip_of(loop->plan, node);
-    const char *question = skip ? skip_question(loop, skip) : NULL;
-    if (question &&
+    const char *check = skip ? skip_check(loop, skip) : NULL;
+    if (check &&
         syntax_editable_statement(skip->before, loop->facts->counted.body) == skip->before &&
         !is_printed(copy, skip->before)) {
-        edit_insert(loop->arena, &copy->edits, skip->before->range.begin, question);
+        edit_insert(loop->arena, &copy->edits, skip->before->range.begin, check);
         return;
     }
     for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)

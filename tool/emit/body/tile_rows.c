@@ -38,7 +38,7 @@ extra_value tile_rows_value(loop_text *loop) {
         "redcc__of_thread_rows"};
 }
 
-/** Copies all values to the row, or from there. */
+/** Statements that copy all variables to the row's values (is_kept), or from there. */
 static const char *copies(loop_text *loop, bool is_kept) {
     const tile_plan *tiles = loop->tiles;
     buffer text = {0};
@@ -55,7 +55,8 @@ static const char *copies(loop_text *loop, bool is_kept) {
     return buffer_take(loop->arena, &text);
 }
 
-/** Initial values for variables that have none, because compilers would warn of copying them. */
+/** Statements that set variables without a value to 0, because compilers would warn when they are
+ *  copied. */
 static const char *first_values(loop_text *loop) {
     buffer text = {0};
     for (unsigned i = 0; i < loop->tiles->kept_count; i++)

@@ -10,12 +10,13 @@
 bool has_tile_rows(const loop_text *loop);
 /** struct redcc__row_...: a row's values. */
 void declare_tile_row(loop_text *loop, writer *out);
-/** A thread's rows, in its member function. */
+/** The array of a thread's rows, in the function that each thread calls. */
 void declare_tile_rows(loop_text *loop, writer *out);
-/** Their address, as the tile's function takes it. */
+/** The address of that array, as a parameter of the function for a tile. */
 extra_value tile_rows_value(loop_text *loop);
 
-/** Statements before the loop over columns, and after it; "": none. */
+/** The statements before the loop over columns, which take the row's values, and those after it,
+ * which keep them; "": none. */
 const char *take_tile_row(loop_text *loop);
 const char *keep_tile_row(loop_text *loop);
 

@@ -13,7 +13,7 @@ bool is_clipped(const loop_text *loop, const ir_node *node) {
     return loop->tiles && (node == loop->tiles->lower || node == loop->tiles->bound);
 }
 
-/** The statements after the node in its block are executed in the last tile of a row. */
+/** Lets the statements after the node, in its block, be executed in the last tile of a row only. */
 static void finish_rows(body_copy *copy, const ir_node *node) {
     loop_text *loop = copy->loop;
     const ir_node *block = node->parent, *last = block->children[block->child_count - 1];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Expressions for all lanes. Arithmetic on doubles and floats follows the user's operators: each is
- * computed in its own type and rounded as in a single iteration. Values read from memory by a
- * subscript of the iteration, and its integers, are gathered.
+ * computed in its own type and rounded as in a single iteration. Operands that differ between
+ * lanes, read from memory or converted from integers, are gathered into vectors.
  */
 #include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
@@ -26,7 +26,7 @@ static const char *operand(vectoriser *l, const ir_node *node, ir_c_rename renam
     return text ? text : "0";
 }
 
-/** Arrays that are updated, and integers and pointers of lane redcc__l. */
+/** A hook that names, for lane redcc__l, reduction arrays, integers and pointers. */
 static const char *rename_integer(const ir_node *node, void *context) {
     vectoriser *l = context;
     arena *a = l->loop->arena;
@@ -65,7 +65,7 @@ const char *lane_condition(vectoriser *l, const ir_node *node) {
     return text ? text : "0";
 }
 
-/** An operand that is read from memory, in its own type, or an integer converted to that type. */
+/** An operand that is no vector: a real read from memory, or an integer converted to `type`. */
 static lane_value leaf(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
@@ -97,7 +97,7 @@ static lane_value arithmetic(vectoriser *l, const ir_node *node) {
                         left.is_vector || right.is_vector};
 }
 
-/** Its operands converted to `type`. */
+/** A conditional expression, its operands converted to `type`. */
 static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
@@ -126,7 +126,8 @@ static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type 
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-/** A library function with a vector form; inactive lanes pass it an operand that sets no errno. */
+/** The call of a library function with a vector form. Inactive lanes pass the operand 1, for which
+ * no such function sets errno. */
 static lane_value known_call(vectoriser *l, const char *name, const ir_node *call) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(call->type);
@@ -137,7 +138,7 @@ static lane_value known_call(vectoriser *l, const char *name, const ir_node *cal
     return (lane_value){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
 }
 
-/** One call after the other, for the active lanes. */
+/** A call made for one active lane after the other. */
 static lane_value call_by_lane(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(node->type);
@@ -167,7 +168,7 @@ static lane_value call(vectoriser *l, const ir_node *node) {
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-/** In the expression's own type, which is real. */
+/** The expression in its own type, which is real. */
 static lane_value real_expression(vectoriser *l, const ir_node *node) {
     if (lane_vector_root(&l->in, node))
         return (lane_value){operand(l, node, NULL), true};

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The function that executes several iterations at once: the computations of all of them, and then
- * their updates, iteration by iteration. No iteration reads what another one updates (or the loop
- * could not run in parallel), so that the updates may come last; each element gets them in the
- * sequential order.
+ * their updates, iteration by iteration. plan/lanes.h explains why this is sound.
  */
 #include "emit/lanes/lanes.h"
 
@@ -82,7 +80,8 @@ static void declare_outer(vectoriser *l) {
                 (long long)facts->counted.step);
 }
 
-/** Most lanes need no ownership checks: for them compilers get a text without conditions. */
+/** Writes the updates twice. Most lanes need no ownership checks: for them compilers get a copy
+ *  without conditions. */
 static void write_updates(vectoriser *l, const char *updates) {
     if (l->mask)
         writer_line(l->out, "REDCC_EACH_ITERATION if (%s[redcc__l]) {", l->mask);
@@ -98,7 +97,7 @@ static void write_updates(vectoriser *l, const char *updates) {
     writer_line(l->out, "}");
 }
 
-/** Lanes for which the condition holds are done. */
+/** Writes `if (...) continue;`: lanes for which the condition holds become inactive. */
 static void write_exit(vectoriser *l, const ir_node *condition) {
     if (lane_is_uniform(&l->in, condition)) {
         writer_line(l->out, "if (%s)", lane_condition(l, condition));
@@ -112,7 +111,8 @@ static void write_exit(vectoriser *l, const ir_node *condition) {
 
 static void write_block(vectoriser *l, const ir_node *block);
 
-/** The last statement: values of the other lanes are no longer used. */
+/** Writes a block's last statement, an `if` with updates. No select is needed: values of the other
+ *  lanes are not used after it. */
 static void write_last_part(vectoriser *l, const ir_node *node) {
     const char *const outer = l->mask;
     if (lane_is_uniform(&l->in, node->children[0])) {
@@ -128,7 +128,7 @@ static void write_last_part(vectoriser *l, const ir_node *node) {
     l->mask = outer;
 }
 
-/** The computations, and then the updates. */
+/** Writes the block's computations, and then its updates. */
 static void write_block(vectoriser *l, const ir_node *block) {
     const loop_facts *facts = l->loop->facts;
     writer updates = {.depth = l->out->depth + 2};
@@ -152,7 +152,7 @@ static void write_block(vectoriser *l, const ir_node *block) {
         write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
-/** The function, after those that it calls; NULL: it cannot be written. */
+/** The text of the function, after the functions that it calls; NULL: it cannot be written. */
 static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
     arena *a = loop->arena;
@@ -193,7 +193,7 @@ void write_lanes(loop_text *loop, writer *out) {
     const char *name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
     bool *is_kept = ARENA_ARRAY(a, bool, loop->unit->variable_count + 1);
     const char *text = function_text(loop, name, is_kept);
-    if (text) /* now it is known which variables need an initial value */
+    if (text) /* again: only now is_kept says which variables need an initial value */
         text = function_text(loop, name, is_kept);
     if (!text)
         return;

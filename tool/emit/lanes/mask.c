@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Code for some lanes only: conditions as masks, and the statements below them. Memory is read only
- * in active lanes, and inactive lanes keep a variable's old value by a select.
+ * Code for some lanes only: conditions as masks, and the statements under them. Memory is read only
+ * in active lanes, and a select keeps a variable's old value in inactive lanes.
  */
 #include "emit/lanes/vectoriser.h"
 
@@ -27,7 +27,7 @@ const char *lane_new_mask(vectoriser *l, const char *condition) {
     return name;
 }
 
-/** The right side of && and || is evaluated only if the left one does not decide. */
+/** The mask of && or ||. Lanes in which the left side decides do not evaluate the right one. */
 static const char *both(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const bool is_and = node->op == IR_OP_AND;

@@ -14,7 +14,7 @@
 
 /* ---- declarations --------------------------------------------------------------------------- */
 
-/** Without the variable's own qualifiers: each lane's is assigned. */
+/** Without the type's own qualifiers, since each lane's variable is assigned. */
 const char *lane_type(vectoriser *l, const ir_type *type) {
     arena *a = l->loop->arena;
     ir_type *plain = ARENA_NEW(a, ir_type);
@@ -29,7 +29,7 @@ const char *lane_type(vectoriser *l, const ir_type *type) {
     return strpbrk(spelling, "*([") ? arena_format(a, "__typeof__(%s)", marked) : marked;
 }
 
-/** "[3][3]". */
+/** The extents of an array type: "[3][3]". */
 static const char *extents(vectoriser *l, const ir_type *type) {
     const char *text = "";
     for (; type->kind == IR_ARRAY; type = type->target) {
@@ -55,7 +55,7 @@ static bool is_zero(const ir_node *node) {
     return rest > node->text && (!*rest || strcmp(rest, "f") == 0 || strcmp(rest, "F") == 0);
 }
 
-/** " = {{{0}}}": all lanes of all elements. */
+/** An initialiser that zeroes all lanes of all elements: "{{{0}}}". */
 static const char *zeros(vectoriser *l, const ir_type *type) {
     const char *text = "{0}";
     for (; type->kind == IR_ARRAY; type = type->target)
@@ -89,14 +89,14 @@ static void declare_vector(vectoriser *l, const ir_variable *variable, const ir_
         writer_line(l->out, "%s %s%s;", vector, name, extents(l, type));
         return;
     }
-    /* without a value: a select reads it, but does not use it */
+    /* zeroed if it has no value: a select may read it, although the result is not used */
     writer_line(l->out, "%s %s%s = %s;", vector, name, extents(l, type),
                 !value                   ? zeros(l, type)
                 : type->kind == IR_ARRAY ? array_initialiser(l, type, value)
                                          : lane_vector(l, value, type));
 }
 
-/** A value of each lane, the user's own with the lane's variables. */
+/** The user's expression with the variables of lane redcc__l. */
 static const char *lane_text(vectoriser *l, const ir_node *value) {
     lane_check_operand(&l->in, value);
     return lane_scalar(l, value);
@@ -118,7 +118,7 @@ static void declare_own(vectoriser *l, const ir_variable *variable, const ir_nod
             writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
                         lane_masked(l, value, lane_text(l, value)));
         break;
-    case LANE_LOCAL: /* printed in place */
+    case LANE_LOCAL: /* the update statement contains the declaration */
         break;
     case LANE_UNIFORM:
         if (value)
@@ -151,9 +151,9 @@ static const char *parameter_text(vectoriser *l, const ir_variable *parameter, l
     return arena_format(a, *of ? "%s (*%s)%s" : "%s *%s%s", vector, name, of);
 }
 
-/** Is the argument a variable of all lanes, of exactly the parameter's type, which the function
- *  does not change? Then it needs no copy. */
-static bool is_handed_on(const vectoriser *l, const ir_variable *parameter, const ir_node *value) {
+/** Is the argument an array of one value per lane, of the parameter's type, and does the function
+ * not change the parameter? Then the argument needs no copy. */
+static bool needs_no_copy(const vectoriser *l, const ir_variable *parameter, const ir_node *value) {
     return value->kind == IR_VARIABLE && l->in.class_of[value->variable->id] == LANE_VARYING &&
            ir_type_equal(parameter->type, value->variable->type) &&
            !variable_is_written_in(parameter->function->body, parameter);
@@ -164,7 +164,7 @@ static const char *argument_text(vectoriser *l, const ir_variable *parameter, la
     arena *a = l->loop->arena;
     if (class == LANE_UNIFORM)
         return lane_scalar(l, value);
-    if (class == LANE_VARYING && is_handed_on(l, parameter, value))
+    if (class == LANE_VARYING && needs_no_copy(l, parameter, value))
         return origin_variable(a, value->variable);
     if (class == LANE_VARYING)
         return arena_format(a, "REDCC_EACH(%s, %s)", lane_type(l, parameter->type),
@@ -195,7 +195,7 @@ static void write_parameters(vectoriser *l, const ir_function *function, const l
     buffer_free(&head);
 }
 
-/** Writes the vector form of a function, before the current one. */
+/** Writes the vector form of a function, to be inserted before the current function. */
 static void write_clone(vectoriser *l, const ir_function *function, const lane_class *classes,
                         const char *name) {
     writer text = {0};
@@ -308,7 +308,7 @@ static void assign_vector(vectoriser *l, const ir_node *node) {
     writer_line(l->out, "%s = %s;", target, value);
 }
 
-/** For a private integer or pointer: for each lane, or once. */
+/** The assignment of a private integer or pointer: for each lane, or once if it is uniform. */
 static const char *assignment_of(vectoriser *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     if (target->kind != IR_VARIABLE || !lane_is_own(&l->in, target->variable) ||

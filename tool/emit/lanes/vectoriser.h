@@ -14,7 +14,7 @@
 typedef struct lane_clone {
     const ir_function *function;
     const lane_class *classes; /* [parameter_count] */
-    bool is_masked;            /* its first parameter is the mask of the lanes that call it */
+    bool is_masked;            /* the first parameter is the mask of the lanes that call it */
     const char *name;
 } lane_clone;
 
@@ -26,16 +26,17 @@ typedef struct vectoriser {
     lane_clone_list *clones;
     writer *front; /* vector forms of called functions, inserted before the current function */
     writer *out;
-    unsigned depth;        /* of calls */
-    bool *is_kept;         /* by variable: some lanes keep its old value */
-    const char *mask;      /* of the lanes that execute the current code; NULL: all */
-    const ir_node *region; /* the code below the mask's condition; NULL: the other lanes are done */
-    bool may_be_none;      /* perhaps there is no active lane */
+    unsigned depth;   /* of calls */
+    bool *is_kept;    /* by variable: some lanes keep its old value */
+    const char *mask; /* the lanes that execute the current code; NULL: all */
+    const ir_node
+        *region;      /* the code under the mask's condition; NULL: the other lanes have ended */
+    bool may_be_none; /* the current code may be executed without any active lane */
     unsigned *mask_count;
 } vectoriser;
 
-/** An expression of doubles or of floats: its text, a primary expression; a vector, or a scalar
- * that is the same for all lanes. */
+/** The text of a real expression, as a primary expression: a vector, or a scalar that is the same
+ * for all lanes. */
 typedef struct lane_value {
     const char *text;
     bool is_vector;
@@ -44,15 +45,15 @@ typedef struct lane_value {
 /** Names that differ between doubles and floats. */
 typedef struct lane_words {
     const char *vector; /* the type of their vectors */
-    const char *gather; /* makes a vector from a lane's text */
+    const char *gather; /* makes a vector from an expression for lane redcc__l */
     const char *same;   /* makes a vector from a scalar */
     const char *select; /* selects between two vectors by a mask */
     const char *mask;   /* makes a mask from a comparison */
-    const char *of;     /* converts a vector of the other type */
-    const char *scalar; /* the type of one */
+    const char *of;     /* converts a vector of the other type to this one */
+    const char *scalar; /* the type of a single value */
 } lane_words;
 
-/** Those of a type that satisfies lane_is_real. */
+/** The names for a type that satisfies lane_is_real. */
 const lane_words *lane_words_of(const ir_type *type);
 /** Converts a value, computed in the type `from`, to `to` as C does. */
 lane_value lane_convert(vectoriser *l, lane_value value, const ir_type *from, const ir_type *to);
@@ -61,13 +62,13 @@ const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type);
 
 /** The expression for all lanes, converted to a type that satisfies lane_is_real. */
 lane_value lane_expression(vectoriser *l, const ir_node *node, const ir_type *to);
-/** The same as a vector, even if all lanes are the same. */
+/** As lane_expression, but always a vector. */
 const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to);
-/** The text for lane redcc__l; the expression itself if it is uniform. */
+/** The expression for lane redcc__l; the user's own if it is uniform. */
 const char *lane_scalar(vectoriser *l, const ir_node *node);
 /** The text of a uniform condition, without parentheses around it. */
 const char *lane_condition(vectoriser *l, const ir_node *node);
-/** A rename of ir_c.h with a vectoriser as its context: names for lane redcc__l. */
+/** An ir_c_rename, with a vectoriser as its context, that gives the names for lane redcc__l. */
 const char *lane_rename(const ir_node *node, void *context);
 /** The call of a function written for vectors. */
 const char *lane_call(vectoriser *l, const ir_node *call);
@@ -77,7 +78,7 @@ const char *lane_mask(vectoriser *l, const ir_node *node);
 /** Writes a variable with the mask of the lanes of l->mask that satisfy the condition; returns its
  *  name. */
 const char *lane_new_mask(vectoriser *l, const char *condition);
-/** The text of one lane's value; 0 in lanes that do not evaluate it, if evaluation is unsafe. */
+/** `text`, an expression for one lane; 0 in inactive lanes, if evaluating it there is unsafe. */
 const char *lane_masked(vectoriser *l, const ir_node *node, const char *text);
 /** Do lanes that do not execute an assignment to the variable need its old value? */
 bool lane_needs_select(const vectoriser *l, const ir_variable *variable);
@@ -88,7 +89,7 @@ void lane_masked_if(vectoriser *l, const ir_node *node);
 void lane_declare(vectoriser *l, const ir_variable *variable);
 /** The type without its own qualifiers. */
 const char *lane_type(vectoriser *l, const ir_type *type);
-/** Writes the contents of an open block, and closes it. */
+/** Writes the contents of a block that is open, and closes it. */
 void lane_part(vectoriser *l, const ir_node *part);
 /** Writes the computations of the statement, for all lanes. */
 void lane_statement(vectoriser *l, const ir_node *statement);

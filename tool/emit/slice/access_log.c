@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Logs addresses: of one row, of a row's elements at once, of the reads in loops of a called
- * function; and the same as probes. */
+/* Writes what logs addresses: of one row, of all rows that a loop steps through, of reads in loops
+ * of a called function. */
 #include "emit/slice/access_log.h"
 
 #include <assert.h>
@@ -44,7 +44,6 @@ static const char *end_value(inspector *self, const ir_variable *counter) {
                : origin_value(self->loop->arena, counter->type, value);
 }
 
-/** The printer's hook for spellings: records the variables. */
 const char *inspector_note_variable(const ir_node *node, void *context) {
     inspector *self = context;
     for (unsigned i = 0; node->kind == IR_VARIABLE && i < self->loop_count; i++)
@@ -86,7 +85,6 @@ static void remember(inspector *self, logged_row item) {
     self->recent_end = self->printer.out->out.length;
 }
 
-/** The row as the slice spells it: stored values are in variables there. */
 const char *log_row_text(inspector *self, const ir_node *row) {
     const char *text = text_operand(self->loop->arena, row, inspector_note_variable, self);
     if (!text)
@@ -101,15 +99,14 @@ static bool is_numbered(const ir_node *row, const ir_node *base) {
     return row->kind == IR_INDEX && row->type->size > 0 && syntax_same(row->children[0], base);
 }
 
-/** &row, or a number if the program may not compute it: a pointer is defined only within its
- *  object. For a span: for the counter's present value. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter) {
     arena *a = self->loop->arena;
     row_address address;
     const char *number = NULL;
     if (self->is_unconditional && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
-        if (row_needs_address(&address) && number) /* a pointer may replace it: another address */
+        if (row_needs_address(&address) &&
+            number) /* & of a pointer that replaces the object differs */
             self->loop->outline.possible = false;
     }
     if (number)
@@ -118,8 +115,8 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
     return arena_format(a, "%s&%s", plain, log_row_text(self, row));
 }
 
-/** The whole array, by a macro of loop.h: in a separate function the slice has a pointer to its
- *  first element, of unknown length. */
+/** Logs a whole array, whose size is written as a number: the slice gets a pointer to its first
+ *  element. */
 static void log_array(inspector *self, const ir_node *row, const char *what, unsigned number) {
     const ir_type *type = row->type, *element = type->target;
     const char *text = log_row_text(self, row);
@@ -165,7 +162,7 @@ static bool is_guarded(const loop_text *loop, unsigned number) {
     return false;
 }
 
-/** A dependence pre-check may end after this was logged. */
+/** Writes the end of a dependence pre-check, which may stop after this access. */
 static void may_end_here(inspector *self, bool is_update, unsigned number) {
     loop_text *loop = self->loop;
     writer *out = self->printer.out;
@@ -178,10 +175,11 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
         writer_line(out, "REDCC_RETURN_IF_STALE(%u)", number);
 }
 
-/* ---- the leader ----------------------------------------------------------------------------- One
- * of the threads that execute an iteration executes it completely, and keeps the operands of series
- * (redcc/series.h). It is the owner of a row that is invariant in inner loops: the others then skip
- * more. */
+/* ---- the leader ----------------------------------------------------------------------------- */
+
+/* One of the threads that execute an iteration leads: it executes all of it, and keeps the operands
+ * of series (redcc/series.h). The owner of a row that is invariant in inner loops leads, because it
+ * can skip nothing anyway. */
 
 /** The number of inner loops around the last assignment of the variable. */
 static unsigned loops_around_writes(const ir_node *node, const ir_variable *variable,
@@ -233,13 +231,10 @@ bool logged_is_update(const logged_row *item) {
     return item->source == SOURCE_NOT_LOGGED;
 }
 
-/** The number of the updated array, or of the source. */
 unsigned logged_number(const logged_row *item) {
     return logged_is_update(item) ? item->array : (unsigned)item->source;
 }
 
-/** The range from row number `row` of the list, from its first on, whose address was saved, to this
- *  one. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter) {
     const unsigned number = logged_number(item);
     arena *a = self->printer.arena;
@@ -267,7 +262,7 @@ void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_v
 
 /* ---- loops of called functions --------------------------------------------------------------- */
 
-/** Opens the loops around the row, each with a block and a nested one. */
+/** Opens the loops around the row, each in a block that declares its counter. */
 static void open_loops(inspector *self, const loop_source *read, bool is_span) {
     arena *a = self->loop->arena;
     writer *out = self->printer.out;
@@ -286,7 +281,8 @@ static void open_loops(inspector *self, const loop_source *read, bool is_span) {
     }
 }
 
-/** Logs the reads in loops of a called function: in each iteration, or at once. */
+/** Logs the reads in loops of a called function: in each iteration, or the innermost loop as one
+ *  span. */
 static void log_in_loops(inspector *self, const loop_source *read, unsigned number,
                          const ir_node *base) {
     const source_loop *last = &read->loops[read->loop_count - 1];

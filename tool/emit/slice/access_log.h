@@ -10,10 +10,11 @@
 /** A row whose address is logged. */
 typedef struct logged_row {
     const ir_node *row;
-    int source; /* or SOURCE_NOT_LOGGED, for an update */
+    int source; /* its number in the plan; SOURCE_NOT_LOGGED: the row is of an update */
     unsigned array;
     bool is_unconditional;
-    const ir_node *place; /* in a span: where the loop accesses it; otherwise NULL */
+    const ir_node
+        *place; /* in a span, the node at which the loop accesses the row; otherwise NULL */
 } logged_row;
 
 typedef VECTOR(logged_row) row_list;
@@ -22,45 +23,47 @@ typedef struct inspector {
     printer printer; /* first: the printer's hook reaches the other fields through it */
     loop_text *loop;
     bool *update_logged;   /* by update */
-    bool *source_logged;   /* by the facts' source */
+    bool *source_logged;   /* by source of the facts */
     bool *is_mentioned;    /* by variable: named in the printed text */
     bool is_unconditional; /* the current code may be evaluated when the program does not */
     unsigned loop_count;   /* loops of a called function around the current code */
     const source_loop *loops;
     const ir_node *span;  /* the span whose first or last row is being spelled; NULL: none */
     const ir_node *place; /* the place of that row's access */
-    bool is_at_last;      /* the last row, not the first */
-    row_list recent;      /* logged since the slice's last other statement */
-    size_t recent_end;    /* length of the text when the last of them was */
+    bool is_at_last;      /* the last row is being spelled, not the first */
+    row_list recent;      /* the rows logged by the last statements of the text */
+    size_t recent_end;    /* length of the text after them; if it differs, others have followed */
 } inspector;
 
 bool logged_same(const logged_row *a, const logged_row *b);
-/** Is it logged as an update, not as a read? */
+/** Is the row logged as an update, not as a read? */
 bool logged_is_update(const logged_row *item);
 /** The number of the updated array, or of the source. */
 unsigned logged_number(const logged_row *item);
 
-/** The printer's hook for spellings: records the variables. context: the inspector. */
+/** The printer's hook that spells names in the slice, and records each variable in is_mentioned.
+ *  context: the inspector. */
 const char *inspector_note_variable(const ir_node *node, void *context);
-/** &row, or a number if the program may not compute it: a pointer is defined only within its
- *  object. For a span: for the counter's present value; otherwise counter is NULL. */
+/** The text of &row; or, if the program may not execute the access, of the address as a number,
+ *  because C defines a pointer only within its object. `counter`: that of a span around the row; or
+ *  NULL. */
 const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
-/** In the slice's names: its stored values are in variables. */
+/** The text of the row in the slice, where variables replace stored values. */
 const char *log_row_text(inspector *self, const ir_node *row);
 
-/** Logs a row of array or source `number`, or probes it; `is_update` or read. `base`: an invariant
- *  array or pointer, for rows that may be logged by their number; or NULL. */
+/** Logs an update of a row of array `number` (`is_update`), or a read of one of source `number`.
+ *  `base`: an invariant array or pointer, for rows that may be logged by their number; or NULL. */
 void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
              const ir_node *base);
-/** Is the counter one of a loop over constants between the span and the place? */
+/** The loop over constants between the span and the place that has this counter; NULL: none. */
 const ir_node *vector_loop_of(const ir_node *span, const ir_node *place,
                               const ir_variable *counter);
-/** The range from row number `row` of a list, from its first element on, whose address was saved,
- *  to this one. */
+/** Logs the range of a span from its first row, whose address is in redcc__begin_N, N being `row`,
+ * to the last one, `item`. */
 void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter);
 /** Logs the address of an update, unless it was just logged. */
 void log_update(inspector *self, const reduction_update *update);
-/** The same for a read, within the loops of a called function that contain it. */
+/** Logs the address of a read, within copies of the loops of a called function that contain it. */
 void log_read(inspector *self, const loop_source *read, int number);
 
 #endif

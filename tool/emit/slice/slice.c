@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The inspector: the slice of the body that computes the subscripts and, at the body's updates and
- * reads, a macro that logs the address or compares it with those of preceding iterations.
+ * The inspector: the slice of the body that computes the subscripts, with macros at the body's
+ * updates and reads that log their addresses or compare them with those of preceding iterations.
  */
 #include "emit/slice/slice.h"
 
@@ -24,8 +24,8 @@ static bool is_declared_in_block(const ir_node *node) {
            node->parent->parent && node->parent->parent->kind == IR_BLOCK;
 }
 
-/** Is this the statement, or the declarator, before which the source's address is to be logged?
- *  Preceding declarators of the same declaration may be needed for the address. */
+/** Is the source's address logged before this statement or declarator? It is logged before the very
+ *  declarator that reads it, since preceding ones of the declaration may compute the address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
@@ -34,8 +34,8 @@ static bool is_place(const loop_facts *facts, const loop_source *read, const ir_
     return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
-/** If an iteration leaves the loop, nothing has been executed, and the original loop runs. A
- *  comparison gets no parentheses of its own, of which clang would warn. */
+/** Writes the check whether the iteration leaves the loop. clang would warn of additional
+ * parentheses around a comparison. */
 static void write_exit(inspector *self, const loop_exit *exit) {
     const ir_node *condition = exit->rest->children[0];
     const char *operand = log_row_text(self, condition);
@@ -80,13 +80,13 @@ static bool before_statement(printer *p, const ir_node *statement) {
            (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
 }
 
-/* ---- loops logged at once -------------------------------------------------------------------- */
+/* ---- spans: loops logged at once ------------------------------------------------------------- */
 
 static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
-/** Are both places within the same loops over constants, as far as these step variables of the
+/** Are the two places within the same loops over constants, of those whose counters occur in the
  *  row? */
 static bool has_same_ends(const ir_node *row, const ir_node *span, const ir_node *place,
                           const ir_node *other) {
@@ -118,7 +118,7 @@ static bool is_logged_below(const loop_facts *facts, const loop_span *span, cons
     return false;
 }
 
-/** Is it logged by an enclosing span that steps it? */
+/** Does an enclosing span that steps the row log it? */
 static bool is_logged_above(const loop_facts *facts, const loop_span *span, const ir_node *row) {
     for (const ir_node *node = span->loop->parent; node != facts->loop; node = node->parent)
         if (span_of(facts, node) && span_mentions(span_of(facts, node), row) > 0)
@@ -126,14 +126,14 @@ static bool is_logged_above(const loop_facts *facts, const loop_span *span, cons
     return false;
 }
 
-/** Is it one of those that this span logs itself? */
+/** Does the span itself log the row at this place? */
 static bool is_logged_here(const loop_facts *facts, const loop_span *span, const ir_node *place,
                            const ir_node *row) {
     return ir_contains(span->counted.body, place) && !is_logged_below(facts, span, place, row) &&
            !is_logged_above(facts, span, row);
 }
 
-/** The rows logged by the body of a span, each once. */
+/** The rows that the span itself logs, each once. */
 static row_list rows_of_span(inspector *self, const loop_span *span) {
     const loop_facts *facts = self->loop->facts;
     row_list rows = {0};
@@ -160,13 +160,14 @@ static row_list rows_of_span(inspector *self, const loop_span *span) {
     return rows;
 }
 
-/** Do spans around it log all its rows? Its counter is unknown after it. */
+/** Do enclosing spans log all rows of the span, and does nothing after it need its counter? Then it
+ * is not written. */
 static bool is_logged_elsewhere(inspector *self, const loop_span *span) {
     return rows_of_span(self, span).count == 0 && !ir_has_kind(span->counted.body, IR_FOR) &&
            span->counted.counter_is_declared_in_header && span->stepped_count == 1;
 }
 
-/** Nested spans: each is logged once. */
+/** Prints the nested spans, each of which logs its rows once. */
 static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *node) {
     if (span_of(facts, node)) {
         if (!is_logged_elsewhere((inspector *)p, span_of(facts, node)))
@@ -177,22 +178,22 @@ static void log_spans_below(printer *p, const loop_facts *facts, const ir_node *
         log_spans_below(p, facts, node->children[i]);
 }
 
-/** From the first iteration to the last one, in arithmetic that wraps around: the program may not
- *  execute it. */
+/** Sets the stepped variables to their values in the last iteration, in arithmetic that wraps
+ * around, because the program may not execute the loop. */
 static void step_to_last(inspector *self, const loop_span *span) {
     const counted_loop *counted = &span->counted;
     writer *out = self->printer.out;
     const char *counter = origin_variable(self->printer.arena, counted->counter);
     const char *last = arena_format(self->printer.arena, "%s%s", log_row_text(self, counted->bound),
                                     counted->comparison == IR_OP_LESS ? " - 1" : "");
-    if (counted->step > 1) /* without iterations still less than the first value */
+    if (counted->step > 1) /* if there are no iterations, still less than the first value */
         last = arena_format(self->printer.arena,
                             "(redcc_int)(%s) - (redcc_int)(((redcc_size)(%s) - (redcc_size)%s) %% "
                             "%lldu)",
                             last, last, counter, (long long)counted->step);
     for (unsigned i = 0; i < span->stepped_count; i++) {
         const char *name = origin_variable(self->printer.arena, span->stepped[i]);
-        if (span->stepped[i]->type->kind == IR_POINTER) /* the counter is none */
+        if (span->stepped[i]->type->kind == IR_POINTER) /* but the counter is an integer */
             writer_line(out,
                         "%s = (__typeof__(%s))((redcc_size)%s + "
                         "((redcc_size)(%s) - (redcc_size)%s) * sizeof(*%s));",
@@ -206,7 +207,8 @@ static void step_to_last(inspector *self, const loop_span *span) {
     writer_line(out, "%s = (__typeof__(%s))(%s);", counter, counter, last);
 }
 
-/** From there to the final values of the loop's stepped variables, if they are used later. */
+/** Steps variables declared outside of the loop from the last iteration to their values
+ *  after it. */
 static void step_past_end(inspector *self, const loop_span *span) {
     const long long step = (long long)span->counted.step;
     for (unsigned i = 0; i < span->stepped_count; i++)
@@ -215,7 +217,8 @@ static void step_past_end(inspector *self, const loop_span *span) {
                         origin_variable(self->printer.arena, span->stepped[i]), step);
 }
 
-/** The stepped variables have their initial values before, and the loop's final ones afterwards. */
+/** Writes a span in place of its loop. Before this text the stepped variables have their initial
+ *  values; after it, those after the loop. */
 static void log_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
@@ -249,7 +252,7 @@ static void log_at_once(printer *p, const ir_node *loop) {
     step_past_end(self, span);
 }
 
-/** Every access of the loop must be logged. */
+/** Records an obstacle for each access of the loop that is not logged. */
 static void check_all_logged(inspector *self) {
     const loop_facts *facts = self->loop->facts;
     for (unsigned i = 0; i < facts->update_count && facts->slice.has_rows; i++)
@@ -281,7 +284,7 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
     return false;
 }
 
-/** Spells the address of an own element, and records the variables in it. */
+/** A hook that spells an own element itself, and records the variables in it. */
 static const char *note_element_variable(const ir_node *node, void *context) {
     inspector *self = context;
     if (node->kind == IR_VARIABLE)
@@ -301,7 +304,7 @@ static void declare_variables(inspector *self, writer *out) {
     declare_forwards(loop, out, true);
 }
 
-/** Rows that an iteration reads without logging them, at the end of the slice. */
+/** Writes, at the end of the slice, prefetches of rows that it does not log. */
 static void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
     const prefetch_plan *prefetch = &loop->plan->prefetch;
     for (unsigned i = 0; i < prefetch->gather_count; i++) {
@@ -340,7 +343,7 @@ void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
     declare_variables(&self, out);
-    /* `continue` of the user's loop goes to the end of the slice */
+    /* `continue` of the user's loop jumps to the end of the slice */
     if (self.printer.continues)
         writer_line(out, "do {");
     buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);

@@ -5,13 +5,13 @@
 
 #include "emit/base/loop.h"
 
-/** The statements of one iteration, with the macros of loop.h; sets is_mentioned for each variable,
- *  by its number, that they name. */
+/** Writes the statements of one iteration, with the macros of loop.h. Sets is_mentioned, by
+ * variable: the statements name it. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
-/** In the inspector, the name of the counter number `depth` of a source's loops. */
+/** The name, in the inspector, of the counter of loop `depth` around a source, counted from 0. */
 const char *source_loop_counter(arena *a, unsigned depth);
-/** The header of that loop, which precedes a block; an `if` if one iteration logs all rows. */
+/** The header of that loop; an `if` if one iteration logs all rows. */
 const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
                                const char *counter, const char *bound, bool is_span);
 

@@ -25,7 +25,7 @@ static const char *marked(arena *a, origin_kind kind, const char *name, const ir
 }
 
 const char *origin_variable(arena *a, const ir_variable *variable) {
-    return variable->stands_for ? variable->name /* the translator's own */
+    return variable->stands_for ? variable->name /* a variable that the translator made */
                                 : marked(a, ORIGIN_NAME, variable->name, variable->declared);
 }
 
@@ -123,7 +123,7 @@ static void put(unmarking *u, char byte) {
     buffer_byte(&u->out, byte);
 }
 
-/* A copy into which bytes are inserted is split into several. */
+/* Appends copied bytes. If bytes are inserted into the copy, it is split into several origins. */
 static void put_copy(unmarking *u, const char *text, uint32_t from, size_t length) {
     origin piece = {.kind = ORIGIN_COPY, .begin = (uint32_t)u->out.length, .from = from};
     for (size_t i = 0; i < length; i++) {

@@ -3,11 +3,11 @@
  * The origin of words in generated text.
  *
  * While a loop is written, its text contains marks: after a name, the declaration it refers to;
- * before a type, that type; before an expression that replaces one of the program's, its required
- * type; before a copy of the user's bytes, their offset. A mark lies between the bytes 1 and 2,
- * which C text contains only in strings and comments. When the text is complete the marks are
- * removed, and their positions kept: so the compiler's interpretation of the names can be compared
- * with the intended one.
+ * before a type, that type; before an expression that replaces one of the program, its required
+ * type; before a copy of the user's bytes, their offset. A mark is enclosed in the bytes 1 and 2,
+ * which C text contains only in strings and comments. When the text is complete, the marks are
+ * removed and their positions kept, so that self_check.h can compare what the compiler takes each
+ * name for with the declaration that is meant.
  */
 #ifndef EMIT_TEXT_ORIGIN_H
 #define EMIT_TEXT_ORIGIN_H
@@ -18,7 +18,7 @@
 
 typedef enum origin_kind {
     ORIGIN_NAME,     /* the name of a variable, or of its replacement, or of a function */
-    ORIGIN_DECLARED, /* the same in its declaration, or if not every compiler sees it */
+    ORIGIN_DECLARED, /* such a name in a declaration, or in text that not every compiler reads */
     ORIGIN_TYPE,     /* a type's spelling */
     ORIGIN_VALUE,    /* no bytes: an expression of that type begins here */
     ORIGIN_COPY      /* the user's bytes */
@@ -40,15 +40,15 @@ typedef struct origin_list {
 /** The name, marked. */
 const char *origin_variable(arena *a, const ir_variable *variable);
 const char *origin_function(arena *a, const ir_function *function);
-/** The same for the declarator of the variable's replacement. */
+/** The name, marked as that of a declaration. */
 const char *origin_declarator(arena *a, const ir_variable *variable);
 const char *origin_function_declarator(arena *a, const ir_function *function);
 /** The type's spelling, marked; NULL if it has none. */
 const char *origin_type(arena *a, const ir_type *type);
 /** Another spelling of the type, marked. */
 const char *origin_spelling(arena *a, const ir_type *type, const char *spelling);
-/** The expression, marked: it replaces one of that type. It is a name, an element, or in
- *  parentheses. */
+/** The expression, marked as one that replaces an expression of that type. It is a name, an
+ * element, or in parentheses. */
 const char *origin_value(arena *a, const ir_type *type, const char *expression);
 /** Appends bytes [begin, end) of `text`, marked as a copy of these bytes of the main file. */
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
@@ -57,7 +57,7 @@ void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
  *  With `has_crlf` each LF without a preceding CR gets one. */
 const char *origin_unmark(arena *a, const char *marked, size_t length, bool has_crlf,
                           origin_list *origins);
-/** After the mark or copy that begins at `at`; `at` itself if none does. */
+/** The position after the mark or copy that begins at `at`; `at` itself if none begins there. */
 const char *origin_skip(const char *at, const char *end);
 /** Does a copy begin at `at`? */
 bool origin_is_copy(const char *at, const char *end);

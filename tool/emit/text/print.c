@@ -44,7 +44,7 @@ static void print_declarator(printer *p, const ir_node *declarator) {
         return;
     }
     const ir_node *initialiser = ir_child(declarator, 0);
-    if (initialiser) /* `w = e[k++]`: the slice may need it only for k */
+    if (initialiser) /* `w = e[k++]`: the slice may need the initialiser only for k */
         writer_line(p->out, "%s%s = %s;", text,
                     ir_any(initialiser, is_assignment) ? " __attribute__((__unused__))" : "",
                     print_expression(p, initialiser));
@@ -65,27 +65,27 @@ static void open_block(printer *p, const char *text) {
     p->out->depth++;
 }
 
-/** Records that control does not continue from here to the next statement. */
-static void settle(printer *p) {
-    p->settled_end = p->out->out.length;
+/** Records that control does not reach the next statement from here. */
+static void forbid_fall_through(printer *p) {
+    p->no_fall_through_at = p->out->out.length;
 }
 
-static bool is_settled(const printer *p) {
-    return p->settled_end == p->out->out.length;
+static bool cannot_fall_through(const printer *p) {
+    return p->no_fall_through_at == p->out->out.length;
 }
 
 static void close_block(printer *p, const char *text) {
-    const bool settled = is_settled(p);
+    const bool is_last = cannot_fall_through(p);
     p->out->depth--;
     writer_line(p->out, "%s", text);
-    if (settled)
-        settle(p);
+    if (is_last)
+        forbid_fall_through(p);
 }
 
 /**
- * The statements of a block. A declaration after a statement opens a nested block up to the end of
- * this one, as C89 requires: the slice prints statements between the user's declarations. `at_end`
- * may use all that was declared.
+ * Prints the statements of a block. A slice may print statements between the user's declarations,
+ * which C89 forbids: so a declaration after a statement opens a nested block, up to the end of this
+ * one. `at_end` may use all declared names.
  */
 static void print_children(printer *p, const ir_node *block, void (*at_end)(printer *p)) {
     unsigned opened = 0;
@@ -144,7 +144,7 @@ void print_body(printer *p, const ir_node *body) {
         close_block(p, "}");
 }
 
-/** The part of a control statement, between braces that its head has opened. */
+/** Prints the body of a control statement, after whose head a brace is open. */
 static void print_part(printer *p, const ir_node *part) {
     p->out->depth++;
     if (part->kind == IR_BLOCK) {
@@ -200,7 +200,7 @@ static void print_for(printer *p, const ir_node *node) {
         close_block(p, "}");
 }
 
-/** Runs `print` as the inside of a loop or switch that jumps end. */
+/** Calls `print` for a loop or switch, which becomes the target of jumps inside it. */
 static void print_target(printer *p, const ir_node *node,
                          void (*print)(printer *, const ir_node *)) {
     const printer outside = *p;
@@ -232,24 +232,24 @@ static void print_do(printer *p, const ir_node *node) {
 
 static void print_switch(printer *p, const ir_node *node) {
     writer_line(p->out, "switch (%s) {", print_expression(p, ir_child(node, 0)));
-    settle(p);
+    forbid_fall_through(p);
     print_part(p, ir_child(node, 1));
     writer_line(p->out, "}");
 }
 
 static void print_case(printer *p, const ir_node *node) {
-    if (!is_settled(p))
+    if (!cannot_fall_through(p))
         writer_line(p->out, "__attribute__((fallthrough));");
     if (node->kind == IR_CASE)
         writer_line(p->out, "case %s:;", print_expression(p, ir_child(node, 0)));
     else
         writer_line(p->out, "default:;");
-    settle(p);
+    forbid_fall_through(p);
     print_statement(p, node->children[node->child_count - 1]);
 }
 
-/** A jump is printed if all control between it and its target is: parts omitted from a slice only
- *  make the inspector log more than is touched. */
+/** Prints a jump, unless control between it and its target is omitted from the slice. Without the
+ *  jump the inspector only logs more than the loop touches. */
 static void print_jump(printer *p, const ir_node *node) {
     const bool is_break = node->kind == IR_BREAK;
     if ((is_break ? p->unkept_since_break : p->unkept_since_continue) > 0)
@@ -259,12 +259,12 @@ static void print_jump(printer *p, const ir_node *node) {
         return;
     }
     writer_line(p->out, is_break ? "break;" : "continue;");
-    settle(p);
+    forbid_fall_through(p);
     if (!is_break && !p->in_loop)
         p->continues = true;
 }
 
-/** The statements below omitted control, once. */
+/** Prints the statements under omitted control, as if executed once. */
 static void print_below(printer *p, const ir_node *node) {
     p->unkept_since_break++;
     p->unkept_since_continue++;
@@ -316,7 +316,7 @@ void print_statement(printer *p, const ir_node *node) {
         print_jump(p, node);
         break;
     case IR_CASE:
-    case IR_DEFAULT: /* labels of a printed switch; otherwise the labelled statements */
+    case IR_DEFAULT: /* if the switch is omitted, only the labelled statement is printed */
         if (p->unkept_since_break == 0 && p->in_switch)
             print_case(p, node);
         else

@@ -9,15 +9,15 @@ typedef struct printer printer;
 struct printer {
     arena *arena;
     writer *out;
-    const bool *keep;   /* by node id: the parts to print; NULL: everything. The parts below omitted
-                         * control are printed as if always executed, once */
+    const bool *keep;   /* by node id: the parts to print; NULL: everything. Parts under omitted
+                         * control statements are printed as if executed once */
     ir_c_rename rename; /* as in ir_c_expression */
     void *context;
     /** Called before each statement, kept or not; true: the statement is skipped. Also before each
      *  declarator of a block's declarations, where the result is ignored. */
     bool (*before)(printer *p, const ir_node *statement);
-    /** May be NULL. True: this `for` is printed as an `if` of its condition, after its
-     *  initialisation, with the output of `print_at_once` as its body. */
+    /** May be NULL. True: in place of this `for`, its initialisation is printed, and then an `if`
+     *  with its condition, whose body print_at_once prints. */
     bool (*is_at_once)(const printer *p, const ir_node *loop);
     void (*print_at_once)(printer *p, const ir_node *loop);
     /** The text before a `for`, with a blank after it; may be NULL. */
@@ -25,11 +25,12 @@ struct printer {
     void (*at_end)(printer *p); /* before print_body closes the block; may be NULL */
     const char *problem;        /* the first part that cannot be printed, or NULL */
     bool continues;             /* a `continue` of the outermost loop was printed */
-    unsigned unkept_since_break, unkept_since_continue; /* omitted control between a jump and its
-                                                         * target: start at 0 */
-    size_t settled_end; /* length of the text when a jump, label or head of a switch had just been
-                         * printed: control does not fall through into a following case */
-    bool in_loop, in_switch; /* a loop, a switch or loop, has been printed around this */
+    unsigned unkept_since_break, unkept_since_continue; /* the number of omitted control statements
+                                                         * since the target of a jump; start at 0 */
+    size_t no_fall_through_at; /* length of the text after a jump, a label or the head of a switch:
+                                * a case printed there is not reached by falling through */
+    bool in_loop;              /* a printed loop encloses the current node */
+    bool in_switch;            /* a printed switch or loop encloses it */
 };
 
 /** Prints a statement with all below it. */

@@ -14,13 +14,13 @@ enum { SPACES_A_LEVEL = 4, MOST_COLUMNS = 100 };
 /** The state after scanning a part of a line of marked text. */
 typedef struct line_scan {
     size_t columns;  /* without marks */
-    size_t indent;   /* blanks that it begins with */
+    size_t indent;   /* the number of blanks at the beginning */
     size_t comma;    /* position of the last blank after a comma; 0: none */
-    size_t blank;    /* any blank; */
-    bool is_remark;  /* it is in a comment */
-    char quote;      /* of the literal that has begun; 0: none */
-    bool is_escaped; /* the next byte of it */
-    bool is_comment; /* that has begun */
+    size_t blank;    /* position of the last blank of any kind; */
+    bool is_remark;  /* that blank is in a comment */
+    char quote;      /* the quote of the literal at the end of the part; 0: none */
+    bool is_escaped; /* the next byte of that literal is escaped */
+    bool is_comment; /* the part ends in a comment */
 } line_scan;
 
 /** The end of the line; has_copy: it contains the user's bytes. */
@@ -60,7 +60,7 @@ static void scan_byte(line_scan *line, const buffer *out, char byte) {
         line->comma = out->length - 1;
 }
 
-/** Replaces the last blank that is far enough from the beginning by a line end and an
+/** Replaces the last blank after a comma, or else the last blank, by a line end and an
  *  indentation. */
 static void break_line(arena *scratch, line_scan *line, buffer *out) {
     const size_t at = line->comma ? line->comma : line->blank;
@@ -72,7 +72,7 @@ static void break_line(arena *scratch, line_scan *line, buffer *out) {
         buffer_byte(out, ' ');
         scan_byte(&next, out, ' ');
     }
-    next.indent = line->indent; /* all continuation lines are indented alike */
+    next.indent = line->indent; /* so all continuation lines have the same indentation */
     for (const char *c = rest, *const end = rest + strlen(rest); c < end;) {
         const char *after = origin_skip(c, end);
         for (; c < after; c++)
@@ -85,7 +85,8 @@ static void break_line(arena *scratch, line_scan *line, buffer *out) {
     *line = next;
 }
 
-/** Breaks the lines from `begin` on that are too long, and are no directives. */
+/** Breaks lines from `begin` on that are too long. Directives and lines with bytes of the user stay
+ *  as they are. */
 static void break_lines(writer *w, size_t begin) {
     arena *scratch = arena_new();
     const char *at = arena_format(scratch, "%s", w->out.data + begin);
@@ -151,7 +152,7 @@ const char *text_quoted(arena *a, const char *text) {
         const unsigned char byte = (unsigned char)*c;
         if (byte == '"' || byte == '\\')
             buffer_format(&out, "\\%c", byte);
-        else if (byte == '?' && c[1] == '?') /* no trigraph */
+        else if (byte == '?' && c[1] == '?') /* so that no trigraph arises */
             buffer_text(&out, "\\?");
         else if (byte < ' ' || byte == 0x7f)
             buffer_format(&out, "\\%03o", byte);
@@ -189,11 +190,11 @@ static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
                             suffix);
     if (value >= 0)
         return arena_format(a, "%lld%s", (long long)value, suffix);
-    return arena_format(a, "(-%lld%s - 1)", (long long)-(value + 1), suffix); /* also of INT_MIN */
+    return arena_format(a, "(-%lld%s - 1)", (long long)-(value + 1), suffix); /* even INT64_MIN */
 }
 
-/** Names with marks. The meaning of an enumerator or a sizeof depends on its place; its value does
- *  not. */
+/** A hook that marks names, and writes enumerators and sizeofs as numbers: their meaning depends on
+ *  where they are, their value does not. */
 static const char *marked_name(const ir_node *node, void *context) {
     const marking *m = context;
     const char *other = m->rename ? m->rename(node, m->context) : NULL;
@@ -222,7 +223,7 @@ const char *text_expression(arena *a, const ir_node *expression, ir_c_rename ren
     return text;
 }
 
-/** Postfix and primary expressions bind tighter than any cast or & before them. */
+/** Is it a postfix or primary expression, which binds tighter than a cast or & before it? */
 static bool is_tight(const ir_node *expression) {
     switch (expression->kind) {
     case IR_NUMBER: /* may print as -1 for an enumerator or macro */

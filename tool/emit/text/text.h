@@ -13,7 +13,7 @@ typedef struct writer {
 } writer;             /* {0} is an empty one */
 
 /** Appends the indentation, the formatted text and a line end. Lines of more than 100 columns are
- * broken, if the user's bytes are not among them: those keep their lines. */
+ * broken, unless they contain bytes of the user. */
 void writer_line(writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /** The text, in the arena; the writer is empty again. */
 const char *writer_text(arena *a, writer *w);
@@ -22,7 +22,7 @@ const char *writer_text(arena *a, writer *w);
 const char *text_quoted(arena *a, const char *text);
 /** The expression as C, or NULL if it cannot be spelled. */
 const char *text_expression(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
-/** The same, in parentheses unless a cast or & before it applies to all of it. */
+/** As text_expression, in parentheses unless a cast or & before the text applies to all of it. */
 const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename, void *context);
 /** The expression, in parentheses if a macro would split it into several arguments. */
 const char *macro_argument(arena *a, const char *marked);
