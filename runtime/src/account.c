@@ -60,7 +60,7 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
-    case REASON_SAVING: /* the loop was inspected */
+    case REASON_SAVING: /* the inspection took place */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;
@@ -84,7 +84,7 @@ static enum way way_concerned(const struct execution *execution) {
     }
 }
 
-/* The fraction of the plan construction that was done at its deadline. */
+/* The fraction of the plan construction that was completed at the deadline. */
 static double part_done(const struct execution *execution) {
     const struct inspection *inspection = &execution->inspection;
     if (execution->reason != REASON_DEADLINE)
@@ -214,7 +214,7 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
-/* Threads that find their iterations during execution know their number afterwards. */
+/* If threads find their iterations during execution, their number is known only afterwards. */
 static void count_selected(const struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)

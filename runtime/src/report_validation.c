@@ -15,7 +15,7 @@ static bool ran_in_parallel(const struct reported *loop) {
     return loop->statistics.in_loops > 0;
 }
 
-/* The most frequent reason why a loop never ran in parallel. */
+/* Prints the most frequent reason why a loop never ran in parallel. */
 static void tell_why_not(const struct reported *loop) {
     const struct statistics *it = &loop->statistics;
     const char *why = "no call had an iteration to execute";
@@ -52,7 +52,8 @@ static void tell_comparison(const struct reported *loop) {
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
 }
 
-/* The first of them were printed when they were found. */
+/* Prints the number of updates that slices did not name. (The first ones were printed when found.)
+ */
 static bool tell_misnamed(const struct reported *loop) {
     const long count = atomic_load(&loop->statistics.validated.misnamed);
     if (count == 0)
