@@ -51,11 +51,10 @@ typedef struct part {
     mesh mesh;
     simulation *sim; /* of `mesh`: its elements, system, and the solver's arrays */
     struct domain_solver
-        *domains;               /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
-    struct petsc_solver *petsc; /* --bits=any (solution_petsc.h); else NULL */
-    struct part_picture
-        *picture;          /* of the division; NULL if none was requested, and off the leader */
-    double (*diagonal)[9]; /* [mesh.vertex_count] buffer to exchange the matrix' diagonal */
+        *domains;                 /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
+    struct petsc_solver *petsc;   /* --bits=any (solution_petsc.h); else NULL */
+    struct part_picture *picture; /* the leader's, if a picture was requested; else NULL */
+    double (*diagonal)[9];        /* [mesh.vertex_count] buffer to exchange the matrix' diagonal */
     int *global;      /* [mesh.vertex_count] each vertex' number in the whole mesh, ascending */
     int *hinge;       /* [mesh.hinge_count] the same for hinges */
     own_block *block; /* [blocks] ascending */

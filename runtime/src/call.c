@@ -284,8 +284,8 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
 
 /* Can the call proceed without a state? If the settings request only speed, a loop runs unchanged,
  * and gets a state when it has taken long enough. */
-static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
-                               const redcc_extent *known, bool may_gain) {
+static bool needs_no_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
+                           const redcc_extent *known, bool may_gain) {
     if (redcc_made_state_of(loop) || (may_gain && redcc_advise_at_once(loop, trip)) ||
         settings->method || settings->compensated || settings->validate || settings->report ||
         redcc_traced)
@@ -302,8 +302,8 @@ static void note_left_alone(struct statistics *statistics, enum rule rule) {
 
 /* Is the call skipped by back-off? Then the loop is released without preparations, and timed if
  * requested. */
-static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
-                  const redcc_extent *known, int threads, enum reason *reason) {
+static bool is_backed_off(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                          const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
         return false;
@@ -317,8 +317,8 @@ static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
 
 /* Does auto decide to run sequentially before the preparations for threads? Then the execution ends
  * here. */
-static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
-                  const redcc_extent *known, int threads, enum reason *reason) {
+static bool ends_early(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                       const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_saving(&state->chooser, loop, known, trip, threads, &advice))
         return false;
@@ -333,7 +333,7 @@ static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
 
 /* Would OpenMP free memory by the wrong allocator (redcc_allocator_is_split)? Then the execution
  * ends here. The first call reads the symbols of all objects: 0.06 ms. */
-static bool is_kept_out(struct loop_state *state, bool always) {
+static bool must_avoid_regions(struct loop_state *state, bool always) {
     if (always || !redcc_allocator_is_split())
         return false;
     if (!state->execution.call.method)
@@ -355,12 +355,12 @@ static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *
     if (state &&
         redcc_loop_acquire(state, loop, false, &reason)) { /* fails if another thread executes it */
         redcc_note_sequential(&state->reported.statistics, trip, seconds);
-        redcc_tell_auto(state, loop,
-                        &(struct outcome){.result = RESULT_SEQUENTIAL,
-                                          .trip = trip,
-                                          .seconds = seconds,
-                                          .untimed = executions - 1},
-                        REASON_NONE);
+        redcc_inform_auto(state, loop,
+                          &(struct outcome){.result = RESULT_SEQUENTIAL,
+                                            .trip = trip,
+                                            .seconds = seconds,
+                                            .untimed = executions - 1},
+                          REASON_NONE);
         if (known)
             redcc_advise_timed(&state->chooser, loop, known, trip, seconds);
         redcc_loop_release(state);
@@ -442,7 +442,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         shares > 1 ? settings_of_sections(settings, shares) : (struct settings){0};
     settings = shares > 1 ? &own : settings;
     const bool may_gain = !nested && (threads > 1 || one_will_do(loop, settings));
-    if (trip > 0 && goes_without_state(settings, loop, trip, known, may_gain))
+    if (trip > 0 && needs_no_state(settings, loop, trip, known, may_gain))
         return 0;
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
@@ -461,7 +461,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         return serially(state, reason);
     struct execution *execution = &held->execution;
     const bool asks_auto = !always && !settings->method;
-    if (asks_auto && rests(held, loop, trip, known, threads, &reason))
+    if (asks_auto && is_backed_off(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
     take_settings(&execution->call, settings, error_before);
     execution->call.request.sections = shares > 1 ? sections : NULL;
@@ -471,9 +471,9 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     }
     threads = nested || threads < 1 || forked ? 1 : threads;
     redcc_within_begin(&execution->within, always, threads);
-    if (asks_auto && saves(held, loop, trip, known, threads, &reason))
+    if (asks_auto && ends_early(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
-    if (is_kept_out(held, always))
+    if (must_avoid_regions(held, always))
         return serially(state, REASON_ALLOCATOR);
     threads = shares > 1 ? redcc_sections_threads(&held->sections, trip, threads)
                          : threads_to_ask_for(held, settings, trip, threads);
@@ -519,7 +519,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     }
     assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     if (number == 0) {
-        redcc_team_came(threads);
+        redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
         if (!execution->advice.alone || execution->call.request.sections ||
             is_dry) /* a sample is too short for a user to wait for its

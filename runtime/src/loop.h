@@ -113,8 +113,8 @@ bool redcc_account(struct execution *execution);
 void redcc_note_misnamed(redcc_loop *loop, long count);
 
 /** Informs auto of a call's result; reason: why there was no plan, or NONE. */
-void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
-                     const struct outcome *outcome, enum reason reason);
+void redcc_inform_auto(struct loop_state *state, const redcc_loop *loop,
+                       const struct outcome *outcome, enum reason reason);
 
 /** A written_witness (bins/binning.h) whose `whom` is the execution: with validation, saves bytes
  *  before they are written. */

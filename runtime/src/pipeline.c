@@ -144,7 +144,7 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
 }
 
 /* Prepares a sweep only for extents, for a loop that will be binned. */
-static enum stage look_for_extents(struct execution *execution) {
+static enum stage sweep_for_extents(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     inspection->route = ROUTE_DIRECT;
     const bool possible = redcc_cut(inspection, NULL) &&
@@ -159,7 +159,7 @@ static enum stage cut(struct execution *execution) {
     const struct call *call = &execution->call;
     struct estimate estimate = {0};
     if (call->in_bins)
-        return look_for_extents(execution);
+        return sweep_for_extents(execution);
     const bool decides =
         redcc_wants_estimate(inspection) && !redcc_goes_directly(&execution->advice);
     if (!redcc_cut(inspection, decides ? &estimate : NULL))
@@ -385,7 +385,7 @@ static enum stage after_prepare(struct execution *execution) {
     return STAGE_RUN;
 }
 
-/* ---- all of them ----------------------------------------------------------------------------- */
+/* ---- the table of stages --------------------------------------------------------------------- */
 
 _Static_assert(STAGE_OVER + 1 == STAGES, "the last stage");
 static const struct stage_entry {

@@ -104,7 +104,7 @@ static void begin_block(redcc_series_writer *writer, struct operand_block *block
 }
 
 /* Switches to a block of an earlier band, or to a new one. False: out of memory. */
-static bool turn_to_block(redcc_series_writer *writer) {
+static bool next_block(redcc_series_writer *writer) {
     struct operand_block *block = writer->block ? writer->block->more : NULL;
     if (!block) {
         block = new_block(writer->series);
@@ -123,7 +123,7 @@ int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
     if (writer->adds)
         return 0;
     REDCC_SERIES_COMPLETE(*writer);
-    if (writer->block_end - writer->at <= HEAD && !turn_to_block(writer)) {
+    if (writer->block_end - writer->at <= HEAD && !next_block(writer)) {
         atomic_store_explicit(&series->lost, true, memory_order_relaxed);
         writer->block_end = writer->end = writer->at;
         return 0;

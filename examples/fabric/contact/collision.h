@@ -182,7 +182,7 @@ double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 /** How many vertices that are not pinned are inside a collider at `time`. */
 long collisions_inside(const collisions *c, double time, const double (*x)[3]);
 
-/** Sets pin_of[i] = number for each vertex i that the pin holds, judged by the mesh's initial
+/** Sets pin_of[i] = number for each vertex i that the pin holds, according to the mesh's initial
  *  positions. pin_of: [vertex_count]. */
 void pin_find(const pin *p, const mesh *m, int number, int *pin_of);
 

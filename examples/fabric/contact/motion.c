@@ -82,7 +82,7 @@ double motion_displacement(const body_motion *m, double reach) {
 }
 
 /* p: x in the axes of the pose. */
-static void into(const body_pose *pose, const double x[3], double p[3]) {
+static void to_pose(const body_pose *pose, const double x[3], double p[3]) {
     double from[3];
     vector_subtract(x, pose->origin, from);
     for (int a = 0; a < 3; a++)
@@ -91,7 +91,7 @@ static void into(const body_pose *pose, const double x[3], double p[3]) {
 }
 
 /* d: the direction p of the pose's axes in space. */
-static void out_of(const body_pose *pose, const double p[3], double d[3]) {
+static void from_pose(const body_pose *pose, const double p[3], double d[3]) {
     for (int r = 0; r < 3; r++)
         d[r] = vector_dot(pose->rotation[r], p);
 }
@@ -100,7 +100,7 @@ void motion_to_body(const collider *k, double time, const double x[3], double p[
     if (motion_has_keys(k)) {
         body_pose pose;
         motion_pose(k, time, &pose);
-        into(&pose, x, p);
+        to_pose(&pose, x, p);
         return;
     }
     for (int a = 0; a < 3; a++)
@@ -111,8 +111,8 @@ void motion_enter_keyed(const body_motion *m, const double x[3], const double v[
                         double u[3]) {
     double end[3];
     vector_add_scaled(x, m->h, v, end);
-    into(&m->begin, x, p);
-    into(&m->end, end, u);
+    to_pose(&m->begin, x, p);
+    to_pose(&m->end, end, u);
     vector_subtract(u, p, u);
 }
 
@@ -120,9 +120,9 @@ void motion_carry_keyed(const body_motion *m, const double p[3], double normal[3
                         double carried[3]) {
     const double own[3] = {normal[0], normal[1], normal[2]};
     double at_begin[3], at_end[3];
-    out_of(&m->end, own, normal);
-    out_of(&m->begin, p, at_begin);
-    out_of(&m->end, p, at_end);
+    from_pose(&m->end, own, normal);
+    from_pose(&m->begin, p, at_begin);
+    from_pose(&m->end, p, at_end);
     for (int a = 0; a < 3; a++)
         carried[a] =
             m->h > 0 ? (m->end.origin[a] + at_end[a] - m->begin.origin[a] - at_begin[a]) / m->h : 0;

@@ -17,7 +17,7 @@ static double longest_square(const double uv[3][2]) {
     return longest;
 }
 
-/* The ratio of height and longest edge is 2 a / l^2. */
+/* With area a and longest edge l, height / longest edge is 2 a / l^2. */
 static int is_flat(const double uv[3][2]) {
     return !(2 * area_of(uv) > MESH_LEAST_HEIGHT * longest_square(uv));
 }

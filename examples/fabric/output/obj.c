@@ -36,8 +36,8 @@ typedef struct obj_reader {
     int vertices, materials, triangles;
     double (*material)[2]; /* [materials] of the vt lines */
     mesh *into;            /* NULL: only count */
-    int wanted;            /* the triangle whose line is wanted */
-    long wanted_line;      /* that line; 0: not read yet */
+    int wanted;            /* index of the triangle to find */
+    long wanted_line;      /* the line of that triangle; 0: not read yet */
 } obj_reader;
 
 static int complain(const obj_reader *r, const char *format, ...)

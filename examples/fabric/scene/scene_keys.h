@@ -18,7 +18,7 @@ typedef enum value_kind {
     VALUE_DIRECTION, /* double[3], made a unit vector when read */
     VALUE_CHOICE,    /* enum, or int: the word's index in `choices` */
     VALUE_SECTION, /* nested keys; a single word is a value of the first key, if that is a choice */
-    VALUE_NUMBERS, /* int[], allocated; list: counts and frees them */
+    VALUE_NUMBERS, /* int[], allocated; `list` has the offset of their count, and frees them */
     VALUE_LIST     /* items with keys of their own, in an allocated array */
 } value_kind;
 

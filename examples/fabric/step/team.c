@@ -123,7 +123,7 @@ static void take_in(team_level *at, const team_round *round) {
 }
 
 /* Evaluates a trial: chooses its level, or makes the next trial go in the other direction. */
-static void weigh(team *t, const team_round *round) {
+static void evaluate_trial(team *t, const team_round *round) {
     team_level *at = &t->at[t->trial];
     const double expected = predicted(&t->at[t->level], round->iterations);
     const double loss = round->seconds - expected;
@@ -149,7 +149,7 @@ void team_end(team *t, const team_round *round) {
     t->last_iterations = round->iterations;
     t->credit += share * round->seconds;
     if (t->trial != t->level) {
-        weigh(t, round);
+        evaluate_trial(t, round);
         return;
     }
     const double expected = predicted(at, round->iterations);

@@ -151,7 +151,7 @@ static int allocator_of(const struct link_map *map) {
 /* Does the first object that defines free, and so provides it, lack the functions for aligned
  * memory?
  */
-static bool look_for_split(void) {
+static bool is_split(void) {
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         const int defined = allocator_of(map);
         if (defined & FREE)
@@ -162,7 +162,7 @@ static bool look_for_split(void) {
 
 /* Is the C library, which defines abort, the only object that defines the functions that a failing
  * assert calls? */
-static bool look_for_assertions(void) {
+static bool are_assertions_plain(void) {
     bool are_there = false;
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         if (!defines(map, "__assert_fail"))
@@ -201,22 +201,22 @@ static bool look_for_maps(void) {
     return true;
 }
 
-static bool look_for_split(void) {
+static bool is_split(void) {
     return false;
 }
 
-static bool look_for_assertions(void) {
+static bool are_assertions_plain(void) {
     return false;
 }
 
 #endif
 
 /* Returns the cached answer; the first call computes it. */
-static bool answer(atomic_int *known, bool (*look_for)(void)) {
+static bool answer(atomic_int *known, bool (*compute)(void)) {
     enum { UNKNOWN, YES, NO };
     int answer = atomic_load_explicit(known, memory_order_relaxed);
     if (answer == UNKNOWN) {
-        answer = look_for() ? YES : NO;
+        answer = compute() ? YES : NO;
         atomic_store_explicit(known, answer, memory_order_relaxed);
     }
     return answer == YES;
@@ -234,10 +234,10 @@ bool redcc_may_map(void) {
 
 bool redcc_allocator_is_split(void) {
     static atomic_int known;
-    return answer(&known, look_for_split);
+    return answer(&known, is_split);
 }
 
 bool redcc_assertions_abort(void) {
     static atomic_int known;
-    return answer(&known, look_for_assertions) && redcc_signal_is_default(SIGABRT);
+    return answer(&known, are_assertions_plain) && redcc_signal_is_default(SIGABRT);
 }

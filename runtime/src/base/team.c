@@ -209,7 +209,7 @@ static int try_threads(int more) {
     return useful;
 }
 
-static int threads_to_be_had(int threads) {
+static int available_threads(int threads) {
     static atomic_int most; /* limit found so far; 0: none */
     const int known = atomic_load(&most), there = team.threads > 0 ? team.threads : 1;
     if (known)
@@ -253,9 +253,9 @@ int redcc_team_prepare(int threads, uint64_t before) {
     if (threads < 2)
         return threads;
     enlarge_stacks(redcc_team_missing(threads));
-    const int can = threads_to_be_had(threads);
+    const int can = available_threads(threads);
     if (can < 2)
-        redcc_team_came(team.threads);
+        redcc_team_begun(team.threads);
     return can;
 }
 
@@ -277,7 +277,7 @@ int redcc_team_to_start(int threads) {
     return is_main && count_tasks() >= threads ? 0 : missing;
 }
 
-void redcc_team_came(int threads) {
+void redcc_team_begun(int threads) {
     team.threads = threads;
     if (team.stack_before)
         set_stacks(team.stack_before);
@@ -424,7 +424,7 @@ int redcc_team_to_start(int threads) {
     return 0;
 }
 
-void redcc_team_came(int threads) {
+void redcc_team_begun(int threads) {
     (void)threads;
 }
 

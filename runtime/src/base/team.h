@@ -51,6 +51,6 @@ void redcc_team_note_member(void);
 void redcc_team_forked(void);
 
 /** Called by the region's first thread when the region has begun, with `threads` threads. */
-void redcc_team_came(int threads);
+void redcc_team_begun(int threads);
 
 #endif

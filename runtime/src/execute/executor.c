@@ -178,7 +178,7 @@ static void begin_running(redcc_worker *worker) {
 }
 
 /* Hands out iterations [begin, end) in order and in place. */
-static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
+static void begin_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     errno = 0;
@@ -195,7 +195,7 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
 
 void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end) {
     assert(0 <= begin && begin <= end);
-    go_in_order(worker, STEP_REST, begin, end);
+    begin_in_order(worker, STEP_REST, begin, end);
 }
 
 void redcc_run_rest(redcc_worker *worker, redcc_int from) {
@@ -209,7 +209,7 @@ void redcc_run_check(redcc_worker *worker, redcc_int end) {
     assert(0 <= end && end <= runner->run->call->request.trip);
     runner->run->executed = redcc_seconds();
     redcc_validation_swap(&runner->run->validation);
-    go_in_order(worker, STEP_CHECK, 0, end);
+    begin_in_order(worker, STEP_CHECK, 0, end);
 }
 
 /* Hands out iterations in order. False: none is left. */
@@ -229,7 +229,7 @@ void redcc_run_own_nothing(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     assert(runner->step == STEP_END);
-    go_in_order(worker, STEP_END, 0, call->request.trip);
+    begin_in_order(worker, STEP_END, 0, call->request.trip);
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->owner[array] = (redcc_owner){.first = call->request.bases[array]};
 }
@@ -292,14 +292,14 @@ static void finish(redcc_worker *worker) {
 }
 
 /* Raises the flag of the executed chunk. */
-static void pass_on(const struct plan *plan, const struct chunk *chunk) {
+static void raise_flag(const struct plan *plan, const struct chunk *chunk) {
     if (chunk->flag)
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
 /* A single thread has one copy for all shares after the first: merges it before the next one
  * begins. */
-static void turn_to_share(struct runner *runner, uint32_t share) {
+static void begin_share(struct runner *runner, uint32_t share) {
     const struct plan *plan = runner->plan;
     if (plan->method->copies == COPY_LATER && plan->threads == 1 && share > 1)
         redcc_copies_merge(plan, runner->thread, runner->run->call->request.bases);
@@ -307,21 +307,21 @@ static void turn_to_share(struct runner *runner, uint32_t share) {
 }
 
 /* Waits for the predecessors of `chunk`, and switches to the copy that it writes to. */
-static void get_ready(struct runner *runner, const struct chunk *chunk) {
+static void prepare_chunk(struct runner *runner, const struct chunk *chunk) {
     const struct plan *plan = runner->plan;
     const uint32_t *wait = plan->schedule[runner->schedule].wait;
     reach_stage(runner, chunk->stage);
     for (uint32_t w = chunk->wait_begin; w < chunk->wait_end; w++)
         redcc_flag_await(plan->flags, wait[w], plan->round, runner->threads);
     if (plan->method->copies == COPY_SHARE || plan->method->copies == COPY_LATER)
-        turn_to_share(runner, chunk->copy);
+        begin_share(runner, chunk->copy);
 }
 
 /* If the current timing slice is done, begins the next one, in its variant. */
-static void turn_to_part(redcc_worker *worker) {
+static void advance_to_slice(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
-    if (parts->count > 0 && redcc_parts_turn(parts))
+    if (parts->count > 0 && redcc_parts_next(parts))
         worker->variant = redcc_run_variant(runner->run, runner->plan, parts->number);
 }
 
@@ -331,7 +331,7 @@ static size_t read_runs(redcc_worker *worker) {
     struct parts *parts = &runner->parts;
     if (parts->count == 0)
         return redcc_runs_read(&runner->runs, runner->piece, REDCC_RUNS);
-    turn_to_part(worker);
+    advance_to_slice(worker);
     return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
 }
 
@@ -365,7 +365,7 @@ static bool steal(struct runner *runner) {
 }
 
 /* Advances to the next schedule of a plan with stealable blocks. False: none is left. */
-static bool turn_to_schedule(redcc_worker *worker) {
+static bool advance_to_schedule(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
     if (!plan->method->steals || !steal(runner))
@@ -378,16 +378,16 @@ static bool turn_to_schedule(redcc_worker *worker) {
 }
 
 /* Advances to the next chunk. False: none is left. */
-static bool turn_to_chunk(redcc_worker *worker) {
+static bool advance_to_chunk(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct schedule *schedule = &runner->plan->schedule[runner->schedule];
     if (worker->position > 0)
-        pass_on(runner->plan, &schedule->chunk[worker->position - 1]);
+        raise_flag(runner->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count)
-        return turn_to_schedule(worker) && turn_to_chunk(worker);
+        return advance_to_schedule(worker) && advance_to_chunk(worker);
     assert(worker->position >= 0 && (size_t)worker->position < schedule->chunk_count);
     const struct chunk *chunk = &schedule->chunk[worker->position++];
-    get_ready(runner, chunk);
+    prepare_chunk(runner, chunk);
     worker->origin = chunk->origin;
     runner->runs = redcc_runs_of(schedule, chunk);
     return true;
@@ -411,7 +411,7 @@ static int hand_out_selected(redcc_worker *worker) {
         worker->origin = worker->first;
         worker->run = runner->piece;
         worker->run_end = runner->piece + runs;
-        turn_to_part(worker);
+        advance_to_slice(worker);
         worker->variant.follows = selection->follows;
         parts->left -= parts->count > 0 ? iterations : 0;
         if (runs > 0)
@@ -439,7 +439,7 @@ static bool hand_out(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     if (is_hooked(runner->plan))
         redcc_hooks_settle(&runner->hooks);
-    return hand_out_runs(worker) || (turn_to_chunk(worker) && hand_out_runs(worker));
+    return hand_out_runs(worker) || (advance_to_chunk(worker) && hand_out_runs(worker));
 }
 
 static int next_chunk(redcc_worker *worker) {

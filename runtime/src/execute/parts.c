@@ -29,7 +29,7 @@ void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations) {
     begin_part(it, 0);
 }
 
-bool redcc_parts_turn(struct parts *it) {
+bool redcc_parts_next(struct parts *it) {
     assert(it->left >= 0);
     if (it->left > 0)
         return false;

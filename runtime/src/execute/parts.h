@@ -25,7 +25,7 @@ void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations);
 
 /** If the current slice has no iterations left, ends it and begins the next one. Returns whether it
  *  did. */
-bool redcc_parts_turn(struct parts *it);
+bool redcc_parts_next(struct parts *it);
 
 /** Ends the current slice, if any. */
 void redcc_parts_end(struct parts *it);

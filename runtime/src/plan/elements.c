@@ -123,7 +123,7 @@ enum {
             for (size_t i = 0; i < count; i++) {                                                   \
                 TYPE *const to = &row[i];                                                          \
                 const TYPE b = *to, x = records[k * count + i];                                    \
-                if (count == 1 || !(IS_NEUTRAL)) /* perhaps no iteration has updated it */         \
+                if (count == 1 || !(IS_NEUTRAL)) /* neutral: perhaps no iteration updated it */    \
                     *to = COMBINED;                                                                \
             }                                                                                      \
         }                                                                                          \

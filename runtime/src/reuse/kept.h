@@ -52,13 +52,12 @@ struct reuse {
     struct barrier *barrier;
     struct kept_plan *found; /* the candidate, or the plan in use; NULL: none */
     struct range *sources;   /* [source_count] the sources' ranges in this call */
-    struct range
-        *written;       /* [array_count] ranges that the plan's groups would write in this call */
-    long skipped_calls; /* calls before this one that auto executed sequentially */
-    double earned;      /* seconds that auto has saved by the plan, minus its construction */
-    uint64_t sampled;   /* a hash of a few words of the subscripts; 0: not sampled */
-    bool same;          /* so far the subscripts are unchanged */
-    int changed_source; /* the source that invalidated a plan in this call; -1: none */
+    struct range *written;   /* [array_count] ranges that the plan's groups would write now */
+    long skipped_calls;      /* calls before this one that auto executed sequentially */
+    double earned;           /* seconds that auto has saved by the plan, minus its construction */
+    uint64_t sampled;        /* a hash of a few words of the subscripts; 0: not sampled */
+    bool same;               /* so far the subscripts are unchanged */
+    int changed_source;      /* the source that invalidated a plan in this call; -1: none */
 };
 
 /** A hash of some words of each subscript whose range the call gives, for reuse->sampled; 0: the

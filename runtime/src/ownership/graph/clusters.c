@@ -156,7 +156,7 @@ static void settle_from(struct joining *it, const uint32_t *choice, uint32_t nod
 }
 
 /* Computes the clusters' weights as sums over their nodes. (The first weights come from the access
- * log: redcc_clusters_retell.) */
+ * log: redcc_clusters_map.) */
 static void add_up_weights(const struct clusters *clusters) {
     uint32_t *weight = clusters->share[0].weight, *sum = clusters->spare;
     memset(sum, 0, clusters->count * sizeof *sum);
@@ -211,7 +211,7 @@ static inline bool map_iteration(const uint32_t *into, const uint32_t *node, siz
     return differ != 0;
 }
 
-void redcc_clusters_retell(struct clusters *clusters, int thread) {
+void redcc_clusters_map(struct clusters *clusters, int thread) {
     assert(0 <= thread && thread < clusters->threads && clusters->rounds > 0);
     struct cluster_share *share = &clusters->share[thread];
     const bool first = clusters->rounds == 1;

@@ -68,6 +68,6 @@ bool redcc_clusters_join(struct clusters *clusters);
 void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t end);
 
 /** Maps the thread's iterations to clusters, and computes these clusters' choices. */
-void redcc_clusters_retell(struct clusters *clusters, int thread);
+void redcc_clusters_map(struct clusters *clusters, int thread);
 
 #endif

@@ -141,7 +141,7 @@ static bool cluster(struct divide *divide, int thread) {
         if (divide->clustered)
             return true;
         redcc_clusters_place(clusters, units.first, units.end);
-        redcc_clusters_retell(clusters, thread);
+        redcc_clusters_map(clusters, thread);
     }
     return false;
 }
@@ -303,8 +303,9 @@ static inline unsigned short common_owner(const struct divide *divide, const uin
     return differ ? owner | SEVERAL : owner;
 }
 
-/* Votes for the owners of further groups' units. An iteration votes for its owner in the leading
- * group, preferably as its only owner. The lowest vote wins, whatever the order of votes. */
+/* Votes for the owners of further groups' units: each iteration votes for its owner in the leading
+ * group. The lowest vote wins, whatever the order of votes; so votes of iterations with several
+ * owners (SEVERAL) count only if there are no others. */
 static void vote_further(struct divide *divide, int thread) {
     const struct unit_list *leading = &divide->logged[thread].leading;
     const struct unit_list *further = &divide->logged[thread].further;
