@@ -5,11 +5,12 @@
  *
  *   accuracy CORES >accuracy.csv
  *
- * rows      sorted: consecutive contributions go to adjacent elements; shuffled: to any element
- * values    well: in (0, 1); ill: of both signs, over ten orders of magnitude, so that each
- * element's sum is 1e-12 of its parts Errors are relative to the exact sum, which is computed in
- * 113 bits. Every run is a separate process, because the variables are read once; runs use CORES
- * threads, then 1, 2, 3, 8 and 16.
+ *  - rows: sorted (consecutive contributions go to adjacent elements) or shuffled (to any element)
+ *  - values: well-conditioned (in (0, 1)) or ill-conditioned (of both signs, over ten orders of
+ *    magnitude, so that each element's sum is 1e-12 of its terms)
+ *
+ * Errors are relative to the exact sum, which is computed in 113 bits. Every run is a separate
+ * process, because the variables are read once; runs use CORES threads, then 1, 2, 3, 8 and 16.
  */
 #include "redcc/runtime.h"
 
@@ -54,7 +55,7 @@ static void make_rows(int shuffled) {
     }
 }
 
-/* The last contribution to each element takes away all but 1e-12 of the others. */
+/* If ill, the last contribution to each element cancels all but 1e-12 of the others. */
 static void make_values(int ill) {
     static wide sum[ROWS], size[ROWS];
     static int last[ROWS];
@@ -78,7 +79,7 @@ static void add_up(double *b, int from, int to) {
         b[row[t]] += value[t];
 }
 
-/* The loop as redcc writes it. */
+/* The loop in the form that redcc generates. */
 static void add_up_by_redcc(double *b) {
     static const redcc_array arrays[] = {
         {"b", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(double), 0}};
@@ -134,7 +135,7 @@ static void add_up_by_redcc(double *b) {
 struct outcome {
     double b[ROWS];
     double seconds;        /* median */
-    double serial_seconds; /* of the sequential loop, in between */
+    double serial_seconds; /* median of the sequential loop, interleaved */
 };
 
 static int by_size(const void *p, const void *q) {
@@ -192,9 +193,9 @@ static void run_child(const struct way *way, int threads, struct outcome *outcom
     }
 }
 
-/* Over all runs of one way. */
+/* Collected over all runs of one combination. */
 struct collected {
-    unsigned long result[MOST_RESULTS]; /* hashes of those that differ */
+    unsigned long result[MOST_RESULTS]; /* hashes of the different results */
     int results;
     double low[ROWS], high[ROWS];
     double worst, middle; /* relative error of the first run: the largest, the median */

@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * In-order binning on loops whose subscripts are new at each execution, written as redcc would
- * write them, against the sequential loop and LOCALWRITE, which inspects each time.
+ * Compares in-order binning with the sequential loop and with LOCALWRITE, on loops in redcc's
+ * generated form whose subscripts are new at each execution, so that LOCALWRITE inspects each time.
  *
  *   OMP_NUM_THREADS=2 binning ROUNDS KERNEL...      no KERNEL: all
  *
- * Each round executes every variant once, at the same subscripts, into an array of its own that
- * keeps its contents: the bits of all arrays are compared after each round. Prints lines
+ * Each round executes every variant once, with the same subscripts. Each variant adds to a separate
+ * array, which is not cleared; the bits of all arrays are compared after each round. Prints lines
  *
  *   kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
  *
- * A separate run executes the loop by `auto`, in turns with the sequential loop, and adds up all
- * executions, the first included: seconds and the speed-up are those of the sums.
+ * A separate run executes the loop by `auto`, alternating with the sequential loop, and adds up all
+ * executions, including the first: seconds and speed-up are those of the sums.
  *
- * For the others, seconds are medians; speed-ups are medians of the rounds' own, lowest and highest
- * of them; best is the least time of the sequential loop over the least of this one; cpu is the
- * sequential loop's processor time over this one's for a thread (auto: over all of it), which other
- * jobs disturb less; extra memory as a share of the array.
+ * For the other methods, seconds are medians; speed_up, lowest and highest are the median, minimum
+ * and maximum of the rounds' speed-ups; best is the least time of the sequential loop divided by
+ * the least time of the method; cpu is the sequential loop's processor time divided by the method's
+ * per thread (auto: by its total), which other jobs disturb less; extra_percent is the extra memory
+ * relative to the array.
  */
 #include "base/bins_kind.h"
 #include "binning_data.h"
@@ -59,7 +60,7 @@ enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for ea
     } while (0)
 #define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
 
-/* BODY(UPDATE) is the loop's body for iteration t of *d; BYTES those of a record. */
+/* BODY(UPDATE) is the loop's body for iteration t of *d; BYTES: size of a record. */
 #define KERNEL(N, ROW, BYTES, OPERATION, TYPE, EXACT, BODY)                                        \
     static void N##_apply(const redcc_applied *applied) {                                          \
         ROW *const rows = applied->rows[0];                                                        \
@@ -151,7 +152,7 @@ static inline void floats_update(float *r, const float *e) {
 #define FLOATS(UPDATE) UPDATE(floats, d->k[t], d->part[t]);
 KERNEL(floats, float, sizeof(float), REDCC_SUM, REDCC_FLOAT, 0, FLOATS)
 
-typedef int counts_record; /* nothing of it is kept */
+typedef int counts_record; /* a dummy: a record of a count needs no value */
 static inline void counts_update(int *r, const int *e) {
     (void)e;
     (*r)++;
@@ -185,7 +186,7 @@ static inline void charge_update(double *r, const double *e) {
     }
 KERNEL(charge, double, sizeof(double), REDCC_SUM, REDCC_DOUBLE, 0, CHARGE)
 
-/* Half neighbour lists: each pair once. */
+/* Half neighbour lists: each pair is listed once. */
 typedef struct {
     double c[3];
 } forces_record;
@@ -217,7 +218,7 @@ KERNEL(forces, forces_record, sizeof(forces_record), REDCC_SUM, REDCC_OTHER_TYPE
 
 struct kernel {
     const char *name;
-    size_t rows, row; /* of a grid: cells on a side */
+    size_t rows, row; /* rows: for a grid, cells per side; row: bytes of a row */
     enum pattern pattern;
     int most_threads; /* 0: any number */
     void (*sequential)(const struct data *, void *);
@@ -245,12 +246,12 @@ static const struct kernel kernels[] = {
 };
 enum { KERNELS = sizeof kernels / sizeof *kernels };
 
-static int kind = BINS_EITHER; /* REDCC_METHOD=binning:records and binning:copies ask for others */
+static int kind = BINS_EITHER; /* REDCC_METHOD=binning:records or binning:copies overrides it */
 
 struct variant {
     const char *name;
-    const struct method *method; /* NULL: the sequential loop, */
-    bool is_auto;                /* or whatever auto takes */
+    const struct method *method; /* NULL: the sequential loop or, with is_auto, auto's choice */
+    bool is_auto;
     char *array;
     double wall[AUTO_ROUNDS * MOST_ROUNDS], cpu[AUTO_ROUNDS * MOST_ROUNDS];
     size_t extra; /* bytes */
@@ -304,7 +305,7 @@ static double extreme(const double *values_of, int count, int sign) {
     return found;
 }
 
-/* The first round is not counted: pages are made in it. */
+/* Leaves out the first round, which causes page faults. */
 static void print(const struct kernel *kernel, const struct variant *serial,
                   const struct variant *variant, int threads, int rounds, size_t bytes) {
     double ratio[MOST_ROUNDS];
@@ -327,7 +328,8 @@ static double sum(const double *values_of, int count) {
     return all;
 }
 
-/* By auto from the first execution on, the sequential loop in turn. Returns whether bits differ. */
+/* Alternates executions by auto, from the first one on, with the sequential loop. Returns whether
+ * bits differ. */
 static bool measure_auto(const struct kernel *kernel, const struct data *sets, int count,
                          int threads) {
     static struct variant serial, by_auto;
@@ -335,7 +337,7 @@ static bool measure_auto(const struct kernel *kernel, const struct data *sets, i
     serial = (struct variant){.array = calloc(1, bytes)};
     by_auto = (struct variant){.is_auto = true, .array = calloc(1, bytes)};
     redcc_loop_forget(&kernel->loop->loop);
-    memset(serial.array, 0, bytes); /* pages are made before */
+    memset(serial.array, 0, bytes); /* page faults happen before the measurement */
     memset(by_auto.array, 0, bytes);
     for (int n = 0; n < count; n++) {
         execute(kernel, &serial, &sets[n % SETS], threads, n);

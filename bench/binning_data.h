@@ -9,7 +9,7 @@
 
 enum { TRIP = 10000000, MILLION = 1 << 20 };
 
-/** The data that a loop reads, new in each of the sets. */
+/** The data that a loop reads, different in each set. */
 struct data {
     redcc_int trip;
     size_t rows;
@@ -24,16 +24,16 @@ struct data {
 /** Distributions of subscripts. */
 enum pattern { RANDOM, SORTED, BANDED };
 
-/** TRIP subscripts into `rows` rows, and values, which all data share. */
+/** Makes TRIP subscripts into `rows` rows, and values, which all sets share. */
 void make_subscripts(struct data *d, enum pattern pattern, size_t rows);
 
-/** Particles anywhere in a grid of side * side * side cells. */
+/** Makes particles at random positions in a grid of side * side * side cells. */
 void make_particles(struct data *d, int side);
 
-/** Atoms on a lattice, each with half of its 26 neighbours, numbered at random. */
+/** Makes atoms on a lattice, numbered at random, each with half of its 26 neighbours. */
 void make_neighbours(struct data *d);
 
-/** Frees the data that are not shared. */
+/** Frees the data that sets do not share. */
 void free_data(struct data *d);
 
 #endif

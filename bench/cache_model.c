@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Table 1 of the paper: the cache miss rate of the final stage of array expansion, figure 9,
+ * Table 1 of the paper: the cache miss rate of the final stage of array expansion (figure 9),
  *
  *     (a)  for each element: for each copy: b[i] += copy[t][i]
  *     (b)  for each copy: for each element: b[i] += copy[t][i]
  *
- * one thread's share of the elements, 1 to 32 copies, by a model of a set-associative cache: lines
- * of 64 bytes, 4 to a set, LRU replacement, 32 KiB. `apart` is the distance between copies: a power
- * of two (then the lines of all copies fall into one set), or the paper's mesh of 218272 nodes with
- * 3 doubles each, padded to lines.
+ * for one thread's share of the elements and 1 to 32 copies, by a model of a set-associative cache:
+ * lines of 64 bytes, 4 ways, LRU replacement, 32 KiB. `apart` is the distance between copies:
+ * either a power of two, with which the lines of all copies fall into one set, or the size of the
+ * paper's mesh of 218272 nodes with 3 doubles each, padded to lines.
  *
  * Prints lines: apart,threads,a_percent,b_percent.
  */
@@ -18,7 +18,7 @@
 
 enum { LINE = 64, WAYS = 4, SETS = 32768 / LINE / WAYS, ELEMENTS = 8192 };
 
-static uint64_t tag[SETS][WAYS]; /* most recently used first; 0: empty */
+static uint64_t tag[SETS][WAYS]; /* most recently used first; 0: an empty line */
 static long accesses, misses;
 
 static void clear(void) {
@@ -51,7 +51,7 @@ static double percent(void) {
 }
 
 static void print_row(const char *name, uint64_t apart, int threads) {
-    const int share = ELEMENTS; /* of each thread; they are all alike */
+    const int share = ELEMENTS; /* per thread; all threads behave alike */
     clear();
     for (int i = 0; i < share; i++)
         for (int t = 0; t < threads; t++)

@@ -1,21 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Measures the cost of redcc in a program that calls a typical loop once, some times, or with other
+ * Measures the cost of redcc in a program that calls a typical loop once, a few times, or with new
  * subscripts each time. Most of these loops gain little or nothing by running in parallel.
  *
  *   choice LOOP CALLS [CALLS...]     ascending
  *
- * prints, for each of CALLS, the seconds of that number of executions from the first one on (not
- * counting the time between executions) and a hash of the results' bits. LOOP:
- *   count             8 M integer keys into 65536 counts; two keys change before each call
- *   pairs             pairs of points by distance, the bin found by bisection; new points each call
- *   weights           20,000 weights into 4096 bins; new subscripts each call
- *   charge            2 M particles' charge onto a grid of 512 x 512; the particles move
- *   columns           y += A x by columns, random pattern of 1 M entries; a new one each call
- *   force-sorted      triangles of a mesh: forces and a matrix; -shuffled: nodes at random
- *   springs-sorted    edges of that mesh; -shuffled
- *   force-short       the first 4,000 triangles of force-sorted
- *   springs-short     the first 120,000 edges of springs-sorted
+ * prints, for each of CALLS, the seconds of that number of executions from the first one on
+ * (without the time between executions) and a hash of the results' bits. LOOP: count             8
+ * M integer keys into 65536 counts; two keys change before each call pairs             pairs of
+ * points by distance, the bin found by bisection; new points each call weights           20,000
+ * weights into 4096 bins; new subscripts each call charge            2 M particles' charge onto a
+ * grid of 512 x 512; the particles move columns           y += A x by columns, random pattern of 1
+ * M entries; a new one each call force-sorted      triangles of a mesh: forces and a matrix;
+ * -shuffled: nodes at random springs-sorted    edges of that mesh; -shuffled force-short       the
+ * first 4,000 triangles of force-sorted springs-short     the first 120,000 edges of springs-sorted
  *   columns-short     the first 8,000 columns of columns
  *   gaxpy-sorted      columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
  */
@@ -59,7 +57,7 @@ static double real(void) {
     return below(1 << 30) * 0x1p-30;
 }
 
-/* ---- the loops, as a user writes them ---- */
+/* ---- the loops as in a user's program ---- */
 
 static void count(int n, const int *key, int *counts) {
     for (int i = 0; i < n; i++)
@@ -153,7 +151,7 @@ static void draw_all(double *to, int count, double scale) {
         to[i] = scale * real();
 }
 
-/* The number of each node. */
+/* The nodes' numbers: in order, or a random permutation. */
 static int *permutation(int shuffled) {
     int *node = malloc(NODES * sizeof *node);
     for (int i = 0; i < NODES; i++)
@@ -300,7 +298,7 @@ static void make_sorted(void) {
 static void make_shuffled(void) {
     make_mesh(1);
 }
-/* Each node's neighbours in the grid, and itself. */
+/* Makes a matrix whose columns have entries for a node and its neighbours in the grid. */
 static void make_gaxpy(int shuffled) {
     int *node = permutation(shuffled);
     start = malloc((NODES + 1) * sizeof *start);

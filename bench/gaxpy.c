@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * y = A*x + y by CSparse's cs_gaxpy, on a large sparse matrix, timed.
+ * Times y = A*x + y by CSparse's cs_gaxpy on a large sparse matrix.
+ *
  *   gaxpy SHAPE SIDE CALLS [SHIFT]
- * prints the median of the seconds of a call, those of the first, which inspects, and a hash of the
- * bits of x and y. The matrix has SIDE * SIDE rows and columns and ten entries a column. With
- * SHIFT, y begins SHIFT elements after x in one array: they overlap. SHAPE: banded   the entries of
- * a column lie within 1000 rows of the diagonal mesh     a grid of SIDE x SIDE points in the order
- * of its rows shuffled the same points numbered at random random   rows drawn at random
+ *
+ * prints the median of the seconds of a call, the seconds of the first call, which inspects, and a
+ * hash of the bits of x and y. The matrix has SIDE * SIDE rows and columns and ten entries per
+ * column. With SHIFT, y begins SHIFT elements after x in the same array, so that they overlap.
+ * SHAPE:
+ *  - banded: the entries of a column are within 1000 rows of the diagonal
+ *  - mesh: a grid of SIDE x SIDE points in the order of its rows
+ *  - shuffled: the same points numbered at random
+ *  - random: rows drawn at random
  */
 #include <cs.h>
 #include <stdint.h>
@@ -35,7 +40,7 @@ static int by_row(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/* The grid's point `column`, its eight neighbours, and one point two columns on. */
+/* The grid's point `column`, its eight neighbours, and the point two columns to the right. */
 static csi neighbour(csi column, int entry) {
     static const int right[PER_COLUMN] = {0, -1, 1, 0, 0, -1, 1, -1, 1, 2};
     static const int down[PER_COLUMN] = {0, 0, 0, -1, 1, -1, -1, 1, 1, 0};

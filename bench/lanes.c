@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The effect of lanes and prefetches on executors, by kernel (lanes_kernels.c), order of the data
- * and threads: the original loop, and the translated one in each variant and as the runtime
- * decides, one after the other in each round. Each is run twice in a row and the second run is
- * timed; the bits are compared each time.
+ * and threads. Each round executes the original loop, the translated one in each variant, and as
+ * the runtime decides. Each is run twice in a row and the second run is timed; the bits are
+ * compared each time.
  *
  *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [KERNEL]]]
  *
- * By LOCALWRITE with owners by index on sorted data, and by the access graph on shuffled data, as
- * auto would, or by the method of REDCC_METHOD.
- * SIDE: of the square mesh, in nodes. KERNEL: only this one.
- * Prints lines: kernel,order,threads,serial_seconds, then for each variant speed-up,low,high -
- * against the original loop, median and the 5th and 95th percentile of the rounds' own.
+ * The method is that of REDCC_METHOD; without it, as auto would choose, LOCALWRITE with owners by
+ * index on sorted data and by the access graph on shuffled data. SIDE: of the square mesh, in
+ * nodes. KERNEL: only this one. Prints lines: kernel,order,threads,serial_seconds, then for each
+ * variant speed-up,low,high: median, 5th and 95th percentile of the rounds' speed-ups over the
+ * original loop.
  */
 #include "lanes_data.h"
 
@@ -113,7 +113,7 @@ static int ascending(const void *p, const void *q) {
     return (x > y) - (x < y);
 }
 
-/* Prints median, 5th and 95th percentile of above[] over below[]. */
+/* Prints median, 5th and 95th percentile of above[] / below[]. */
 static void print_ratio(const double *above, const double *below, int rounds) {
     double ratio[MOST_ROUNDS];
     for (int r = 0; r < rounds; r++)
@@ -159,7 +159,8 @@ static int measure(enum kernel kernel, const char *order, const struct mesh *m, 
     return differ;
 }
 
-/* Measures in a child process: the runtime must not reuse the variant it found on other data. */
+/* Measures in a child process, so that the runtime does not reuse the variant chosen for other
+ * data. */
 static int measure_in_child(enum kernel kernel, const char *order, const struct mesh *m,
                             int rounds) {
     const pid_t child = fork();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loops of bench/lanes, as a programmer writes them: translated by redcc, and compiled
- * unchanged for comparison. */
+/* The loops of bench/lanes as in a user's program: translated by redcc, and compiled unchanged for
+ * comparison. */
 #include <math.h>
 
 #include "lanes_kernels.h"
@@ -9,7 +9,7 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* How a triangle is stretched along u or v: the sum of share[p] x[p] over its corners. */
+/* The derivative of a triangle's position by u or v: the sum of share[p] x[p] over its corners. */
 static void along(const double (*x)[3], int i, int j, int k, const double share[3], double w[3]) {
     for (int c = 0; c < 3; c++)
         w[c] = share[0] * x[i][c] + share[1] * x[j][c] + share[2] * x[k][c];
@@ -39,7 +39,7 @@ static void compute_force(const double (*x)[3], const double (*v)[3], int i, int
                                shear * (u_share[p] * wv[c] + v_share[p] * wu[c]));
 }
 
-/* Their derivatives by the corners' places and velocities, in a step of the implicit method. */
+/* The derivatives of these forces by the corners' positions and velocities, in an implicit step. */
 static void compute_derivatives(const double (*x)[3], int i, int j, int k, const double u_share[3],
                                 const double v_share[3], double area, double df[3][3][3][3]) {
     double wu[3], wv[3], nu[3], nv[3];
@@ -72,7 +72,7 @@ static void compute_derivatives(const double (*x)[3], int i, int j, int k, const
         }
 }
 
-/* Forces of a cloth's triangles, and all blocks of the matrix: 90 numbers are added to. */
+/* Forces of a cloth's triangles, and all blocks of the matrix: 90 updates per triangle. */
 void cloth(int count, const struct cloth_element *restrict element, const double (*restrict x)[3],
            const double (*restrict v)[3], double (*b)[3], double (*a)[3][3]) {
     for (int t = 0; t < count; t++) {
@@ -93,7 +93,7 @@ void cloth(int count, const struct cloth_element *restrict element, const double
     }
 }
 
-/* One strain of a triangle, along u or v: |sum of weight[a] x[a]| is to be 1. */
+/* One strain of a triangle, along u or v; |sum of weight[a] x[a]| is 1 at rest. */
 static void strain(const double (*x)[3], int i, int j, int k, const double weight[3], double area,
                    double f[3][3], double df[6][3][3]) {
     double w[3], n[3];
@@ -158,7 +158,7 @@ static void float_strain(const float (*x)[3], int i, int j, int k, const double 
             f[p][c] -= 40.0f * excess * wide * of[p] * n[c];
 }
 
-/* The forces alone, in single precision, of elements in double. */
+/* Only the forces, in single precision, of elements in double. */
 void float_membrane(int count, const struct element *restrict element, const float (*restrict x)[3],
                     float (*b)[3]) {
     for (int t = 0; t < count; t++) {
@@ -174,7 +174,7 @@ void float_membrane(int count, const struct element *restrict element, const flo
     }
 }
 
-/* Contact of particles that may touch: most pairs do not. */
+/* Contact forces between pairs of particles, most of which do not touch. */
 void contacts(int count, const int (*pair)[2], const double (*x)[3], const double (*v)[3],
               const double *radius, double (*force)[3]) {
     for (int t = 0; t < count; t++) {
@@ -199,7 +199,7 @@ void contacts(int count, const int (*pair)[2], const double (*x)[3], const doubl
     }
 }
 
-/* Is there a force between two balls, and which? */
+/* Computes the contact force between two balls; returns whether they touch. */
 static int contact(const double (*x)[3], const double *radius, int i, int j, double force[3]) {
     double d[3];
     for (int c = 0; c < 3; c++)
@@ -217,7 +217,7 @@ static int contact(const double (*x)[3], const double *radius, int i, int j, dou
     return 1;
 }
 
-/* Contact by a function whose value says whether there is any. */
+/* Contact forces by a function that returns whether there is a contact. */
 void touching(int count, const int (*pair)[2], const double (*x)[3], const double *radius,
               double (*force)[3]) {
     for (int t = 0; t < count; t++) {
@@ -231,7 +231,7 @@ void touching(int count, const int (*pair)[2], const double (*x)[3], const doubl
     }
 }
 
-/* Lennard-Jones, each pair once, with a cut-off. */
+/* Lennard-Jones forces with a cut-off; each pair is listed once. */
 void lennard_jones(int count, const int (*pair)[2], const double (*x)[3], double (*force)[3]) {
     for (int t = 0; t < count; t++) {
         const int i = pair[t][0], j = pair[t][1];
@@ -267,7 +267,7 @@ void springs(int count, const int (*edge)[2], const double *rest, const double (
     }
 }
 
-/* In a row of a sparse matrix, by halves. */
+/* The index of an entry in a row of a sparse matrix, by bisection. */
 static int place_of(const int *start, const int *column, int row, int wanted) {
     int low = start[row], high = start[row + 1] - 1;
     while (low < high) {
@@ -286,7 +286,7 @@ static void cross(const double a[3], const double b[3], double result[3]) {
     result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Linear elastic tetrahedra into a matrix of blocks in rows. */
+/* Assembles linear elastic tetrahedra into a matrix of blocks in rows. */
 void tetrahedra(int count, const int (*corner)[4], const double (*x)[3], const int *start,
                 const int *column, double (*k)[3][3]) {
     for (int t = 0; t < count; t++) {
@@ -322,7 +322,7 @@ void tetrahedra(int count, const int (*corner)[4], const double (*x)[3], const i
     }
 }
 
-/* A symmetric matrix whose upper half is stored. */
+/* The product with a symmetric matrix whose upper half is stored. */
 void half_product(int rows, const int *start, const int *column, const double *value,
                   const double *x, double *y) {
     for (int i = 0; i < rows; i++)

@@ -2,8 +2,8 @@
 #ifndef BENCH_LANES_KERNELS_H
 #define BENCH_LANES_KERNELS_H
 
-/** A triangle of a cloth: its corners, the blocks ii ij ik jj jk kk of the matrix, and how strains
- *  along u and v follow from the corners' places. */
+/** A triangle of a cloth: its corners, the indices of the matrix blocks ii ij ik jj jk kk, and the
+ *  weights of the corners' positions in the derivatives by u and v. */
 struct element {
     int vertex[3];
     int block[6];
@@ -11,7 +11,7 @@ struct element {
     double area;
 };
 
-/** The same of a whole matrix: where the block of each pair of corners is. */
+/** The same for a matrix of which all blocks are stored: the block of each pair of corners. */
 struct cloth_element {
     int vertex[3];
     int entry[3][3];
@@ -38,7 +38,7 @@ struct cloth_element {
     X(half_product, (int rows, const int *start, const int *column, const double *value,           \
                      const double *x, double *y))
 
-/** As redcc translated it, and, serial_NAME, untouched. */
+/** Declares a kernel as redcc translated it and, as serial_NAME, the original. */
 #define BENCH_LANES_DECLARE(name, parameters)                                                      \
     void name parameters;                                                                          \
     void serial_##name parameters;

@@ -1,27 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The runtime's methods on two loops over a mesh of the paper's size, written as redcc writes them,
- * compared with hand-written alternatives:
- *   heavy  a triangle of 217k nodes, 434k triangles: 9 doubles into b, 81 into a block matrix
- *   light  an edge of that mesh: 6 doubles into b
+ * Compares the runtime's methods with hand-written alternatives, on two loops in redcc's generated
+ * form over a mesh of the paper's size (217k nodes, 434k triangles):
+ *   heavy  over triangles: each adds 9 doubles to b and 81 to a block matrix
+ *   light  over edges: each adds 6 doubles to b
  *
  *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
- * First come WARM seconds of executions (2; so that `auto` has settled). Then at least 9 rounds,
- * for twice that time. In a round each variant is executed twice in a row and the second execution
- * is timed, so that none starts with the caches, or the sleeping threads, that another left. Then 9
- * with an inspection. Prints lines
+ * First come WARM seconds of executions (default 2, so that `auto` ends its trials). Then come at
+ * least 9 rounds, for twice that time. In a round each variant is executed twice in a row and the
+ * second execution is timed, so that none starts with the caches, or the sleeping threads, that
+ * another left. Then come 9 rounds with an inspection each. Prints lines
  *
  *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
  *   inspection_of_serial,extra_percent,replication,modelled
  *
- * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own, with many
- * rounds the 5th to 95th percentile; inspection is in executions of the sequential loop; extra
- * memory as a share of the reduction arrays; modelled is the iterations of the loop over the
- * makespan of its schedule, waits included (length.h). With `others`, also the lines of OpenMP's
- * atomics, its reduction of array sections (whose stacks are as large as the arrays: ulimit -s,
- * OMP_STACKSIZE), array expansion written by hand, and, as this machine's bound, `unmerged`: equal
- * shares of the iterations, each into a separate array. WARM 0: one execution only, for the model
+ * seconds are medians; speed_up, lowest and highest are the median, minimum and maximum of the
+ * rounds' speed-ups (with many rounds, the 5th and 95th percentile); inspection_of_serial is the
+ * time of an inspection in executions of the sequential loop; extra_percent is memory relative to
+ * the reduction arrays; modelled is the number of iterations divided by the makespan of the
+ * schedule, including waits (length.h). With `others`, also prints lines for OpenMP's atomics, its
+ * reduction of array sections (whose stacks are as large as the arrays: ulimit -s, OMP_STACKSIZE),
+ * array expansion written by hand, and `unmerged`, an upper bound on this machine: each thread adds
+ * an equal share of the iterations to a separate array. WARM 0: one execution only, for the model
  * at many threads.
  */
 #include "loop.h"
@@ -266,9 +267,9 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
     if (redcc_leave(&call))                                                                        \
     return 1
 
-static redcc_loop *described; /* the one executed last */
+static redcc_loop *described; /* the loop executed last */
 
-enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, COURSES };
+enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, VARIANTS };
 
 #define BLOCKS (row_start[NODES])
 
@@ -280,7 +281,7 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, COU
         BODY(t, ATOMICALLY);                                                                       \
     }
 
-/* A copy for each thread but the first, merged by blocks if MERGED. */
+/* A private copy for each thread except the first; if MERGED, the copies are added by blocks. */
 #define BY_EXPANSION(trip, BODY, WITH_A, MERGED)                                                   \
     const size_t doubles = 3 * (size_t)NODES + (WITH_A ? 9 * (size_t)BLOCKS : 0);                  \
     static double **copy;                                                                          \
@@ -307,7 +308,7 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, COU
         }                                                                                          \
     }
 
-/* `key` represents a pointer that the subscripts depend on: changing it forces an inspection. */
+/* `key` stands for a pointer on which the subscripts depend: changing it forces an inspection. */
 static void sequentially_heavy(void) {
     double(*const to_b)[3] = b;
     double(*const to_a)[9] = a;
@@ -316,8 +317,8 @@ static void sequentially_heavy(void) {
     }
 }
 
-static int run_heavy(redcc_word key, enum course_of_bench course) {
-    switch (course) {
+static int run_heavy(redcc_word key, enum bench_variant variant) {
+    switch (variant) {
     case SERIAL:
         sequentially_heavy();
         return 0;
@@ -361,8 +362,8 @@ static void sequentially_light(void) {
     }
 }
 
-static int run_light(redcc_word key, enum course_of_bench course) {
-    switch (course) {
+static int run_light(redcc_word key, enum bench_variant variant) {
+    switch (variant) {
     case SERIAL:
         sequentially_light();
         return 0;
@@ -398,17 +399,17 @@ static int run_light(redcc_word key, enum course_of_bench course) {
     return 0;
 }
 
-static int (*run_loop)(redcc_word, enum course_of_bench);
+static int (*run_loop)(redcc_word, enum bench_variant);
 
-static double seconds(redcc_word key, enum course_of_bench course) {
+static double seconds(redcc_word key, enum bench_variant variant) {
     const double begin = omp_get_wtime();
-    run_loop(key, course);
+    run_loop(key, variant);
     return omp_get_wtime() - begin;
 }
 
-static double second_seconds(enum course_of_bench course) {
-    run_loop(1, course);
-    return seconds(1, course);
+static double second_seconds(enum bench_variant variant) {
+    run_loop(1, variant);
+    return seconds(1, variant);
 }
 
 static int by_size(const void *p, const void *q) {
@@ -435,19 +436,20 @@ static struct spread ratios(const double *above, const double *below, int count)
     return spread_of(ratio, count);
 }
 
-/* Rounds of all variants before `end`, for `most` seconds; returns their number. */
-static int time_rounds(double taken[COURSES][MOST_ROUNDS], int end, double most) {
+/* Times rounds of the variants before number `end` for `most` seconds; returns the number of
+ * rounds. */
+static int time_rounds(double taken[VARIANTS][MOST_ROUNDS], int end, double most) {
     const double begin = omp_get_wtime();
     int round = 0;
     for (; round < ROUNDS || (round < MOST_ROUNDS && omp_get_wtime() - begin < most); round++)
-        for (int course = 0; course < end; course++)
-            taken[course][round] = second_seconds((enum course_of_bench)course);
+        for (int variant = 0; variant < end; variant++)
+            taken[variant][round] = second_seconds((enum bench_variant)variant);
     return round;
 }
 
-static const char *order_of(enum course_of_bench course, const struct statistics *it) {
+static const char *order_of(enum bench_variant variant, const struct statistics *it) {
     static const char *const names[] = {"serial", "fixed", "any"};
-    return course == REDCC ? names[it->order] : "any";
+    return variant == REDCC ? names[it->order] : "any";
 }
 
 int main(int count, char **arguments) {
@@ -457,15 +459,15 @@ int main(int count, char **arguments) {
     }
     const int heavy = strcmp(arguments[1], "heavy") == 0;
     const double warm = count > 3 ? atof(arguments[3]) : 2;
-    const int end = count > 4 ? COURSES : ATOMIC;
+    const int end = count > 4 ? VARIANTS : ATOMIC;
     run_loop = heavy ? run_heavy : run_light;
     make_mesh(strcmp(arguments[2], "shuffled") == 0);
-    static double taken[COURSES][MOST_ROUNDS], fresh[ROUNDS];
+    static double taken[VARIANTS][MOST_ROUNDS], fresh[ROUNDS];
     const double begin = omp_get_wtime();
     do
         seconds(1, REDCC);
     while (omp_get_wtime() - begin < warm);
-    const struct loop_state *state = described->state; /* NULL: by one thread only, so far */
+    const struct loop_state *state = described->state; /* NULL: never executed in parallel */
     struct statistics kept = {0};
     if (state)
         memcpy(&kept, &state->reported.statistics, sizeof kept);
@@ -476,18 +478,18 @@ int main(int count, char **arguments) {
     const double bytes = 24.0 * (double)NODES + (heavy ? 72.0 * BLOCKS : 0);
     static const char *const names[] = {"serial",       "",        "omp-atomic",
                                         "omp-sections", "by-hand", "unmerged"};
-    for (int course = REDCC; course < end; course++) {
+    for (int variant = REDCC; variant < end; variant++) {
         const struct spread gain =
-            warm > 0 ? ratios(taken[SERIAL], taken[course], rounds) : (struct spread){0, 0, 0};
-        const double mine = spread_of(taken[course], rounds).median;
-        const int ours = course == REDCC;
-        const double extra = ours               ? (double)kept.extra.bytes
-                             : course == ATOMIC ? 0
-                                                : bytes * kept.threads;
+            warm > 0 ? ratios(taken[SERIAL], taken[variant], rounds) : (struct spread){0, 0, 0};
+        const double mine = spread_of(taken[variant], rounds).median;
+        const int ours = variant == REDCC;
+        const double extra = ours                ? (double)kept.extra.bytes
+                             : variant == ATOMIC ? 0
+                                                 : bytes * kept.threads;
         printf("%s,%s,%s%s,%d,%s,%.6f,%.6f,%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.2f\n", arguments[1],
                arguments[2], ours && !getenv("REDCC_METHOD") ? "auto=" : "",
-               ours ? kept.method ? kept.method->name : "serial" : names[course],
-               omp_get_max_threads(), order_of((enum course_of_bench)course, &kept), alone, mine,
+               ours ? kept.method ? kept.method->name : "serial" : names[variant],
+               omp_get_max_threads(), order_of((enum bench_variant)variant, &kept), alone, mine,
                gain.median, gain.lowest, gain.highest,
                ours && warm > 0 ? (spread_of(fresh, ROUNDS).median - mine) / alone : 0,
                100 * extra / bytes,

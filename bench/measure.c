@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** measure COMMAND...: runs it, discards its output; prints processor seconds (user and system) and
- *  the largest memory in KB. Exit status 1 if the command fails. */
+/** measure COMMAND...: runs the command, discards its output, and prints its processor seconds
+ * (user and system) and peak memory in KB. Exit status 1 if the command fails. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/resource.h>

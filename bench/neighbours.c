@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop that gains by running in parallel, on cores that other programs use, too.
+ * A loop that gains by running in parallel, on cores that other programs use as well.
  *
  *   neighbours ITERATIONS EXECUTIONS
  *
- * prints the seconds of all executions together, what lies between them included, a hash of the
- * results' bits, and how often a thread lost its core a second.
+ * prints the seconds of all executions, including the time between them, a hash of the results'
+ * bits, and how many times per second a thread lost its core.
  */
 #include <math.h>
 #include <stdint.h>

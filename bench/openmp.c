@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A histogram of doubles by OpenMP: openmp clause|atomic ITERATIONS ELEMENTS EXECUTIONS. Prints
- * milliseconds, the least of the second half of the executions, and a hash of all bits. Compiled as
- * it is, and as redcc translates it.
+ * A histogram of doubles by OpenMP: openmp clause|atomic ITERATIONS ELEMENTS EXECUTIONS. Prints the
+ * milliseconds of the fastest execution of the second half, and a hash of all bits. Compiled
+ * unchanged, and translated by redcc.
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Compares the time of a product with the cloth's matrix when half of it is stored, as in the
- * simulator, and when every block is, for meshes of given numbers of vertices. The two products are
- * compared before they are timed. The program of script/bench product.
+ * For script/bench product: compares the time of the product with the cloth's matrix if half of it
+ * is stored, as in the simulator, and if every block is stored, for meshes of given numbers of
+ * vertices. The results of the two products are compared first.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@
 
 typedef void product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 
-/* Row starts of the full matrix. */
+/* Computes the row starts of the full matrix. */
 static void complete_row_starts(const block_matrix *half, int *row_start) {
     for (int i = 0; i < half->row_count; i++)
         for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
@@ -27,7 +27,7 @@ static void complete_row_starts(const block_matrix *half, int *row_start) {
         row_start[i + 1] += row_start[i];
 }
 
-/* All blocks, above and below the diagonal, of the matrix whose half is given. 0, or -1: out of
+/* Makes the full matrix, with blocks above and below the diagonal, from the half. 0, or -1: out of
  * memory. */
 static int complete(const block_matrix *half, block_matrix *full) {
     const int rows = half->row_count;
@@ -44,8 +44,8 @@ static int complete(const block_matrix *half, block_matrix *full) {
     }
     complete_row_starts(half, full->row_start);
     memcpy(next, full->row_start, sizeof *next * (size_t)rows);
-    /* Rows in ascending order: the transposed blocks from the rows above are left of the diagonal
-     * and exist before the row's own blocks, so columns ascend. */
+    /* Since rows are visited in ascending order, the transposed blocks from rows above, which are
+     * left of the diagonal, are stored before the row's own blocks, so columns ascend. */
     for (int i = 0; i < rows; i++)
         for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
             const int j = half->column[k];
@@ -63,7 +63,7 @@ static int complete(const block_matrix *half, block_matrix *full) {
     return 0;
 }
 
-/* y = F x, every block of F stored: regular, and twice the memory of half_product. */
+/* y = F x with every block of F stored: regular accesses, twice the memory of half_product. */
 static void full_product(const block_matrix *restrict F, const double (*restrict x)[3],
                          double (*restrict y)[3]) {
     for (int i = 0; i < F->row_count; i++) {
@@ -126,7 +126,7 @@ static double megabytes(const block_matrix *A) {
     return (double)A->block_count * (sizeof *A->value + sizeof *A->column) / 1e6;
 }
 
-/* Measures one matrix, with or without hinges; 0, or -1 without memory. */
+/* Measures one matrix, with or without hinges; 0, or -1: out of memory. */
 static int measure(const mesh *m, int with_hinges, int repeats) {
     const element_list lists[2] = {{m->triangle_count, 3, &m->triangle[0][0]},
                                    {m->hinge_count, 4, &m->hinge[0][0]}};

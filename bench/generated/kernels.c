@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* For bench/generated.sh: springs, a histogram, y = A x by columns, and a loop that leaves a value
- * behind, whose body stays in its block; the argument says which. The
- * long form of the generated code that redcc wrote at first, kernels-long.txt, is made of this. */
+/* For bench/generated.sh: springs, a histogram, y = A x by columns, and a loop with a live-out
+ * value, whose body is not outlined; the argument selects one. kernels-long.txt, the longer code
+ * that redcc generated at first, comes from this file. */
 #include <stdio.h>
 #include <stdlib.h>
 struct sys {

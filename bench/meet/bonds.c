@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Bonds point to their atoms. By hand: each thread owns atoms, and executes the bonds of these. */
+/** Bonds with pointers to their atoms. By hand: each thread owns atoms, and executes the bonds of
+ *  these. */
 #include "meet.h"
 
 #include <math.h>

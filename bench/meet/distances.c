@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A histogram of the distances of all pairs of points. By hand: a copy for each thread. */
+/** A histogram of the distances of all pairs of points. By hand: a private copy for each thread. */
 #include "meet.h"
 
 #include <math.h>

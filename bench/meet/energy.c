@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** All pairs of charges in a flat array of coordinates, and the sum of their energies. By hand:
- * tiles, one anti-diagonal after the other; the energies are kept and then added up in order. */
+/** Forces between all pairs of charges, with coordinates in a flat array, and the sum of the
+ * energies. By hand: tiles, one anti-diagonal after the other; energies are stored, then added up
+ * in order. */
 #include "meet.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@
 enum { POINTS = 1000 };
 #endif
 
-static double *at, *force, *energy; /* energy: the element behind the forces */
+static double *at, *force, *energy; /* energy: the element after the forces */
 
 #ifndef BY_HAND
 static void repel(int n, const double *r, double *f, double *sum) {

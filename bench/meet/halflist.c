@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Molecular dynamics by half neighbour lists, with the energy. By hand: each thread owns atoms,
- * and passes over rows that have none of these; energies are kept and then added up in order. */
+ * and skips rows that contain none of these; energies are stored, then added up in order. */
 #include "meet.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 enum { SIDE = 56, ATOMS = SIDE * SIDE * SIDE / 4, MOST = 40 };
 
 static int *start, *list, *last; /* last: a row's greatest neighbour, for the loop by hand */
-static double (*at)[3], (*force)[3], *energy; /* energy: the element behind the forces */
+static double (*at)[3], (*force)[3], *energy; /* energy: the element after the forces */
 
 #ifndef BY_HAND
 static void interact(int n, const double (*r)[3], double (*f)[3], double cut) {
@@ -79,7 +79,7 @@ static void find_neighbours(double reach) {
     for (int i = 0; i < ATOMS; i++) {
         start[i] = count;
         last[i] = i;
-        const int layer = 3 * SIDE * SIDE; /* two units: no later atom is a neighbour */
+        const int layer = 3 * SIDE * SIDE; /* atoms farther behind in the order are no neighbours */
         for (int j = i + 1; j < ATOMS && j < i + layer; j++) {
             const double dx = at[i][0] - at[j][0], dy = at[i][1] - at[j][1],
                          dz = at[i][2] - at[j][2];

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A step of k-means: a point goes to its nearest centre, whose sum it joins. By hand: the nearest
- *  centres by equal shares; then each thread adds up the points of its centres. */
+/** A step of k-means: each point is added to the sum of its nearest centre. By hand: threads find
+ * the nearest centres of equal shares of the points; then each thread adds up the points of its
+ * centres.
+ */
 #include "meet.h"
 
 #include <float.h>

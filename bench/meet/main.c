@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * PROGRAM CALLS [CALLS...], ascending: for each, the seconds of that number of calls from the first
- * one on, and a hash of the results' bits.
+ * PROGRAM CALLS [CALLS...], ascending: prints, for each of CALLS, the seconds of that number of
+ * calls from the first one on, and a hash of the results' bits.
  */
 #include "meet.h"
 

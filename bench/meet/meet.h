@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop whose iterations meet in what they update, as programs have it. With BY_HAND its file has
- * the loop as a programmer would write it for threads, with OpenMP, by the same order of updates.
+ * A loop, as found in programs, whose iterations update the same elements. Compiled with BY_HAND,
+ * its file contains the loop as a programmer would parallelise it with OpenMP, in the same order of
+ * updates.
  */
 #ifndef MEET_H
 #define MEET_H
@@ -10,16 +11,16 @@
 
 /** Makes the data. */
 void make(void);
-/** Between two calls, not timed: what a program's next step changes. */
+/** Called between two calls, not timed: makes the changes of a program's next step. */
 void change(void);
 /** The measured loop. */
 void call(void);
-/** Results, and their number of bytes in *size. */
+/** The results; *size: their number of bytes. */
 const void *results(size_t *size);
 
-/** In [0, 1). */
+/** A pseudo-random number in [0, 1). */
 double draw(void);
-/** Memory, set to 0. */
+/** Zeroed memory. */
 void *room(size_t bytes);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** All pairs of points attract each other; a point's sum is kept in variables. By hand: tiles, one
- *  anti-diagonal after the other. */
+/** All pairs of points attract each other; the inner loop keeps a point's sum in variables. By
+ * hand: tiles, one anti-diagonal after the other. */
 #include "meet.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 enum { POINTS = 4000 };
 #endif
 
-static double *x, *y, *z, *mass, *force; /* force: x, y and z */
+static double *x, *y, *z, *mass, *force; /* force: all x, then all y, then all z */
 
 #ifndef BY_HAND
 static void attract(int n, double *fx, double *fy, double *fz) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Particles move towards the middle and leave their charge in a grid, in one loop. By hand: they
- * move by equal shares; then each thread deposits what falls into its band of rows. */
+/** One loop moves particles towards the middle and deposits their charge on a grid. By hand:
+ * threads move equal shares of the particles; then each thread deposits the charges in its band of
+ * rows. */
 #include "meet.h"
 
 #include <math.h>
@@ -41,7 +42,7 @@ static void push(int n, particle *p, float *g) {
 }
 #else
 #include <omp.h>
-enum { ROUND = 32768 }; /* particles that stay in a core's cache */
+enum { ROUND = 32768 }; /* number of particles that fit into a core's cache */
 
 static void push(int n, particle *p, float *g) {
 #pragma omp parallel
@@ -85,7 +86,7 @@ static void push(int n, particle *p, float *g) {
 }
 #endif
 
-/* By rows of the grid, and slow: a program of this kind sorts its particles now and then. */
+/* Particles are sorted by rows of the grid, as programs of this kind do now and then, and slow. */
 void make(void) {
     particles = room(PARTICLES * sizeof *particles);
     grid = room(SIDE * SIDE * sizeof *grid);

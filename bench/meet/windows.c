@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Samples are spread over windows of 7 x 7 cells of a grid. By hand: each thread owns a band of
- *  rows, and the rows of a window are clipped to it. */
+/** Adds each sample to a window of 7 x 7 cells of a grid. By hand: each thread owns a band of rows,
+ * to which it clips the windows. */
 #include "meet.h"
 
 #include <math.h>

@@ -27,7 +27,7 @@ struct mesh {
     int nnode, nelem;
     double (*x)[3];       /* nodes */
     int (*conn)[8];       /* the nodes of each element */
-    double (*grad)[8][3]; /* derivatives of the shape functions at the centre */
+    double (*grad)[8][3]; /* [elements] derivatives of the shape functions at the centre */
     double *volume;
 };
 

@@ -7,7 +7,7 @@
  * A channel 3 SIDE x SIDE nodes large, with a bump on its floor, is cut into triangles. The median
  * dual around each node is a control volume: a list of edges, each with its two nodes and a normal,
  * is all that the solver knows of the mesh. A loop over the edges adds Rusanov's flux to one node
- * and subtracts it from the other; another gives time steps, as sums of the waves' speeds over
+ * and subtracts it from the other; another computes time steps from sums of wave speeds over
  * edges. Four-stage Runge-Kutta steps lead to the steady state. Every twentieth step prints the
  * residual; the end prints density and momentum at the nodes.
  *
@@ -74,7 +74,8 @@ static void boundary_edge(int a, int b, int *count, int *node, double (*n)[2]) {
     }
 }
 
-/* Node (i, j) of columns 0..nx and rows 0..ny; each quadrilateral is cut from i, j to i + 1, j + 1.
+/* Nodes (i, j) have columns 0..nx and rows 0..ny; each quadrilateral is cut from i, j to i + 1, j
+ * + 1.
  */
 static void make_mesh(int nx, int ny) {
 #define NODE(i, j) ((i) * (ny + 1) + (j))

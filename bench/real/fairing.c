@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Fairing of a scanned surface: noise is taken off a triangle mesh by flow along its mean
- * curvature.
+ * Fairing of a scanned surface: mean curvature flow removes noise from a triangle mesh.
  *
  *   fairing LEVELS STEPS >surface
  *
  * An icosahedron whose triangles are cut in four LEVELS times is a sphere of 10 * 4^LEVELS + 2
- * vertices, numbered as they were made; bumps and noise are laid on it. Each step visits every
- * triangle, adds the cotangents of its angles times its edges to the curvature normals of its
- * vertices and a third of its area to theirs, and moves each vertex along its normal, as far as is
- * stable. Lost volume is restored by scaling. Every tenth step prints area and
+ * vertices, numbered in the order of their creation; bumps and noise are added. Each step visits
+ * every triangle, adds the cotangents of its angles times its edges to the curvature normals of its
+ * vertices and a third of its area to the vertices' areas, and then moves each vertex along its
+ * normal, as far as is stable. Scaling restores lost volume. Every tenth step prints area and
  * volume; the end prints some of the vertices.
  *
  * M. Desbrun, M. Meyer, P. Schroeder, A. H. Barr: Implicit Fairing of Irregular Meshes using
@@ -60,7 +59,7 @@ static vector scaled(double s, vector a) {
 /* ---- the mesh ------------------------------------------------------------------------------- */
 
 typedef struct midpoint {
-    int low, high, vertex; /* of the edge low-high; vertex -1: the place is free */
+    int low, high, vertex; /* of the edge low-high; vertex -1: the entry is free */
 } midpoint;
 
 /* The vertex in the middle of an edge, created on first use. */
@@ -162,7 +161,7 @@ static double curvature_normals(mesh *m) {
         const vector p[3] = {m->position[v[0]], m->position[v[1]], m->position[v[2]]};
         double cot[3];
         const double area = cotangents(p, cot);
-        for (int c = 0; c < 3; c++) { /* the edge that lies across corner c */
+        for (int c = 0; c < 3; c++) { /* the edge opposite corner c */
             const int a = (c + 1) % 3, b = (c + 2) % 3;
             const vector edge = sub(p[b], p[a]);
             add(&m->normal[v[a]], 0.5 * cot[c], edge);

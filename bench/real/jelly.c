@@ -4,10 +4,10 @@
  *
  *   jelly SIDE STEPS >motion
  *
- * SIDE^3 cubes, each cut into five tetrahedra, are tilted above a floor. Each step takes the
- * forces of all tetrahedra, of a stable Neo-Hookean material with viscous damping, onto their
- * nodes, pushes nodes out of the floor by springs, and moves them (symplectic Euler). Every
- * fiftieth step prints energies and the lowest node; the end prints some of the nodes.
+ * SIDE^3 cubes, each cut into five tetrahedra, are tilted above a floor. Each step adds the forces
+ * of all tetrahedra, of a stable Neo-Hookean material with viscous damping, to their nodes, pushes
+ * nodes out of the floor by springs, and moves the nodes (symplectic Euler). Every fiftieth step
+ * prints energies and the lowest node; the end prints some of the nodes.
  *
  * B. Smith, F. de Goes, T. Kim: Stable Neo-Hookean Flesh Simulation, ACM Trans. Graph. 37 (2018)
  * 12, equations 13 and 18. J. Teran, S. Blemker, V. Ng Thow Hing, R. Fedkiw: Finite Volume Methods
@@ -22,7 +22,7 @@
 #define BULK 2e5   /* Lame's lambda, Pa */
 #define VISCOUS 15 /* Pa s */
 #define DENSITY 1000.0
-#define FLOOR 2e3 /* N/m, of a node's spring */
+#define FLOOR 2e3 /* stiffness of a node's spring, N/m */
 #define GRAVITY 9.81
 
 static int nodes, tets;
@@ -47,7 +47,7 @@ static double determinant(double a[3][3]) {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
-/* The derivative of the determinant by the matrix: its cofactors. */
+/* The matrix of cofactors: the derivative of the determinant with respect to the matrix. */
 static void cofactors(double a[3][3], double c[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -62,7 +62,7 @@ static void product(double a[3][3], double b[3][3], double c[3][3]) {
             c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
 }
 
-/* Columns: from a tetrahedron's first node to the others. */
+/* Columns of d: the edges from a tetrahedron's first node to the others. */
 static void edges(const double (*of)[3], const int n[4], double d[3][3]) {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -130,7 +130,8 @@ static void make_block(int side) {
 
 /* ---- forces --------------------------------------------------------------------------------- */
 
-/* First Piola-Kirchhoff stress for the deformation gradient and its rate; the energy's density. */
+/* The first Piola-Kirchhoff stress p of a deformation gradient and its rate; returns the energy
+ * density. */
 static double stress(double deformation[3][3], double rate[3][3], double p[3][3]) {
     const double alpha = 1 + 0.75 * SHEAR / BULK;
     double c[3][3], square = 0;

@@ -6,8 +6,8 @@
  *
  * A periodic cube of 4 CELLS^3 atoms starts as a face-centred lattice with small random velocities.
  * Velocity Verlet integrates it. Forces come from a Verlet list of half the pairs, which linked
- * cells rebuild every twentieth step: as each pair is met once, its force is added to both atoms.
- * Every twentieth step prints the energies; the end prints positions.
+ * cells rebuild every twentieth step: as each pair is listed once, its force is added to both
+ * atoms. Every twentieth step prints the energies; the end prints positions.
  *
  * The method and the form of its loops are those of M. P. Allen and D. J. Tildesley, Computer
  * Simulation of Liquids, Oxford 1987, programs F.4, F.17, F.19 and F.20; L. Verlet, Phys. Rev. 159
@@ -80,7 +80,7 @@ static int cell_of(double x, int ncell) {
     return c < 0 ? 0 : c >= ncell ? ncell - 1 : c;
 }
 
-/* Those of the atoms j, next[j], ... that lie within the list's radius of atom i, to the list. */
+/* Appends to the list those of the atoms j, next[j], ... that are within its radius of atom i. */
 static int scan(const int *next, int j, int i, int n) {
     const double reach = (CUTOFF + SKIN) * (CUTOFF + SKIN);
     for (; j >= 0; j = next[j])
@@ -89,8 +89,8 @@ static int scan(const int *next, int j, int i, int n) {
     return n;
 }
 
-/* The neighbour list, by linked cells no smaller than its radius. Half of a cell's 26 neighbours
- * are searched, so that each pair is found once. */
+/* Builds the neighbour list by linked cells no smaller than its radius. Half of a cell's 26
+ * neighbours are searched, so that each pair is found once. */
 static void neighbours(void) {
     const int m = (int)(box / (CUTOFF + SKIN));
     int *head = allocate((size_t)m * m * m, sizeof *head), *next = allocate(natoms, sizeof *next);
@@ -157,7 +157,7 @@ static void report(int step) {
     printf("%6d %.17g %.17g\n", step, kinetic / natoms, potential / natoms);
 }
 
-/* Half a step of the velocities, and with `move` a whole one of the positions. */
+/* Advances the velocities by half a step and, with `move`, the positions by a whole one. */
 static void advance(int move) {
     for (int i = 0; i < natoms; i++)
         for (int c = 0; c < 3; c++) {

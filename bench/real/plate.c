@@ -44,7 +44,7 @@ static void enter(cs *triplets, csi i, csi j, double value) {
         fail("out of memory");
 }
 
-/* Conductivity and capacity of a linear triangle of nodes v, into the two matrices. */
+/* Adds the conductivity and capacity of a linear triangle with nodes v to the two matrices. */
 static void add_triangle(const csi v[3], cs *stiffness, cs *mass) {
     double x[3], y[3], b[3], c[3];
     for (int a = 0; a < 3; a++) {
@@ -64,7 +64,8 @@ static void add_triangle(const csi v[3], cs *stiffness, cs *mass) {
         }
 }
 
-/* Compressed columns of sum of a triplet matrix's entries, which is freed. */
+/* Converts a triplet matrix to compressed columns, adding up repeated entries; frees the triplets.
+ */
 static cs *compressed(cs *triplets) {
     cs *transposed = cs_compress(triplets), *half = cs_transpose(transposed, 1);
     cs_spfree(triplets);
@@ -105,7 +106,8 @@ static double dot(const double *a, const double *b) {
     return sum;
 }
 
-/* Solves A u = b from the u given; r, p and w are work space. The number of iterations. */
+/* Solves A u = b, starting from the given u; r, p and w are work space. Returns the number of
+ * iterations. */
 static int conjugate_gradients(const cs *A, const double *b, double *u, double *r, double *p,
                                double *w) {
     memset(w, 0, sizeof *w * (size_t)n);

@@ -4,7 +4,7 @@
  *
  *   transport NODES STEPS >concentrations
  *
- * NODES junctions are joined by channels, each to a few that lie upstream, as rivers and pipes are.
+ * NODES junctions are connected by channels, each to a few upstream, as in rivers and pipes.
  * Concentrations follow dc/dt = (inflow - outflow + mixing) / volume, by Euler's implicit method.
  * The flow is steady, so the matrix is factorised once; each step solves it for a new right-hand
  * side, with UMFPACK's iterative refinement. Such matrices have little fill-in: products with the
@@ -44,7 +44,7 @@ static int by_row(const void *a, const void *b) {
     return (i > j) - (i < j);
 }
 
-/* Column j: what leaves junction j, to up to DEGREE junctions downstream of it. */
+/* Makes column j: the flow from junction j to up to DEGREE junctions downstream. */
 static void make_column(int j, double dt) {
     int to[DEGREE], count = 0;
     for (int k = 0; k < DEGREE; k++) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Finite elements: the right side of Poisson's equation on a triangulated square, and the lumped
- * masses, added up triangle by triangle.
- * Prints a checksum of all bits of the result, and on standard error the seconds it took.
+ * Finite elements: assembles the right-hand side of Poisson's equation on a triangulated square,
+ * and the lumped masses, triangle by triangle. Prints a checksum of all bits of the result, and on
+ * standard error the seconds it took.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@ static double load_at(double x, double y) {
     return x * (1 - x) + y * (1 - y);
 }
 
-/* The loop that is made parallel: a node takes part in up to six triangles. */
+/* The loop that redcc parallelises: up to six triangles update the same node. */
 static void assemble(int n, const int (*node)[3], const double (*x)[2], double *mass,
                      double *load) {
     for (int t = 0; t < n; t++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Matrices of triangles are added to a sparse matrix of 3 x 3 blocks, and loads to the corners. */
+/* Adds matrices of triangles to a sparse matrix of 3 x 3 blocks, and loads to the corners. */
 #include "kernels.h"
 
 #include "element.h"
@@ -29,7 +29,9 @@ REDCC_SLICE(assemble, int t) {
     }
 }
 
-/* Heavy: compiled once, not inlined several times. It needs REDCC_ONE_BODY below. */
+/* A heavy body is compiled once instead of being inlined several times. Requires REDCC_ONE_BODY
+ * below.
+ */
 REDCC_HEAVY_BODY(assemble, int t) {
     const struct triangle *triangle = &loop->triangle[t];
     double(*load)[3] = redcc_base(it, LOAD, loop->load);

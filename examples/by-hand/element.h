@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** What assemble() adds up: a triangle's forces at its corners, and matrices for pairs of corners.
- *  The formulas are made up; they cost what real ones do. */
+ *  The formulas have no physical meaning; they cost as much as real ones. */
 #ifndef ELEMENT_H
 #define ELEMENT_H
 
@@ -10,7 +10,7 @@ static inline double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* There is a force if the weighted sum of the corners' positions is longer than 1. */
+/* The force is 0 unless the weighted sum of the corners' positions is longer than 1. */
 static inline void compute_element(const struct triangle *triangle, const double (*x)[3],
                                    double force[3][3], double derivative[3][3][3][3]) {
     double sum[3] = {0, 0, 0};

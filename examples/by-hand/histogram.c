@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* How often does each key occur? */
+/* Counts how often each key occurs. */
 #include "kernels.h"
 
 #include <redcc/parallel.h>
@@ -13,7 +13,8 @@ enum { COUNT }; /* updated */
 enum { KEY };   /* read */
 static const redcc_array histogram_arrays[] = {REDCC_ARRAY("count", REDCC_SUM, unsigned, 1)};
 static const redcc_source histogram_sources[] = {REDCC_SUBSCRIPTS("key")};
-/* Optional: updates may be kept and made later, which is fast if keys change in every call. */
+/* Optional: allows binning, which stores updates as records and applies them later. It is fast if
+ * keys change in every call. */
 static const redcc_stream histogram_streams[] = {REDCC_KEPT(COUNT, unsigned, 1)};
 
 REDCC_SLICE(histogram, int t) {

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loops of this folder: by hand for redcc's runtime (no suffix), as they are written
- *  without it (_plain), with OpenMP's clause `reduction` and with its `atomic`. */
+/** The loops of this folder, in four versions: by hand for redcc's runtime (no suffix), sequential
+ *  (_plain), with OpenMP's clause `reduction`, and with its `atomic`. */
 #ifndef KERNELS_H
 #define KERNELS_H
 
 struct triangle {
     int corner[3];
-    int place[3][3]; /* of each pair of corners: the block of the matrix */
+    int place[3][3]; /* for each pair of corners: the index of its block in the matrix */
     double weight[3];
 };
 
-/** Lengths of the updated arrays; the loops themselves need them only in OpenMP's clause. */
+/** Lengths of the updated arrays; only OpenMP's clause needs them. */
 struct lengths {
     int particles, rows, keys, blocks;
 };

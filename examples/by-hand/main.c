@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* by-hand check [CALLS]: executes each loop CALLS times by hand and as it is written, and compares
- *     all bits; status 1 if some differ.
- * by-hand time LOOP SIDE ROUNDS: prints LOOP,version,median,10th percentile,90th percentile, in
- *     milliseconds of a call; the versions are interleaved. */
+/* by-hand check [CALLS]: executes CALLS times each loop written by hand for redcc and the
+ * sequential loop, and compares all bits; status 1 if some differ. by-hand time LOOP SIDE ROUNDS:
+ * prints LOOP,version,median,10th percentile,90th percentile, in milliseconds per call; the
+ * versions are interleaved. */
 #include "kernels.h"
 
 #include <stdio.h>
@@ -58,8 +58,8 @@ static void add_edge(struct data *it, int i, int j) {
     it->edge[it->edges++][1] = j;
 }
 
-/* Numbers of blocks: the diagonal block of a corner has the corner's number. After all of these
- * follow six blocks for each corner, one for each direction to a neighbour. */
+/* Indices of blocks: the diagonal block of a corner has the corner's number. After all diagonal
+ * blocks follow six blocks for each corner, one for each direction to a neighbour. */
 static void add_triangle(struct data *it, int i, int j, int k) {
     const int corner[3] = {i, j, k};
     struct triangle *to = &it->triangle[it->triangles++];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The loops as they are written without redcc. Compiled three times: as they are; with ATOMIC or
- * REDUCTION defined (and -fopenmp), with what OpenMP offers, to compare with. */
+/* The sequential loops. Compiled three times: as they are, and, for comparison, with OpenMP and
+ * ATOMIC or REDUCTION defined. */
 #include "kernels.h"
 
 #include "element.h"

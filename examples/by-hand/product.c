@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* y += A x with A by columns: column j updates the rows of y that it has entries in. */
+/* y += A x with A by columns: column j updates the elements of y in whose rows it has entries. */
 #include "kernels.h"
 
 #include <redcc/parallel.h>
@@ -48,7 +48,7 @@ REDCC_DESCRIBE(product) {
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 4
 #define REDCC_STREAMS
-/* Reads that may overlap y, given by redcc_reads_named and no subscripts. */
+/* Bits of the reads that redcc_reads_named declares: they may overlap y and are no subscripts. */
 #define REDCC_NAMED (1u << VALUE)
 #include <redcc/define_loop.h>
 

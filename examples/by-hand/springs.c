@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Forces of springs between particles: two rows of b are updated by each spring. */
+/* Forces of springs between particles: each spring updates two rows of b. */
 #include "kernels.h"
 
 #include <redcc/parallel.h>
@@ -50,8 +50,8 @@ REDCC_DESCRIBE(springs) {
 #define REDCC_WHERE "springs.c", 60, "springs"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 2
-#define REDCC_STREAMS /* there is springs_streams */
-/* Reads that may overlap b, given by redcc_reads_named and no subscripts. */
+#define REDCC_STREAMS /* springs_streams is defined */
+/* Bits of the reads that redcc_reads_named declares: they may overlap b and are no subscripts. */
 #define REDCC_NAMED (1u << X)
 #define REDCC_FLAGS REDCC_VERIFIABLE | REDCC_LIGHT
 #include <redcc/define_loop.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Particle in cell: each particle's charge goes to the four corners of its cell in a 512 x 512
- * grid, in proportion to how near they are. The particles move a little between the deposits.
- * Prints a checksum of all bits of the grid, and on standard error the seconds it took.
+ * Particle in cell: each particle's charge is distributed over the four corners of its cell in a
+ * 512 x 512 grid, with bilinear weights. The particles move a little between the deposits. Prints a
+ * checksum of all bits of the grid, and on standard error the seconds it took.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 
 enum { SIDE = 512, CELLS = SIDE * SIDE, PARTICLES = 1000000, STEPS = 10 };
 
-/* The loop that is made parallel: any two particles may share a corner. */
+/* The loop that redcc parallelises: any two particles may share a corner. */
 static void deposit(int n, const float *x, const float *y, double charge, double *grid) {
     for (int t = 0; t < n; t++) {
         const int i = (int)x[t], j = (int)y[t];
@@ -30,7 +30,7 @@ static float next_random(uint32_t *state) {
     return (float)(*state >> 8) / 16777216.0f;
 }
 
-/* To the left and upwards, back to the other side at the border. */
+/* Moves the particles to the left and upwards, with periodic borders. */
 static void move(int n, float *x, float *y) {
     for (int t = 0; t < n; t++) {
         x[t] = x[t] > 1 ? x[t] - 0.125f : SIDE - 2;

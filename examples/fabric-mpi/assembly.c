@@ -6,16 +6,16 @@
 
 #include "part_layout.h"
 
-/* fabric's own, which the linker gives another name here (--wrap). */
+/* fabric's own functions, which the linker renames (--wrap). */
 void __real_forces_assemble(simulation *sim, const expansion *at);
 int __real_forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
 
-/* What an assembly depends on beside positions and velocities. */
+/* The parameters of an assembly other than positions and velocities. */
 typedef struct present {
     double h;
     double wind[3];
     int on[EFFECT_COUNT];
-    int lags; /* lag is another than v */
+    int lags; /* `lag` differs from v */
 } present;
 
 void assembly_thin(simulation *whole) {
@@ -24,10 +24,11 @@ void assembly_thin(simulation *whole) {
     system_free(&whole->system);
     if (system_init(&whole->system, rows, 0, NULL) != 0)
         part_give_up("out of memory");
-    whole->system.A.block_count = blocks; /* of all, for the account */
+    whole->system.A.block_count = blocks; /* of all ranks, for the run's counts */
 }
 
-/* Where the leader's hinges, those with a weight, are among the mesh's; angle [mesh hinges]. */
+/* Expands the angles of the leader's hinges, which are those with a weight, to all hinges of the
+ * mesh: angle [mesh hinges]. */
 static void spell_angles(const simulation *whole, double *angle) {
     const hinge_elements *e = &whole->cloth.hinges;
     int k = 0;
@@ -58,7 +59,7 @@ static present present_of(const simulation *whole, const expansion *at) {
     return now;
 }
 
-/* Rows that the parts own, to the leader. */
+/* Sends the rows that the parts own to the leader. */
 static void give_back(part *p, linear_system *whole) {
     const linear_system *s = &p->sim->system;
     for (int i = 0; i < s->A.row_count; i++)
@@ -75,8 +76,8 @@ void assembly_receive(part *p, const linear_system *whole) {
         memcpy(s->A.value[s->A.row_start[i]], p->diagonal[i], sizeof *p->diagonal);
 }
 
-/* Elements worked on, those of several parts as often as they are executed; seconds: the leader's
- * part's. */
+/* Adds to the effects' accounts: elements processed, counted once for each part that has them, and
+ * the seconds of the leader's part. */
 static void account(const part *p, simulation *whole) {
     long visited[EFFECT_COUNT], all[EFFECT_COUNT];
     for (int k = 0; k < EFFECT_COUNT; k++) {
@@ -117,7 +118,7 @@ void assembly_forces(part *p, simulation *whole, const expansion *at) {
     __real_forces_assemble(sim, &own);
     give_back(p, whole ? &whole->system : NULL);
     account(p, whole);
-    /* The energy goes by the leader's. */
+    /* The leader computes the energy, so its angles must be current. */
     if (whole && whole->cloth.has_hinge_forces && BUILT_WITH(EFFECT_BEND))
         hinge_update_angles(&whole->cloth.hinges, at->x);
     part_stage_end();

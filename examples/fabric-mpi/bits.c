@@ -10,7 +10,7 @@
 enum { ORDERS = 2 };
 static const char *const orders[ORDERS] = {[BITS_SERIAL] = "serial", [BITS_ANY] = "any"};
 
-/* Others have no system to solve; they say themselves that they do not know the option. */
+/* Does the command simulate? Other commands solve no system and reject the option themselves. */
 static int simulates(int argc, char **argv) {
     return argc > 1 && (strcmp(argv[1], "run") == 0 || strcmp(argv[1], "accuracy") == 0);
 }
@@ -33,8 +33,8 @@ static int read_order(const char *value, int says, bits_order *bits) {
     return says ? complain(value) : EXIT_USAGE;
 }
 
-/* The value of --bits that begins at argv[k], and in *words how many words it is; NULL: there is
- * none. */
+/* The value of an option --bits at argv[k], and in *words the number of its words; NULL: there is
+ * no such option at argv[k]. */
 static const char *value_at(int argc, char **argv, int k, int *words) {
     static const char name[] = "--bits";
     const size_t length = sizeof name - 1;

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The option --bits of fabric-mpi's command line, which fabric does not have. */
+/** The option --bits, which fabric-mpi has in addition to fabric's options. */
 #ifndef FABRIC_MPI_BITS_H
 #define FABRIC_MPI_BITS_H
 
-/** In which order sums over ranks are added. All ranks have the same command line, so the same. */
+/** The order of sums over ranks. It is the same on all ranks, since they have the same command
+ * line. */
 typedef enum bits_order {
-    BITS_SERIAL, /* fabric-serial's, whatever the number of ranks */
-    BITS_ANY     /* as PETSc's matrices, dot products and preconditioners do */
+    BITS_SERIAL, /* as in fabric-serial, whatever the number of ranks */
+    BITS_ANY     /* as in PETSc's matrices, dot products and preconditioners */
 } bits_order;
 
 /**
- * Takes --bits ORDER or --bits=ORDER out of the words of a command that simulates; argv[*argc]
- * stays NULL. 0, or the exit status: of the ranks the one that `says` so has printed what is wrong.
+ * Removes --bits ORDER or --bits=ORDER from the words of a command that simulates; argv[*argc]
+ * stays NULL. 0, or the exit status after an error; a rank prints the message if `says` is not 0.
  */
 int bits_take(int *argc, char **argv, int says, bits_order *bits);
 
-/** After fabric's own text: where --help was asked for, a line on --bits. */
+/** If --help was given: prints a line on --bits, after fabric's own text. */
 void bits_help(int argc, char **argv);
 
 #endif

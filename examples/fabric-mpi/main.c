@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * fabric over MPI ranks: the program fabric, unchanged, on rank 0, which leads; the linker sends
- * its calls for forces and solutions here (--wrap), where all ranks take part. The other ranks wait
- * for what the leader asks for next.
+ * fabric over MPI ranks. Rank 0, the leader, runs the program fabric, unchanged; the linker
+ * redirects its calls for forces and solutions to this file (--wrap), and all ranks take part in
+ * them. The other ranks wait for the leader's next request.
  */
 #include <signal.h>
 #include <stdio.h>
@@ -18,13 +18,13 @@
 #include "solver/solver_fallback.h"
 #include "solver/solver_parts.h"
 
-/** What the leader asks for; the rest of it follows in what each function sends. */
+/** The leader's requests; each function sends the arguments. */
 enum request { MAKE, START, FORCES, MISSED, SOLVE, DEFECT, IMPULSES, FREE, END };
 
 static bits_order bits;
 static part mine;
-/* the leader's: the simulation that all have parts of; has a step begun? has a system been solved,
- * so that all that reads options of PETSc has done so? */
+/* On the leader. current: the simulation whose parts the ranks have; started: a step has begun;
+ * solved: a system has been solved, so that all readers of PETSc's options have read them. */
 static simulation *current;
 static int started, solved;
 
@@ -69,7 +69,8 @@ static int answer(int what) {
 
 static void serve(void) {
     int what;
-    /* A signal for all ranks is for the leader: it ends the run after the step under way. */
+    /* Signals sent to all ranks are left to the leader, which ends the run after the current step.
+     */
     signal(SIGINT, SIG_IGN);
     signal(SIGTERM, SIG_IGN);
     do
@@ -77,7 +78,7 @@ static void serve(void) {
     while (answer(what));
 }
 
-/* ---- the leader, in the place of fabric's functions ---- */
+/* ---- the leader: replacements of fabric's functions ---- */
 
 int __real_main(int argc, char **argv);
 int __wrap_main(int argc, char **argv);
@@ -95,7 +96,7 @@ double __wrap_solver_defect(solver *s, const linear_system *system, const constr
                             double (*dv)[3], double *reference);
 void __wrap_solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
 
-/* What is not done over ranks; NULL: nothing of the scene. */
+/* Why the scene cannot be simulated over ranks; NULL: it can. */
 static const char *obstacle(const mesh *m, const scene *s, int ranks) {
     if (s->contact.method == CONTACT_BARRIER)
         return "contact: over ranks only constraints; barrier changes the matrix' layout in each "
@@ -147,7 +148,7 @@ void __wrap_simulation_free(simulation *sim) {
     __real_simulation_free(sim);
 }
 
-/* Not before the first step: a checkpoint may have set what hinges remember. */
+/* Sends the hinges' angles. Called at the first step, because a checkpoint may have set them. */
 static void start(const simulation *sim) {
     if (started)
         return;
@@ -169,7 +170,8 @@ int __wrap_forces_add_missed(simulation *sim, const expansion *at, const double 
     return assembly_missed(&mine, sim, at, dv);
 }
 
-/* Preconditioners are the parts' own (part_make); all keep what solver_init made. */
+/* The parts have their own preconditioners (part_make); the leader's solver stays as solver_init
+ * made it. */
 int __wrap_solver_choose(solver *s, const block_matrix *A, const solver_options *options,
                          char *error) {
     (void)A, (void)error;
@@ -177,7 +179,8 @@ int __wrap_solver_choose(solver *s, const block_matrix *A, const solver_options 
     return 0;
 }
 
-/* Where the sequential program turns to a direct solution, which is not done over ranks. */
+/* Ends the program if the sequential program would fall back to a direct solution, which is not
+ * available over ranks. */
 static void check_iterations(solver_status status, long iterations) {
     if (bits == BITS_ANY) {
         if (status == SOLVER_TOO_MANY_ITERATIONS)
@@ -227,7 +230,8 @@ void __wrap_solver_impulses(solver *s, const linear_system *system, const double
 
 int __wrap_main(int argc, char **argv) {
     int rank, status = EXIT_SUCCESS;
-    /* PETSc's options come from the environment (PETSC_OPTIONS): the command line is fabric's. */
+    /* The command line is fabric's, so PETSc's options come from the environment (PETSC_OPTIONS).
+     */
     if (PetscInitializeNoArguments() != 0)
         return EXIT_FAILURE;
     PetscPopSignalHandler();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which vertices and elements a part has. */
+/* Determines the vertices and elements of a part. */
 #include "part.h"
 
 #include <stdio.h>
@@ -30,7 +30,7 @@ static int owns(const part *p, const division *d, int vertex) {
     return d->owner[d->of[vertex]] == p->rank;
 }
 
-/* Does the element touch a vertex that the rank owns? Then its vertices are marked. */
+/* Does the element have a vertex that the rank owns? If so, marks its vertices. */
 static int takes(const part *p, const division *d, const int *vertex, int size, int *mark) {
     int touches = 0;
     for (int k = 0; k < size; k++)
@@ -53,7 +53,7 @@ static void find(const part *p, const mesh *whole, const division *d, int *mark,
         counted->vertex_count += mark[v];
 }
 
-/* The part's vertices, and in local_of [whole vertices] their numbers there. */
+/* Lists the part's vertices; local_of [whole vertices] gets their numbers in the part. */
 static void take_vertices(part *p, const mesh *whole, const int *mark, int *local_of) {
     int n = 0;
     for (int v = 0; v < whole->vertex_count; v++) {
@@ -117,7 +117,7 @@ void part_take(part *p, const mesh *whole, const division *d) {
     free(local_of);
 }
 
-/* The leader's mesh, at all ranks. */
+/* Broadcasts the leader's mesh. */
 static void spread_mesh(mesh *m, const mesh *whole) {
     if (whole)
         *m = *whole;
@@ -137,8 +137,8 @@ static void spread_mesh(mesh *m, const mesh *whole) {
     MPI_Bcast(m->hinge, 4 * m->hinge_count, MPI_INT, LEADER, MPI_COMM_WORLD);
 }
 
-/* What acts within the cloth and on all of it. Pins, bodies, contact and the monitor are the
- * leader's. */
+/* Broadcasts what acts on the whole cloth: material and surroundings. Pins, bodies, contact and the
+ * monitor stay with the leader. */
 static void spread_scene(scene *s, const scene *of) {
     if (of)
         *s = *of;
@@ -177,7 +177,8 @@ static void divide(const part *p, const mesh *whole, division *d) {
     part_share_blocks(p, whole, d);
 }
 
-/* The whole cloth's domains in the part. Of one that another rank owns it has ghosts at most. */
+/* Makes the part's solver with the whole cloth's domains. Of a domain that another rank owns, the
+ * part has at most ghosts. */
 static void make_domains(part *p, const division *d) {
     int *start = part_memory((size_t)d->count + 1, sizeof *start);
     for (int k = 0, i = 0; k <= d->count; k++) {

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The part of a cloth that one rank works on, as a mesh of its own: the vertices that it owns, and
+ * The part of a cloth that one rank works on, as a separate mesh: the vertices that it owns, and
  * those that share a triangle or a hinge with one of them (ghosts), in the order of the whole mesh.
  * It has every element that touches a vertex it owns, in the order of the whole mesh. So a row of
  * the linear system that the rank owns gets the terms of the sequential program in their order, and
- * nothing is summed over the network. What the elements add to rows of ghosts is not used.
+ * no terms are summed over the network. Terms that the elements add to rows of ghosts are not used.
  *
- * Vertices are owned by blocks: of SOLVER_CHUNK vertices with block-Jacobi, the domains with
- * Gauss-Seidel (solver_domains.c). Dot products are sums of a block, and the blocks' sums in order,
- * as in the sequential program; and what is in one domain is swept by one rank. With --bits=any
- * they are of SOLVER_CHUNK vertices whatever the preconditioner, and PETSc solves the system.
+ * Ownership is by blocks of vertices: blocks of SOLVER_CHUNK vertices with block-Jacobi, domains
+ * with Gauss-Seidel (solver_domains.c). Dot products are computed within blocks and then summed
+ * over the blocks in order, as in the sequential program; one rank sweeps all of a domain. With
+ * --bits=any, blocks have SOLVER_CHUNK vertices whatever the preconditioner, and PETSc solves the
+ * system.
  *
- * Rank 0 leads: it has the whole cloth and runs fabric. Functions below that take a `whole` are
- * called by all ranks at once; only the leader's is read or written, the others pass NULL.
+ * Rank 0 is the leader: it has the whole cloth and runs fabric. Functions below with a parameter
+ * `whole` are collective; only the leader's argument is used, other ranks pass NULL.
  */
 #ifndef FABRIC_MPI_PART_H
 #define FABRIC_MPI_PART_H
@@ -27,19 +28,19 @@ enum { LEADER = 0 };
 
 /** Consecutive vertices of the cloth. */
 typedef struct own_block {
-    int number;     /* among the whole cloth's */
-    int begin, end; /* in the part's own numbers */
-    int sends;      /* are some of them ghosts of other ranks? */
+    int number;     /* index among the whole cloth's blocks */
+    int begin, end; /* vertices, in the part's numbers */
+    int sends;      /* are some of its vertices ghosts of other ranks? */
 } own_block;
 
-/** The sums of all blocks of the cloth, as they come in rank by rank. */
+/** The sums of all blocks of the cloth, received rank by rank. */
 typedef struct block_sums {
     int count;    /* blocks of the whole cloth */
-    int *order;   /* [count] which block's sum it is */
-    int *counts;  /* [ranks] */
-    int *starts;  /* [ranks] */
-    double *came; /* [count] */
-    double *sum;  /* [count] in the order of the blocks */
+    int *order;   /* [count] the block to which a received sum belongs */
+    int *counts;  /* [ranks] number of sums that each rank sends */
+    int *starts;  /* [ranks] index of a rank's first sum in `came` */
+    double *came; /* [count] the received sums */
+    double *sum;  /* [count] the same in the order of the blocks */
 } block_sums;
 
 typedef struct part {
@@ -52,60 +53,62 @@ typedef struct part {
     struct domain_solver
         *domains;                 /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
     struct petsc_solver *petsc;   /* --bits=any (solution_petsc.h); else NULL */
-    struct part_picture *picture; /* of the division, which the leader draws; else NULL */
-    double (*diagonal)[9]; /* [mesh.vertex_count] of the matrix, on its way from or to the leader */
+    struct part_picture *picture; /* the leader's, if a picture was requested; else NULL */
+    double (*diagonal)[9];        /* [mesh.vertex_count] buffer to exchange the matrix' diagonal */
     int *global;      /* [mesh.vertex_count] each vertex' number in the whole mesh, ascending */
     int *hinge;       /* [mesh.hinge_count] the same for hinges */
     own_block *block; /* [blocks] ascending */
     int blocks;
     block_sums sums;
-    PetscSF all;     /* from the leader's vertices to the part's, */
-    PetscSF own;     /* to those that it owns, */
-    PetscSF ghosts;  /* and from their owners to the ghosts, */
-    PetscSF kind[2]; /* to those in even domains, and in odd ones; NULL without domains */
+    PetscSF all;     /* exchanges: from the leader's vertices to all of the part's; */
+    PetscSF own;     /* from the leader's vertices to those that the part owns; */
+    PetscSF ghosts;  /* from owners to ghosts; */
+    PetscSF kind[2]; /* from owners to ghosts in even and in odd domains; NULL without domains */
 } part;
 
-/** Lays out every rank's part. Collective; whole and of: the leader's, else NULL. Ends the program
- *  where memory is out. */
+/** Lays out every rank's part. Collective; whole and of: the leader's, on other ranks NULL. Ends
+ * the program if out of memory. */
 void part_make(part *p, bits_order bits, const mesh *whole, const scene *of);
 void part_free(part *p);
 
 /** Are the blocks Gauss-Seidel's domains? */
 int part_has_domains(const scene *s, bits_order bits);
-/** How many blocks a cloth of so many vertices has: at most so many ranks can have a part. */
+/** The number of blocks of a cloth with this number of vertices, and so the maximum number of
+ * ranks. */
 int part_block_count(const scene *s, bits_order bits, int vertices);
 
-/** From the leader to the vertices whose diagonal and constraints a solution uses: Gauss-Seidel
- *  scales the blocks of a row by both vertices, and PETSc's matrix has their constraints. */
+/** The exchange for diagonal and constraints: ghosts are included if the solver uses theirs,
+ * because Gauss-Seidel scales a block by both vertices, and PETSc's matrix includes both
+ * constraints. */
 static inline PetscSF part_solved(const part *p) {
     return p->domains || p->petsc ? p->all : p->own;
 }
 
-/* ---- exchange; the unit is of `size` doubles a vertex ---- */
-/** whole [vertices] to local [mesh.vertex_count]. */
+/* ---- exchange of `size` doubles per vertex ---- */
+/** Sends whole [vertices] to local [mesh.vertex_count]. */
 void part_receive(PetscSF sf, int size, const void *whole, void *local);
-/** The same with one byte or one int a vertex. */
+/** The same with one byte or one int per vertex. */
 void part_receive_bytes(PetscSF sf, const unsigned char *whole, unsigned char *local);
 void part_receive_ints(PetscSF sf, const int *whole, int *local);
-/** The same back, of those that each rank owns. */
+/** Sends the values of the vertices that each rank owns back to the leader. */
 void part_return(const part *p, int size, const void *local, void *whole);
-/** Ghosts become what their owners have. value [mesh.vertex_count][3] */
+/** Sets the ghosts' values to those of their owners. value [mesh.vertex_count][3] */
 void part_update_ghosts(const part *p, double (*value)[3]);
-/** Those in odd domains alone, or in even ones, in two halves: between them the rank may work on
- * what is not sent and not received. */
+/** The same only for ghosts in odd domains, or in even ones, split into begin and end: in between
+ * the rank may use values that are neither sent nor received. */
 void part_update_kind_begin(const part *p, int odd, double (*value)[3]);
 void part_update_kind_end(const part *p, int odd, double (*value)[3]);
-/** The sum over all blocks of the cloth, in order, of own [blocks]: the same on all ranks. With
- *  --bits=any in an order that is MPI's. */
+/** The sum, in order, of own [blocks] over all blocks of the cloth: the same on all ranks. With
+ *  --bits=any the order is MPI's. */
 double part_sum(const part *p, const double *own);
-/** The same, by SOLVER_CHUNK vertices, of one term a vertex, term [mesh.vertex_count], where blocks
- *  are others. */
+/** The sum of one term per vertex, term [mesh.vertex_count], by chunks of SOLVER_CHUNK vertices
+ * even if blocks are not chunks. */
 double part_sum_terms(const part *p, const double *term);
 
-/** With the option -part_view (PETSC_OPTIONS), prints what each rank has. Collective. */
+/** With the option -part_view (PETSC_OPTIONS), prints the size of each rank's part. Collective. */
 void part_view(const part *p);
 
-/* A stage of PETSc's log (-log_view), from begin to end. */
+/* Delimit a stage of PETSc's log (-log_view). */
 void part_stage_begin(const char *name);
 void part_stage_end(void);
 

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Who sends what to whom, by PETSc's star forests. */
+/* Lays out the exchanges between ranks as PETSc's star forests. */
 #include <stdlib.h>
 
 #include "part_layout.h"
 #include "petsc_check.h"
 #include "solver/solver_parts.h"
 
-/* roots: how many the rank offers; leaf k, of `count`, is leaf[k] here and root[k] there. */
+/* roots: the number of values that this rank offers; leaf[k] of `count` is the local index of the
+ * value root[k] of another rank. */
 static void connect(PetscSF *sf, int roots, int count, int *leaf, PetscSFNode *root) {
     CHECK(PetscSFCreate(PETSC_COMM_WORLD, sf));
     CHECK(PetscSFSetGraph(*sf, roots, count, leaf, PETSC_COPY_VALUES, root, PETSC_COPY_VALUES));
@@ -24,7 +25,7 @@ static MPI_Datatype unit_of(int size) {
     return units[size];
 }
 
-/* The numbers that vertices have in their owners' parts. */
+/* Finds the numbers that vertices have in their owners' parts. */
 static void ask_places(const part *p, int *place) {
     int *at = part_memory((size_t)p->mesh.vertex_count, sizeof *at);
     int *all = part_memory((size_t)p->vertices, sizeof *all);
@@ -38,7 +39,7 @@ static void ask_places(const part *p, int *place) {
     free(all);
 }
 
-/* In which order the blocks' sums come in. */
+/* Computes the order in which the blocks' sums are received. */
 static void order_sums(block_sums *s, int ranks, const division *d) {
     int n = 0;
     s->count = d->count;
@@ -58,7 +59,8 @@ static void order_sums(block_sums *s, int ranks, const division *d) {
 
 enum { ANY = -1 };
 
-/* From their owners to the ghosts in odd blocks (1), in even ones (0), or in any. */
+/* Makes the exchange from owners to ghosts; odd: only those in odd blocks (1), in even ones (0), or
+ * in all. */
 static void connect_ghosts(const part *p, const division *d, const int *place, int odd,
                            PetscSF *sf) {
     const int count = p->mesh.vertex_count;
@@ -77,7 +79,7 @@ static void connect_ghosts(const part *p, const division *d, const int *place, i
     free(root);
 }
 
-/* Which blocks have vertices that other ranks have as ghosts. */
+/* Marks the blocks with vertices that are ghosts of other ranks. */
 static void mark_senders(part *p) {
     PetscInt ranks;
     const PetscInt *offset, *sent;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the making of a part (part.c) shares with its exchange (part_exchange.c). */
+/** Shared by the files that make a part (part.c) and its exchange (part_exchange.c). */
 #ifndef FABRIC_MPI_PART_LAYOUT_H
 #define FABRIC_MPI_PART_LAYOUT_H
 
 #include "part.h"
 
-/** Zeroed; ends the program where there is none. To be freed. */
+/** Zeroed memory, to be freed; ends the program if out of memory. */
 void *part_memory(size_t count, size_t size);
 
-/** How the whole cloth is divided. */
+/** The division of the whole cloth. */
 typedef struct division {
     int count;  /* blocks */
     int *first; /* [count + 1] a block's first vertex */
@@ -16,19 +16,19 @@ typedef struct division {
     int *owner; /* [count] the rank that owns a block */
 } division;
 
-/** d->owner: as many consecutive blocks for each rank, or, with the option -mat_partitioning_type
- *  (PETSC_OPTIONS; ptscotch), as PETSc divides the blocks' graph. Every rank has one block at
- *  least. Collective. */
+/** Sets d->owner: an equal number of consecutive blocks for each rank or, with the option
+ *  -mat_partitioning_type (PETSC_OPTIONS; ptscotch), PETSc's partition of the blocks' graph. Every
+ *  rank gets at least one block. Collective. */
 void part_share_blocks(const part *p, const mesh *whole, division *d);
 
-/** Mesh, global, hinge and blocks of the rank's part of `whole`. */
+/** Fills mesh, global, hinge and block of the rank's part of `whole`. */
 void part_take(part *p, const mesh *whole, const division *d);
 
-/** Lays out who sends what to whom. Collective. */
+/** Makes the part's exchanges (all, own, ghosts, kind) and sums. Collective. */
 void part_connect(part *p, const division *d);
 void part_disconnect(part *p);
 
-/* fabric's own, which the linker gives another name here (--wrap). */
+/* fabric's own functions, which the linker renames (--wrap). */
 simulation *__real_simulation_new(const mesh *m, const scene *s, char *error);
 void __real_simulation_free(simulation *sim);
 

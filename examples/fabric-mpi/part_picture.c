@@ -15,12 +15,13 @@
 #include "view/picture.h"
 #include "view/stage.h"
 
-/* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
+/* Sizes in the picture, in pixels. It is drawn four times (FINE) as wide and high, then halved
+ * twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };
-/* Triangles: of more of them, which are smaller, edges would hide what is between. */
+/* With more triangles than this no edges are drawn: they would hide the small triangles. */
 enum { MOST_WITH_EDGES = 20000 };
 
-/* Of Okabe and Ito's palette, which colour-blind readers tell apart. */
+/* From Okabe and Ito's palette for colour-blind readers. */
 static const unsigned char colours[PICTURE_RANKS][3] = {
     {86, 180, 233}, {230, 159, 0}, {0, 158, 115},   {204, 121, 167},
     {240, 228, 66}, {213, 94, 0},  {120, 130, 220}, {170, 170, 170},
@@ -31,7 +32,7 @@ typedef struct part_picture {
     int ranks, vertices, triangles;
     int *owner;         /* [vertices] */
     int (*triangle)[3]; /* [triangles] */
-    double (*flat)[3];  /* [vertices] the sheet's own coordinates, and 0 */
+    double (*flat)[3];  /* [vertices] material coordinates, and 0 */
 } part_picture;
 
 part_picture *part_picture_new(const part *p, const mesh *whole, const division *d) {
@@ -65,13 +66,13 @@ void part_picture_free(part_picture *of) {
     free(of);
 }
 
-/* A panel of the picture: its left edge, and what is seen there. */
+/* A panel of the picture: its left edge, and its view. */
 typedef struct panel {
     int left;
     const double (*x)[3];
     camera from;
-    int is_flat;          /* seen from above at an infinite distance, all of it as bright */
-    double low[2], width; /* of a flat one: its corner and how wide it is, m */
+    int is_flat;          /* orthographic from above, without shading */
+    double low[2], width; /* if flat: lower corner and width of the view, m */
 } panel;
 
 static panel flat_panel(const part_picture *of) {
@@ -100,7 +101,7 @@ static panel space_panel(const part_picture *of, const double (*x)[3]) {
 static void look(const panel *view) {
     glViewport(view->left, LEGEND * FINE, PANEL * FINE, PANEL * FINE);
     if (!view->is_flat) {
-        stage_look(&view->from);
+        stage_set_camera(&view->from);
         return;
     }
     glMatrixMode(GL_PROJECTION);
@@ -111,8 +112,8 @@ static void look(const panel *view) {
     glLoadIdentity();
 }
 
-/* Light falls from the eye and a little from above: by the angle to the triangle, either side of
- * it. */
+/* The brightness of a triangle, from the angle of its normal, on either side, to a light at the eye
+ * and a little above. */
 static double brightness(const panel *view, const int triangle[3]) {
     double edge[2][3], normal[3], light[3];
     if (view->is_flat)
@@ -125,7 +126,7 @@ static double brightness(const panel *view, const int triangle[3]) {
     return 0.45 + 0.55 * (length > 0 ? fabs(vector_dot(normal, light)) / length : 0);
 }
 
-/* white: how much of it is mixed in */
+/* white: the fraction of white to mix in */
 static void choose_colour(const unsigned char colour[3], double bright, double white) {
     GLubyte mixed[3];
     for (int a = 0; a < 3; a++)
@@ -133,7 +134,8 @@ static void choose_colour(const unsigned char colour[3], double bright, double w
     glColor3ubv(mixed);
 }
 
-/* A corner's third of the triangle: from the corner to the middles of its sides and of it all. */
+/* Draws a corner's third of the triangle: the quadrilateral of the corner, the middles of its two
+ * sides and the triangle's middle. */
 static void draw_corner(const double corner[3], const double one[3], const double other[3],
                         const double middle[3], int with_edges, const unsigned char colour[3],
                         double bright) {
@@ -180,7 +182,7 @@ static void draw_square(picture *p, int left, int top, int width, const unsigned
                     (unsigned char)(colour[a] * bright);
 }
 
-/* Each rank's two colours and its number, in the middle below the panels. */
+/* Draws each rank's two colours and its number, centred below the panels. */
 static void draw_legend(picture *p, int ranks) {
     const int shown = ranks < PICTURE_RANKS ? ranks : PICTURE_RANKS;
     const int left = (p->width - shown * STEP) / 2, top = PANEL + (LEGEND - SWATCH) / 2;
@@ -200,7 +202,7 @@ static void draw_panels(const part_picture *of, const double (*x)[3]) {
     glShadeModel(GL_FLAT);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    glEnable(GL_POLYGON_OFFSET_FILL); /* so that edges lie upon what they bound */
+    glEnable(GL_POLYGON_OFFSET_FILL); /* so that edges are in front of the triangles */
     glPolygonOffset(1, 1);
     glLineWidth(FINE * 0.75f);
     for (size_t k = 0; k < sizeof panels / sizeof *panels; k++) {
@@ -211,7 +213,7 @@ static void draw_panels(const part_picture *of, const double (*x)[3]) {
     glFinish();
 }
 
-/* The panels, four times as large, off screen. 0, or -1: out of memory. */
+/* Draws the panels, four times as large, off screen. 0, or -1: out of memory. */
 static int draw_large(const part_picture *of, const double (*x)[3], picture *large) {
     const int width = 2 * PANEL * FINE, height = (PANEL + LEGEND) * FINE;
     const size_t count = (size_t)width * (size_t)height;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which rank owns which block. Any answer gives the same bits: what it decides is what is sent. */
+/* Assigns blocks to ranks. The assignment determines the communication, not the bits. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 #include "part_layout.h"
 #include "petsc_check.h"
 
-/* As many consecutive blocks for each rank. */
+/* Gives each rank an equal number of consecutive blocks. */
 static void share_consecutively(int blocks, int ranks, int *owner) {
     for (int k = 0; k < blocks; k++)
         owner[k] = (int)((long long)k * ranks / blocks);
@@ -18,7 +18,8 @@ static int by_pair(const void *a, const void *b) {
     return memcmp(a, b, sizeof(int[2]));
 }
 
-/* Pairs of different blocks that a triangle joins, both ways, sorted; returns how many. */
+/* Lists pairs of different blocks that a triangle connects, in both directions, sorted; returns
+ * their number. */
 static int join_blocks(const mesh *whole, const int *block_of, int (*pair)[2]) {
     int count = 0, kept = 0;
     for (int t = 0; t < whole->triangle_count; t++)
@@ -37,12 +38,12 @@ static int join_blocks(const mesh *whole, const int *block_of, int (*pair)[2]) {
     return kept;
 }
 
-/* The blocks' graph, as PETSc has it. */
+/* The blocks' graph as a PETSc adjacency matrix. */
 static Mat block_graph(const mesh *whole, const division *d) {
     const int blocks = d->count;
     int(*pair)[2] = part_memory(6 * (size_t)whole->triangle_count, sizeof *pair);
     const int count = join_blocks(whole, d->of, pair);
-    PetscInt *start, *to; /* the matrix keeps them */
+    PetscInt *start, *to; /* the matrix takes ownership */
     Mat graph;
     CHECK(PetscCalloc1(blocks + 1, &start));
     CHECK(PetscMalloc1(count, &to));
@@ -59,7 +60,7 @@ static Mat block_graph(const mesh *whole, const division *d) {
     return graph;
 }
 
-/* By one of PETSc's partitioners. */
+/* Assigns blocks by one of PETSc's partitioners. */
 static void share_by_graph(const mesh *whole, int ranks, division *d) {
     Mat graph = block_graph(whole, d);
     MatPartitioning partitioning;
@@ -79,7 +80,7 @@ static void share_by_graph(const mesh *whole, int ranks, division *d) {
     CHECK(MatDestroy(&graph));
 }
 
-/* Has every rank a block? */
+/* Does every rank have a block? */
 static int all_have(const int *owner, int blocks, int ranks) {
     int *has = part_memory((size_t)ranks, sizeof *has), count = 0;
     for (int k = 0; k < blocks; k++)

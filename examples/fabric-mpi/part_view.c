@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What a part has, for people and for models of the traffic. */
+/* Prints the sizes of parts, for readers and for models of the communication. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -8,7 +8,7 @@
 
 enum { VERTICES, GHOSTS, SENT, NEIGHBOURS, TRIANGLES, HINGES, COLUMNS };
 
-/* How many ranks the rank sends ghosts to, and how many values. */
+/* Counts the ranks to which this rank sends ghosts, and the values sent. */
 static void count_sent(const part *p, long *row) {
     PetscInt ranks;
     const PetscInt *offset;

@@ -8,7 +8,8 @@
 #include "base/words.h"
 #include "petsc_check.h"
 
-/* What a misspelt option is compared with: PETSc has no list of those that it knows. */
+/* Options among which the nearest to a misspelt one is searched: PETSc has no list of its options.
+ */
 static const char *const common[] = {"ksp_type",
                                      "ksp_rtol",
                                      "ksp_atol",
@@ -32,7 +33,7 @@ static const char *const common[] = {"ksp_type",
                                      "options_left"};
 enum { COMMON = sizeof common / sizeof *common };
 
-/* Read when PETSc ends, or on more ranks than one alone. */
+/* Is the option read only at PETSc's end, or only with several ranks? */
 static int is_read_elsewhere(const char *name) {
     static const char *const beginnings[] = {"log_", "options_", "objects_", "malloc_",
                                              "mat_partitioning_"};
@@ -74,8 +75,8 @@ int petsc_options_unread(bits_order bits) {
     return found;
 }
 
-/* PETSc calls it for each function that an error passes; the first one's message says what is
- * wrong. */
+/* An error handler, which PETSc calls for each function of the call stack. Prints only the first
+ * call's message, which names the error. */
 static PetscErrorCode say_first(MPI_Comm comm, int line, const char *function, const char *file,
                                 PetscErrorCode code, PetscErrorType kind, const char *message,
                                 void *context) {

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Options of PETSc (PETSC_OPTIONS) that nothing has asked for: misspelt, or without effect here.
- */
+/** Finds options of PETSc (PETSC_OPTIONS) that have not been read: misspelt, or without effect
+ * here. */
 #ifndef FABRIC_MPI_PETSC_OPTIONS_H
 #define FABRIC_MPI_PETSC_OPTIONS_H
 
 #include "bits.h"
 
-/** To be called when all that reads options has done so: after a solution. Where an option was not
- *  read, prints it and what may have been meant. Returns how many there are. */
+/** To be called after a solution, when all options have been read. Prints each unread option with
+ * the nearest known one. Returns the number of unread options. */
 int petsc_options_unread(bits_order bits);
 
-/** Has an error of PETSc's, such as a preconditioner it does not know, be said in one line instead
- * of with PETSc's stack of calls and how it was built. */
+/** Makes PETSc print an error, such as an unknown preconditioner, in one line, without call stack
+ * and build configuration. */
 void petsc_errors_short(void);
 
 #endif

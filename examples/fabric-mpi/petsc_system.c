@@ -8,10 +8,10 @@
 #include "petsc_check.h"
 #include "solver/solver_precondition.h"
 
-enum { SIZE = 3 }; /* of a block */
+enum { SIZE = 3 }; /* rows of a block */
 
-/* Owned vertices, in the part's order, have consecutive numbers in PETSc's; number
- * [mesh.vertex_count] has those of ghosts, too, and row their rows here, -1 for ghosts. */
+/* Numbers vertices for PETSc: owned vertices have consecutive numbers in the part's order. number
+ * [mesh.vertex_count] also has the numbers of ghosts; row: the local row, -1 for ghosts. */
 static void number_vertices(petsc_system *of, const part *p, int *number, int *row) {
     for (int i = 0; i < p->mesh.vertex_count; i++)
         row[i] = -1;
@@ -35,7 +35,8 @@ static int by_column(const void *a, const void *b) {
     return (left->column > right->column) - (left->column < right->column);
 }
 
-/* Adds to its row, if the rank owns it, the half matrix' block `place` of row i; NULL: counts. */
+/* Appends a block of the half matrix to row[at], if the rank owns that row. Without a list of
+ * blocks, counts it in `next`. */
 static void add_block(petsc_system *of, const int *row, int at, petsc_block block, int *next) {
     if (row[at] < 0)
         return;
@@ -74,8 +75,8 @@ static void find_blocks(petsc_system *of, const block_matrix *A, const int *numb
     free(next);
 }
 
-/* Blocks a row, as PETSc counts them: of columns that the rank owns and of others, and of both
- * those from the diagonal on, for a matrix whose half is stored. */
+/* Preallocates: counts the blocks of each row in columns that the rank owns and in others, and, for
+ * a matrix of which half is stored, those of both at or right of the diagonal. */
 static void allocate(const petsc_system *of) {
     enum { OWN, OTHER, OWN_UPPER, OTHER_UPPER, COUNTS };
     PetscInt *count[COUNTS];
@@ -130,7 +131,7 @@ void petsc_system_free(petsc_system *of) {
     *of = (petsc_system){0};
 }
 
-/* The blocks of row k, side by side: value [3][3 count], as PETSc takes them. */
+/* Computes the blocks of row k, side by side as PETSc requires: value [3][3 count]. */
 static void compute_row(const petsc_system *of, const part *p, int k, double *value) {
     const int first = of->start[k], count = of->start[k + 1] - first;
     for (int n = 0; n < count; n++) {
@@ -158,7 +159,7 @@ void petsc_system_fill(petsc_system *of, const part *p) {
     }
     CHECK(MatAssemblyBegin(of->A, MAT_FINAL_ASSEMBLY));
     CHECK(MatAssemblyEnd(of->A, MAT_FINAL_ASSEMBLY));
-    CHECK(MatSetOption(of->A, MAT_SYMMETRIC, PETSC_TRUE)); /* new values make PETSc forget it */
+    CHECK(MatSetOption(of->A, MAT_SYMMETRIC, PETSC_TRUE)); /* new values reset the option */
     free(value);
     free(column);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A solution from the leader's system to its dv and residual. What makes the product's bits those
- * of one rank: a part's rows have all their blocks, in the order of the whole matrix, so
- * half_product gives the rows that the rank owns as they are there. */
+/* A solution, from the leader's system to its dv and residual. The product's bits are those of one
+ * rank, because a part's owned rows have all their blocks in the order of the whole matrix, so that
+ * half_product computes them as in the sequential program. */
 #include "solution.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #include "solution_petsc.h"
 #include "solver/solver_parts.h"
 
-/* The leader's, of the vertices that the solution constrains; other ghosts are free here. */
+/* Receives the leader's constraints for the vertices of part_solved; other ghosts stay free. */
 static void receive_constraints(part *p, const constraints *whole) {
     constraints *c = &p->sim->constraints;
     const size_t count = (size_t)p->mesh.vertex_count;
@@ -64,7 +64,8 @@ void solution_reference(part *p, int which) {
     solution_residual(p, s->residual);
 }
 
-/* System, constraints, and dv made to meet them; returns solver_apply's, of the whole cloth. */
+/* Receives system, constraints and dv, and projects dv onto the constraints; returns the result of
+ * solver_apply for the whole cloth. */
 static int receive(part *p, const whole_system *whole) {
     simulation *sim = p->sim;
     int which;
@@ -92,7 +93,7 @@ solver_status solution_solve(part *p, const whole_system *whole, const solver_li
     const solver_status status = p->petsc     ? petsc_solve(p, &now, which, iterations)
                                  : p->domains ? domains_solve(p, &now, which, iterations)
                                               : jacobi_solve(p, &now, which, iterations);
-    /* Block-Jacobi's own residual is as good where nothing is constrained. */
+    /* Without constraints, block-Jacobi's own residual needs no recomputation. */
     if (status != SOLVER_NOT_FINITE && (p->petsc || p->domains || which != UNCONSTRAINED))
         solution_residual(p, p->sim->step.dv);
     give_back(p, whole);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Gauss-Seidel over parts, with the passes of fabric's solver_domains.c in their order. A rank
- * sweeps the domains that it owns. A sweep reads of other ranks what domains of the other kind have
- * there: these ghosts, of odd domains or of even ones, are brought up to date in between. */
+ * sweeps the domains that it owns. A sweep of even domains reads values of odd ones, and vice
+ * versa; ghosts of that kind are updated between the sweeps. */
 #include <math.h>
 #include <string.h>
 
@@ -14,12 +14,12 @@ static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
 }
 
-/* What is done with one domain; beta: of the direction, NULL: it is there. */
+/* A pass over one domain; beta: to update the direction, NULL: it is up to date. */
 typedef void (*domain_pass)(domain_solver *d, int domain, const double *beta);
 
-/* A pass over the domains of a kind; then other ranks have this kind's `sent`, unless it is NULL.
- * They get it while the domains that nobody else reads are still at work: so a rank that is late
- * for a moment keeps no other one waiting. */
+/* A pass over the even or the odd domains, after which other ranks have this kind's values `sent`
+ * (unless NULL). Domains that other ranks read come first; their values are sent while the other
+ * domains are computed, so that a rank that is briefly late delays no other. */
 static void pass_over(const part *p, int odd, domain_pass pass, const double *beta,
                       double (*sent)[3]) {
     for (int sends = 1; sends >= 0; sends--) {
@@ -49,14 +49,16 @@ static void sweep_correction_up(domain_solver *d, int domain, const double *beta
     domain_sweep_up(d, domain, read_only(d->correction), d->correction);
 }
 
-/* A domain is turned just before it is swept, so that it is read from memory once. */
-static void turn_and_sweep_direction(domain_solver *d, int domain, const double *beta) {
+/* A domain's direction is updated just before the domain is swept, so that it is read from memory
+ * once.
+ */
+static void update_and_sweep_direction(domain_solver *d, int domain, const double *beta) {
     if (beta)
-        domain_turn(d, domain, *beta);
+        domain_update_direction(d, domain, *beta);
     domain_sweep_direction(d, domain);
 }
 
-/* The solver's residual, within the constraints, transformed; returns its square. */
+/* Filters and transforms the solver's residual; returns its squared norm. */
 static double transform(part *p) {
     domain_solver *d = p->domains;
     solver_filter(&p->sim->constraints, p->sim->solver.residual);
@@ -68,15 +70,15 @@ static double transform(part *p) {
     return part_sum(p, d->sum_residual);
 }
 
-/* p = residual + beta p; NULL: p is there. Then t, and w but for its product with what is between
- * domains. */
+/* p = residual + beta p, unless beta is NULL. Then computes t, and w without the product with
+ * `between`. */
 static void sweep_direction(const part *p, const double *beta) {
     domain_solver *d = p->domains;
-    pass_over(p, 1, turn_and_sweep_direction, beta, d->swept);
-    pass_over(p, 0, turn_and_sweep_direction, beta, d->has_between ? d->swept : NULL);
+    pass_over(p, 1, update_and_sweep_direction, beta, d->swept);
+    pass_over(p, 0, update_and_sweep_direction, beta, d->has_between ? d->swept : NULL);
 }
 
-/* w, of even domains swept down. */
+/* Completes w, and sweeps even domains down. */
 static void finish_even(const part *p) {
     domain_solver *d = p->domains;
     if (d->has_between) {
@@ -97,7 +99,7 @@ static double curvature_of(const part *p) {
     return part_sum(p, d->sum_direction);
 }
 
-/* Returns the residual's square. */
+/* Advances correction and residual; returns the residual's squared norm. */
 static double advance(const part *p, double alpha) {
     domain_solver *d = p->domains;
 #pragma omp parallel for schedule(static)
@@ -136,7 +138,7 @@ static solver_status iterate(part *p, double square, double goal, int most, long
     }
 }
 
-/* dv += the correction, which is swept up first. */
+/* dv += the correction, after its upward sweep. */
 static void add_correction(const part *p) {
     domain_solver *d = p->domains;
     pass_over(p, 1, sweep_correction_up, NULL, d->correction);

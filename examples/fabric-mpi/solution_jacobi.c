@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Block-Jacobi over parts, with the operations of fabric's solver.c in their order: sums are over
- * the same blocks of vertices, added in the same order (part_sum), and everything but the product
- * acts on single vertices. An iteration sends the ghosts' directions and gathers two sums a block.
- */
+ * the same blocks of vertices, added in the same order (part_sum), and all operations except the
+ * product act on single vertices. An iteration sends the ghosts' directions and gathers two sums
+ * per block. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static void start_residual(part *p) {
     }
 }
 
-/* r'Pr, by SOLVER_CHUNK vertices also where the part's blocks are domains. */
+/* r'Pr, summed by SOLVER_CHUNK vertices even if the part's blocks are domains. */
 static double residual_square(part *p) {
     solver *s = &p->sim->solver;
     double *term = part_memory((size_t)p->mesh.vertex_count, sizeof *term), sum;
@@ -74,7 +74,7 @@ static double advance(part *p, double alpha) {
 }
 
 /* p = Pr + beta p */
-static void turn(part *p, double beta) {
+static void update_direction(part *p, double beta) {
     solver *s = &p->sim->solver;
 #pragma omp parallel for schedule(static)
     for (int n = 0; n < p->blocks; n++)
@@ -82,7 +82,8 @@ static void turn(part *p, double beta) {
             vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
 }
 
-/* Preconditioner and residual; returns r'Pr, and the reference's in *reference. */
+/* Computes preconditioner and residual; returns r'Pr, and for the reference residual in *reference.
+ */
 static double begin(part *p, int which, double *reference) {
     simulation *sim = p->sim;
     solver *s = &sim->solver;
@@ -114,7 +115,7 @@ static solver_status iterate_to(double goal, part *p, int max_iterations, double
         ++*iterations;
         const double before = rz, curvature = curvature_of(p);
         rz = advance(p, curvature > 0 ? before / curvature : 0);
-        turn(p, rz / before);
+        update_direction(p, rz / before);
         if (!isfinite(curvature))
             return SOLVER_NOT_FINITE;
         if (!(curvature > 0))

@@ -15,12 +15,12 @@
 typedef struct petsc_solver {
     petsc_system system;
     KSP ksp;
-    /* is PETSc's -ksp_rtol, -ksp_atol, -ksp_max_it given? */
+    /* Was PETSc's -ksp_rtol, -ksp_atol, -ksp_max_it given? */
     PetscBool has_rtol, has_atol, has_most;
 } petsc_solver;
 
-/* Aggregation and hypre work on scalar rows, and only there PETSc's incomplete Cholesky has a
- * shift; anything else gains by blocks. */
+/* Aggregation multigrid and hypre need scalar rows, and PETSc's incomplete Cholesky has a shift
+ * only with them; all other preconditioners are faster with blocks. */
 static MatType default_type(preconditioner_kind kind) {
     static const char *const scalar[] = {PCGAMG, PCHYPRE, PCML};
     char name[64];
@@ -50,17 +50,16 @@ static void set_default(PC pc, preconditioner_kind kind) {
     CHECK(PetscOptionsHasName(NULL, NULL, "-pc_type", &given));
     if (given)
         return;
-    if (kind == PRECONDITIONER_GAUSS_SEIDEL) /* conjugate gradients want it symmetric */
+    if (kind == PRECONDITIONER_GAUSS_SEIDEL) /* conjugate gradients require symmetry */
         CHECK(PCSORSetSymmetric(pc, SOR_LOCAL_SYMMETRIC_SWEEP));
     if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) {
         set_unless_given("-sub_pc_type", PCICC);
-        /* As fabric's own: some matrices have no factor without a shift. */
+        /* As in solver_factor.c: some matrices cannot be factored without a shift. */
         set_unless_given("-sub_pc_factor_shift_type", "positive_definite");
     }
 }
 
-/* Methods other than conjugate gradients may lack the preconditioner's norm: these keep their own.
- */
+/* Uses the preconditioner's norm; methods that do not support it keep their own norm. */
 static void set_norm(KSP ksp) {
     PetscBool has, given;
     CHECK(PetscOptionsHasName(NULL, NULL, "-ksp_norm_type", &given));
@@ -95,7 +94,8 @@ void petsc_solver_free(petsc_solver *s) {
     free(s);
 }
 
-/* A preconditioner that cannot be made is none that the step's length would cure. */
+/* Converts PETSc's reason. A failed preconditioner counts as too many iterations, which ends the
+ * program: a shorter step would not help. */
 static solver_status status_of(KSP ksp) {
     KSPConvergedReason reason;
     CHECK(KSPGetConvergedReason(ksp, &reason));
@@ -112,7 +112,7 @@ static solver_status status_of(KSP ksp) {
     }
 }
 
-/* b = S (b - A z), y = S dv, the guess. Returns |b|. */
+/* Sets b = S (b - A z) and the guess y = S dv. Returns |b|. */
 static double put(part *p, int which) {
     const petsc_system *of = &p->petsc->system;
     solver *s = &p->sim->solver;
@@ -133,7 +133,7 @@ solver_status petsc_solve(part *p, const solver_limits *limits, int which, long 
         return SOLVER_NOT_FINITE;
     petsc_system_fill(&s->system, p);
     CHECK(KSPSetOperators(s->ksp, s->system.A, s->system.A));
-    /* Relative to the right-hand side's norm, which is fabric's reference. */
+    /* Relative to the right-hand side's norm, as in fabric. */
     CHECK(KSPSetTolerances(s->ksp, s->has_rtol ? PETSC_DEFAULT : limits->tolerance,
                            s->has_atol ? PETSC_DEFAULT : limits->floor, PETSC_DEFAULT,
                            s->has_most ? PETSC_DEFAULT : limits->max_iterations));

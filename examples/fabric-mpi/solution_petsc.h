@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The solution by PETSc's own matrix, conjugate gradients and preconditioners, for --bits=any. Its
- * bits depend on the ranks. Collective. */
+/** The solution by PETSc's matrix, conjugate gradients and preconditioners, for --bits=any. The
+ * bits depend on the number of ranks. Collective. */
 #ifndef FABRIC_MPI_SOLUTION_PETSC_H
 #define FABRIC_MPI_SOLUTION_PETSC_H
 
 #include "part.h"
 
 /**
- * A solver for systems of the part's layout. PETSC_OPTIONS decide; by default it is `cg`, with the
- * residual in the preconditioner's norm, as fabric has it, and the preconditioner is PETSc's
+ * A solver for systems of the part's layout, configured by PETSC_OPTIONS. The default is `cg`, with
+ * the residual in the preconditioner's norm, as in fabric, and PETSc's preconditioner that is
  * nearest to the scene's: pbjacobi (block-jacobi), sor within each rank (gauss-seidel), jacobi,
  * none, bjacobi with icc within each rank (incomplete-cholesky). -ksp_rtol, -ksp_atol and
- * -ksp_max_it go before the scene's. Freed by petsc_solver_free; p keeps it.
+ * -ksp_max_it override the scene's limits. Freed by petsc_solver_free.
  */
 struct petsc_solver *petsc_solver_new(const part *p);
 void petsc_solver_free(struct petsc_solver *s);
 
-/** As solver_solve, from the guess dv. `which`: solver_apply's, of the whole cloth. */
+/** As solver_solve, from the guess dv. `which`: the result of solver_apply for the whole cloth. */
 solver_status petsc_solve(part *p, const solver_limits *limits, int which, long *iterations);
 
 #endif

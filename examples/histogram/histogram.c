@@ -11,7 +11,7 @@
 
 enum { EVENTS = 4000000, CHANNELS = 4096, RUNS = 25 };
 
-/* The loop that is made parallel: which channel an event adds to is known only at run time. */
+/* The loop that redcc parallelises: the channel of an event is known only at run time. */
 static void fill(int n, const int *channel, const float *energy, double *histogram) {
     for (int t = 0; t < n; t++)
         histogram[channel[t]] += 1e-3 * energy[t] * energy[t];

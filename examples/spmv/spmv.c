@@ -12,7 +12,7 @@
 
 enum { SIDE = 600, ROWS = SIDE * SIDE, RUNS = 60 };
 
-/* The loop that is made parallel: y[i] and y[j] are updated by other rows' entries as well. */
+/* The loop that redcc parallelises: entries of other rows also update y[i] and y[j]. */
 static void multiply(int n, const int *first, const int *column, const double *a, const double *x,
                      double *y) {
     for (int i = 0; i < n; i++)

@@ -60,7 +60,7 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
-    case REASON_SAVING: /* the loop was inspected */
+    case REASON_SAVING: /* the inspection took place */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;
@@ -84,7 +84,7 @@ static enum way way_concerned(const struct execution *execution) {
     }
 }
 
-/* The fraction of the plan construction that was done at its deadline. */
+/* The fraction of the plan construction that was completed at the deadline. */
 static double part_done(const struct execution *execution) {
     const struct inspection *inspection = &execution->inspection;
     if (execution->reason != REASON_DEADLINE)
@@ -107,8 +107,8 @@ static void trace_outcome(const struct loop_state *state, const redcc_loop *loop
                 redcc_credit(&state->chooser.state));
 }
 
-void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
-                     const struct outcome *outcome, enum reason reason) {
+void redcc_inform_auto(struct loop_state *state, const redcc_loop *loop,
+                       const struct outcome *outcome, enum reason reason) {
     redcc_tell(&state->chooser, outcome, reason);
     redcc_note_rule(&state->reported.statistics, redcc_advice_rule(&state->chooser, outcome->trip));
     trace_outcome(state, loop, outcome);
@@ -136,7 +136,7 @@ static void account_refused(struct execution *execution, double now) {
                                     .trip = trip,
                                     .seconds = now - execution->call.entered,
                                     .done = part_done(execution)};
-    redcc_tell_auto(state, execution->call.request.loop, &outcome, execution->reason);
+    redcc_inform_auto(state, execution->call.request.loop, &outcome, execution->reason);
 }
 
 static const char *origin_of_plan(const struct execution *execution) {
@@ -172,7 +172,7 @@ static void count_nodes(const struct execution *execution, struct statistics *st
     statistics->placement.nodes = __builtin_popcountll(nodes);
 }
 
-static void tell_auto(struct execution *execution, double now) {
+static void inform_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     const struct plan *plan = execution->run.plan;
     const bool built = execution->inspected && !plan->method->selects; /* whose plans are not
@@ -183,7 +183,7 @@ static void tell_auto(struct execution *execution, double now) {
                                     .trip = plan->trip,
                                     .seconds = now - (built ? ready : entered),
                                     .set_up = built ? ready - entered : 0};
-    redcc_tell_auto(state, execution->call.request.loop, &outcome, REASON_NONE);
+    redcc_inform_auto(state, execution->call.request.loop, &outcome, REASON_NONE);
 }
 
 void redcc_count_lost(struct execution *execution) {
@@ -197,7 +197,7 @@ void redcc_count_lost(struct execution *execution) {
 }
 
 /* Reports measurements of the team, whatever the loop's result. */
-static void tell_team(struct execution *execution) {
+static void report_team(struct execution *execution) {
     const struct call *call = &execution->call;
     const double woken = execution->woken;
     if (!call->method && !execution->advice.alone)
@@ -214,7 +214,7 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
-/* Threads that find their iterations during execution know their number afterwards. */
+/* If threads find their iterations during execution, their number is known only afterwards. */
 static void count_selected(const struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)
@@ -254,7 +254,7 @@ static void account_execution(struct execution *execution, double now) {
     note_variant(execution, statistics);
     trace_execution(execution, now);
     if (!execution->call.method)
-        tell_auto(execution, now);
+        inform_auto(execution, now);
     if (execution->call.request.sections) {
         execution->run.plan->copies.is_neutral = true;
         redcc_sections_timed(&execution->state->sections, plan->trip, execution->call.threads,
@@ -301,13 +301,13 @@ static void account_binned(struct execution *execution, double now) {
                                     .trip = trip,
                                     .seconds = now - call->entered,
                                     .usual = redcc_bins_usual(binning)};
-    redcc_tell_auto(state, call->request.loop, &outcome, REASON_NONE);
+    redcc_inform_auto(state, call->request.loop, &outcome, REASON_NONE);
 }
 
 bool redcc_account(struct execution *execution) {
     struct run *run = &execution->run;
     const double now = run->executed > 0 ? run->executed : redcc_seconds();
-    tell_team(execution);
+    report_team(execution);
     redcc_count_lost(execution);
     if (run->plan)
         account_execution(execution, now);

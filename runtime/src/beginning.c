@@ -18,18 +18,18 @@
 
 enum {
     LEAST_TRIP = 64,
-    PART = 64,      /* this fraction of the iterations is timed */
-    PIECES = 4,     /* the pieces that are timed one by one */
+    PART = 64,      /* one iteration in this number is timed */
+    PIECES = 4,     /* number of pieces that are timed separately */
     MOST_ARRAYS = 8 /* more than any translated loop has */
 };
 
-/* Seconds from which the others may be worth what a first execution in parallel costs in addition:
- * a look, threads that have to be started, and pages that none of them has touched before. */
+/* Seconds of sequential time above which the other iterations may repay the extra cost of a first
+ * parallel execution: a sample, starting threads, and page faults. */
 static const double long_enough = 4 * LEARN_LOOK / LEARN_SHARE;
 
-/* The calling thread's part in iterations that are executed in order. */
+/* The calling thread's state while it executes iterations in order. */
 struct in_order {
-    redcc_worker worker; /* first: the functions below get a pointer to it */
+    redcc_worker worker; /* must be first: the functions below convert a pointer to it */
     redcc_call call;
     redcc_calls calls;
     redcc_owner owner[MOST_ARRAYS]; /* not used: no owner checks */
@@ -86,8 +86,8 @@ void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_me
     execute(site, attempt, member, context, from, attempt->trip);
 }
 
-/* Is this the first execution, and may `auto` decide about it? In a fixed order sums depend on
- * which iterations are executed together. */
+/* Is this the first execution, and may `auto` decide about it? Not in a fixed order, in which sums
+ * depend on the iterations that are executed together. */
 static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
     if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))
@@ -107,8 +107,8 @@ static void leave_rest(struct beginning *it, const redcc_loop *loop, const redcc
     it->rest.key = it->key;
 }
 
-/* Executes the first `count` iterations in pieces. Returns the seconds that `count` iterations of
- * the fastest piece take: the first piece also fetches pages and fills caches. */
+/* Executes the first `count` iterations in pieces. Returns the seconds that `count` iterations take
+ * at the speed of the fastest piece: the first piece includes page faults and cache misses. */
 static double time_first(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                          const void *context, redcc_int count) {
     const redcc_int pieces = redcc_min(PIECES, count);

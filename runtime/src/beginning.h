@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The first execution of a loop with heavy iterations (REDCC_BEGINS): it may be long, and the only
- * one. The calling thread executes some iterations in order and times them. If the loop will take
- * long, the others are executed as a loop of their own, whose sequential time is then known.
+ * The first execution of a loop with heavy iterations (REDCC_BEGINS), which may be long and the
+ * only one. The calling thread executes some iterations in order and times them. If the loop will
+ * take long, the other iterations are executed as a separate loop, whose sequential time is then
+ * known.
  */
 #ifndef REDCC_BEGINNING_H
 #define REDCC_BEGINNING_H
@@ -12,13 +13,13 @@
 enum { BEGINNING_KEYS = 16 };
 
 struct beginning {
-    redcc_int done;     /**< iterations; 0: none */
-    redcc_attempt rest; /**< the others, if there are both */
+    redcc_int done;     /**< number of iterations executed; 0: none */
+    redcc_attempt rest; /**< the other iterations, if 0 < done < trip */
     redcc_word key[BEGINNING_KEYS];
 };
 
-/** Executes and times the first iterations if the loop was never executed before, perhaps all of
- *  them. `threads` would execute the others. */
+/** If the loop was never executed before: executes and times the first iterations, perhaps all.
+ *  `threads`: the number for the others. */
 void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
                           const redcc_attempt *attempt, redcc_member *member, const void *context,
                           int threads);

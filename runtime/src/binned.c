@@ -6,7 +6,7 @@
 
 #include <errno.h>
 
-/* All threads have the same information about the result. */
+/* Continues after the last round. All threads find the same result. */
 static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;
@@ -37,8 +37,8 @@ static void stretch(struct thread_state *thread, redcc_worker *worker) {
     redcc_run_stretch(worker, begin, round->end);
 }
 
-/* The iterations that redcc_next handed out between two rounds are done, and the thread's state is
- * as before. */
+/* Restores the thread's state after the iterations that redcc_next handed out between two rounds.
+ */
 static void resume(struct thread_state *thread) {
     thread->runner.step = STEP_BEGIN;
     redcc_float_control_take(thread->execution->call.float_control);

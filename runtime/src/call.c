@@ -29,9 +29,9 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
                loop->line, redcc_order_name(settings->method->keeps));
 }
 
-/* Do the settings give other bits than the sequential loop: another order of the contributions, or
- * compensated sums? Then one thread executes the loop by a plan as well, also within a parallel
- * region and concurrently with other threads, because the bits must always be the same. */
+/* Do the settings require other bits than the sequential loop's: another order of the
+ * contributions, or compensated sums? Then even a single thread executes by a plan, also within a
+ * parallel region and concurrently with other threads, because the bits must always be the same. */
 static bool is_always_planned(const struct settings *settings) {
     return settings->compensated ||
            (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
@@ -44,14 +44,14 @@ static const struct method *method_of(const struct settings *settings) {
     return settings->method;
 }
 
-/* With lanes one thread may be faster than the sequential loop as well. */
+/* May a single thread execute by a plan? With lanes it may be faster than the sequential loop. */
 static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
     enum lanes_reason unused;
     const bool in_bins = settings->method && settings->method->in_bins;
     return in_bins || redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0;
 }
 
-/* Reasons against running in parallel that do not depend on the loop's data. */
+/* A reason against running in parallel that does not depend on the loop's data. */
 static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
                                  int threads, int nested, bool forked) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
@@ -97,8 +97,8 @@ void redcc_note_no_memory(redcc_loop *loop) {
 }
 
 int redcc_is_unlinked(redcc_loop *loop) {
-    (void)redcc_is_forked();        /* before any memory of the parent is used */
-    (void)redcc_settings_for(loop); /* names the report's file */
+    (void)redcc_is_forked();        /* must precede any use of the parent's memory */
+    (void)redcc_settings_for(loop); /* sets the report's file */
     note_serial(loop, REASON_UNLINKED);
     return 0;
 }
@@ -121,7 +121,7 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* Releases the loop: nothing of the execution is touched any more. */
+/* Releases the loop. The execution's data must not be used afterwards. */
 static void end(struct loop_state *state) {
     const struct within within = state->execution.within;
     redcc_loop_release(state);
@@ -139,8 +139,8 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-/* The settings for a loop that is executed by shares and its sections (choose/sections.h): as if
- * the method were named. */
+/* The settings for a loop that is executed by its sections (choose/sections.h), as if the method
+ * were named. */
 static struct settings settings_of_sections(const struct settings *settings, int shares) {
     struct settings own = *settings;
     own.method = &redcc_method_sections;
@@ -148,7 +148,7 @@ static struct settings settings_of_sections(const struct settings *settings, int
     return own;
 }
 
-/* The number of its shares; below 2: the order is that of the loop. */
+/* The number of shares for an execution by sections; below 2: the loop's order is kept. */
 static int section_shares(const redcc_loop *loop, const struct settings *settings, redcc_int trip,
                           void *const *bases, const redcc_extent *sections) {
     if (!sections || redcc_order_of(loop, settings) == REDCC_ORDER_SERIAL || settings->method ||
@@ -212,7 +212,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->planned = threads;
     call->started = alone ? 0 : redcc_team_missing(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
-    if (call->request.sections && threads < 1) /* the bits do not depend on it */
+    if (call->request.sections && threads < 1) /* the bits do not depend on the number */
         threads = 1;
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (!alone && threads < (call->one_will_do || call->in_bins ? 1 : 2))
@@ -244,7 +244,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* Compensated sums have the same bits at any number of threads. */
+/* The number of threads to request. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
@@ -256,9 +256,9 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 
 /* ---- the original loop, timed ---------------------------------------------------------------- */
 
-/* The original loop that this thread is about to execute, and its start time. An inner loop
- * replaces it; the outer one is then not timed in this call. */
-enum { MOST_SOURCES = 8 }; /* whose ranges are remembered */
+enum { MOST_SOURCES = 8 }; /* maximum number of sources whose ranges are stored */
+/* The original loop that this thread is about to execute, and its start time. A loop called by its
+ * body replaces it; the outer loop is then not timed in this call. */
 static _Thread_local struct {
     const redcc_loop *loop; /* NULL: none */
     redcc_int trip;
@@ -266,7 +266,7 @@ static _Thread_local struct {
     double began;
 } original;
 
-int redcc_timed_loops; /* in all threads */
+int redcc_timed_loops; /* number of loops being timed, in all threads */
 
 static void set_original(const redcc_loop *loop) {
     if (!original.loop != !loop)
@@ -282,10 +282,10 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
     original.began = redcc_seconds();
 }
 
-/* Do the settings request only speed? Then a loop without a state runs unchanged; it gets a state
- * once it takes long enough. */
-static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
-                               const redcc_extent *known, bool may_gain) {
+/* Can the call proceed without a state? If the settings request only speed, a loop runs unchanged,
+ * and gets a state when it has taken long enough. */
+static bool needs_no_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
+                           const redcc_extent *known, bool may_gain) {
     if (redcc_made_state_of(loop) || (may_gain && redcc_advise_at_once(loop, trip)) ||
         settings->method || settings->compensated || settings->validate || settings->report ||
         redcc_traced)
@@ -300,10 +300,10 @@ static void note_left_alone(struct statistics *statistics, enum rule rule) {
     redcc_note_serial(statistics);
 }
 
-/* Is there nothing to decide in this call? Then preparations are skipped: the loop is released, and
- * timed if requested. */
-static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
-                  const redcc_extent *known, int threads, enum reason *reason) {
+/* Is the call skipped by back-off? Then the loop is released without preparations, and timed if
+ * requested. */
+static bool is_backed_off(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                          const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
         return false;
@@ -315,10 +315,10 @@ static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
     return true;
 }
 
-/* Is the loop found to run sequentially without any work that only threads need? Then the execution
- * ends here. */
-static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
-                  const redcc_extent *known, int threads, enum reason *reason) {
+/* Does auto decide to run sequentially before the preparations for threads? Then the execution ends
+ * here. */
+static bool ends_early(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                       const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_saving(&state->chooser, loop, known, trip, threads, &advice))
         return false;
@@ -331,9 +331,9 @@ static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
     return true;
 }
 
-/* Must parallel regions avoid the program's allocator? Then the execution ends here. The first call
- * reads the symbols of many objects, 0.06 ms. */
-static bool is_kept_out(struct loop_state *state, bool always) {
+/* Would OpenMP free memory by the wrong allocator (redcc_allocator_is_split)? Then the execution
+ * ends here. The first call reads the symbols of all objects: 0.06 ms. */
+static bool must_avoid_regions(struct loop_state *state, bool always) {
     if (always || !redcc_allocator_is_split())
         return false;
     if (!state->execution.call.method)
@@ -342,25 +342,25 @@ static bool is_kept_out(struct loop_state *state, bool always) {
     return true;
 }
 
-/* Tells `auto` the time of a sequential execution. known: NULL if it is unavailable. */
+/* Reports the time of a sequential execution to `auto`. known: NULL if unavailable. */
 static void note_original(redcc_loop *loop, redcc_int trip, const redcc_extent *known,
                           double seconds) {
     const int error = errno;
     struct loop_state *state = NULL;
-    redcc_is_forked(); /* the body may have forked, and memory is used */
+    redcc_is_forked(); /* the body may have forked, and memory is used below */
     const int executions = redcc_unmade_timed(&loop->state, trip, seconds);
     if (executions > 0)
         state = redcc_state_of(loop);
     enum reason reason;
     if (state &&
-        redcc_loop_acquire(state, loop, false, &reason)) { /* else another thread executes it */
+        redcc_loop_acquire(state, loop, false, &reason)) { /* fails if another thread executes it */
         redcc_note_sequential(&state->reported.statistics, trip, seconds);
-        redcc_tell_auto(state, loop,
-                        &(struct outcome){.result = RESULT_SEQUENTIAL,
-                                          .trip = trip,
-                                          .seconds = seconds,
-                                          .untimed = executions - 1},
-                        REASON_NONE);
+        redcc_inform_auto(state, loop,
+                          &(struct outcome){.result = RESULT_SEQUENTIAL,
+                                            .trip = trip,
+                                            .seconds = seconds,
+                                            .untimed = executions - 1},
+                          REASON_NONE);
         if (known)
             redcc_advise_timed(&state->chooser, loop, known, trip, seconds);
         redcc_loop_release(state);
@@ -401,7 +401,7 @@ void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double s
 
 /* ---- enter, join, leave ---------------------------------------------------------------------- */
 
-/* The execution has begun: the call's threads join it. */
+/* Fills the call, so that its threads can join the execution. */
 static int hand_over(struct execution *execution, redcc_call *call) {
     const int threads = execution->call.asked;
     redcc_find_plan(execution);
@@ -416,7 +416,7 @@ static int hand_over(struct execution *execution, redcc_call *call) {
     return 1;
 }
 
-/* Reasons that apply before the loop is acquired. */
+/* A reason to run sequentially that applies before the loop is acquired. */
 static enum reason reason_at_once(struct loop_state *state, const redcc_loop *loop,
                                   const struct settings *settings, int threads, int nested,
                                   bool forked) {
@@ -433,7 +433,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
                  int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1, .calls = &redcc_library};
-    const bool forked = redcc_is_forked(); /* before any memory of the parent is used */
+    const bool forked = redcc_is_forked(); /* must precede any use of the parent's memory */
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
@@ -442,7 +442,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         shares > 1 ? settings_of_sections(settings, shares) : (struct settings){0};
     settings = shares > 1 ? &own : settings;
     const bool may_gain = !nested && (threads > 1 || one_will_do(loop, settings));
-    if (trip > 0 && goes_without_state(settings, loop, trip, known, may_gain))
+    if (trip > 0 && needs_no_state(settings, loop, trip, known, may_gain))
         return 0;
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
@@ -461,7 +461,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
         return serially(state, reason);
     struct execution *execution = &held->execution;
     const bool asks_auto = !always && !settings->method;
-    if (asks_auto && rests(held, loop, trip, known, threads, &reason))
+    if (asks_auto && is_backed_off(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
     take_settings(&execution->call, settings, error_before);
     execution->call.request.sections = shares > 1 ? sections : NULL;
@@ -471,9 +471,9 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     }
     threads = nested || threads < 1 || forked ? 1 : threads;
     redcc_within_begin(&execution->within, always, threads);
-    if (asks_auto && saves(held, loop, trip, known, threads, &reason))
+    if (asks_auto && ends_early(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
-    if (is_kept_out(held, always))
+    if (must_avoid_regions(held, always))
         return serially(state, REASON_ALLOCATOR);
     threads = shares > 1 ? redcc_sections_threads(&held->sections, trip, threads)
                          : threads_to_ask_for(held, settings, trip, threads);
@@ -488,7 +488,7 @@ static int enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const
     return hand_over(execution, call);
 }
 
-/* The loop sees the errno from before, whichever thread executes it. */
+/* Preserves errno: the loop must find the caller's value, whichever thread executes it. */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     return redcc_enter_sectioned(call, loop, trip, bases, known, key, NULL, threads, nested);
@@ -519,7 +519,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     }
     assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     if (number == 0) {
-        redcc_team_came(threads);
+        redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
         if (!execution->advice.alone || execution->call.request.sections ||
             is_dry) /* a sample is too short for a user to wait for its

@@ -16,7 +16,8 @@ static void stop_at_misuse(const redcc_worker *worker, const char *rule) {
     redcc_stop("the loop of %s (%s:%d): %s", loop->function, loop->file, loop->line, rule);
 }
 
-/* A named method, or bits that differ from the original loop's, are provided in each execution. */
+/* If a method is named, or the bits differ from the original loop's, every execution must be
+ * possible, so pointers may be loaded each time. */
 static int may_load(const redcc_loop *loop, redcc_word *last) {
     const struct settings *settings = redcc_settings_for(loop);
     return settings->method || settings->compensated || settings->validate ||

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Functions of other files: checks that the linked definitions are those that were analysed. Each
+/* Checks that the linked definitions of other files' functions are those that were analysed. Each
  * object describes its functions and their addresses (redcc_record). The records are compared with
- * those of the loop's translation, and the addresses with the targets of the calls. */
+ * the loop's expectations, and the addresses with the targets of the calls. */
 #include <assert.h>
 #include <redcc/runtime.h>
 
 #include <stdbool.h>
 #include <string.h>
 
-/* Mutually recursive functions have no summary: a call chain is no longer than this. */
+/* Maximum length of a call chain. (Loops that call mutually recursive functions are not
+ * translated.) */
 enum { MOST_DEEP = 64 };
 
 static bool is_expected(const redcc_record *record, const redcc_expectation *expected,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The lifetime of a loop's state: created, held by one execution at a time, freed. */
+/** The lifetime of a loop's state: creation, acquisition by one execution at a time, freeing. */
 #include "loop.h"
 
 #include "base/memory.h"

@@ -29,13 +29,13 @@ struct execution {
     struct advice advice; /* auto's decision at entry */
     struct reuse reuse;
     struct inspection inspection;
-    bool inspected;              /* memory for the inspection must be freed */
+    bool inspected;              /* an inspection began, and its memory must be freed */
     const struct method *method; /* selected by the inspection */
     struct run run;
     bool binned;        /* it was binned, entirely or in its first rounds */
     enum stage stage;   /* the next stage of all threads, after a barrier */
     enum reason reason; /* why there is no plan */
-    double woken;       /* arrival of the last thread of the region, in seconds; 0: none did */
+    double woken;       /* s, arrival of the region's last thread; 0: none arrived */
     struct barrier barrier;
 };
 
@@ -46,12 +46,12 @@ struct thread_state {
     int thread;
     int threads;
     enum stage stage;
-    bool telling;               /* in this stage, the program was given iterations to record */
-    int node;                   /* its last NUMA node (base/node.h); -1: not known */
+    bool telling;               /* in this stage, iterations to record were handed out */
+    int node;                   /* its last NUMA node (base/node.h); -1: unknown */
     bool moved;                 /* its node differs from that in the previous execution */
     struct inspector inspector; /* sample, sweep, log, partition */
     struct hasher hasher;       /* verify, sweep, plan */
-    struct binner *binner;      /* of a loop that can be binned; or NULL */
+    struct binner *binner;      /* NULL unless the loop can be binned */
 };
 
 _Static_assert(offsetof(struct thread_state, runner) == 0, "execute/executor.c goes by it");
@@ -59,7 +59,7 @@ _Static_assert(offsetof(struct thread_state, runner) == 0, "execute/executor.c g
 struct loop_state {
     struct reported reported;
     atomic_int busy;
-    bool temporary; /* of one execution, in addition to the loop's own; not in the report */
+    bool temporary; /* for one execution, besides the loop's own state; not in the report */
     struct chooser chooser;
     struct variants variants;
     struct plan_cache cache;
@@ -67,27 +67,27 @@ struct loop_state {
     struct execution execution;
     struct binning binning;
     struct thread_state **thread; /* [thread_count] */
-    struct inspector **inspector; /* [thread_count] theirs */
-    struct hasher **hasher;       /* [thread_count] theirs */
+    struct inspector **inspector; /* [thread_count] pointers to the threads' inspectors */
+    struct hasher **hasher;       /* [thread_count] pointers to the threads' hashers */
     int thread_count;
 };
 
-/** The loop's state; if several threads arrive first, one creates it. NULL: no memory. */
+/** The loop's state; the first call creates it. Thread-safe. NULL: out of memory. */
 struct loop_state *redcc_state_of(redcc_loop *loop);
 
 /** The loop's state, or NULL if it has none. */
 struct loop_state *redcc_made_state_of(redcc_loop *loop);
 
-/** Acquires a state for a call: the loop's own. If another thread holds that, which must not be
- *  waited for (it may be waiting for this one): a temporary state if `always` is set. NULL, with
- *  *reason: none. */
+/** Acquires a state for a call: the loop's own or, if another thread holds that and `always` is
+ * set, a temporary one. Does not wait for the other thread, which may be waiting for this one.
+ * NULL, with *reason: no state. */
 struct loop_state *redcc_loop_acquire(struct loop_state *state, redcc_loop *loop, bool always,
                                       enum reason *reason);
 
 /** Releases what redcc_loop_acquire returned. */
 void redcc_loop_release(struct loop_state *state);
 
-/** For tests: gives the loop a state, as a long loop gets one (unmade.h). */
+/** For tests: creates the loop's state, as after a long execution (unmade.h). */
 void redcc_loop_make(redcc_loop *loop);
 
 /** For tests: frees everything of a loop, including its state, as if it had never been executed. */
@@ -96,28 +96,28 @@ void redcc_loop_forget(redcc_loop *loop);
 /** Ensures that there are at least `count` threads' states. False: no memory. */
 bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int count);
 
-/** Frees all of them. */
+/** Frees all threads' states. */
 void redcc_threads_end(struct loop_state *state);
 
-/** As redcc_enter. sections [array_count]: the attempt's, of a loop with REDCC_SECTIONED; else
- *  NULL. */
+/** As redcc_enter. sections [array_count]: the attempt's, for a loop with REDCC_SECTIONED;
+ * otherwise NULL. */
 int redcc_enter_sectioned(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *known, const redcc_word *key,
                           const redcc_extent *sections, int threads, int nested);
 
-/** An execution is over: adds it to the report, and informs auto. Returns whether the loop is
- *  done. */
+/** Called at the end of an execution: adds it to the report, and informs auto. Returns whether the
+ * loop is done. */
 bool redcc_account(struct execution *execution);
 
 /** Counts updates of rows that a slice did not name, which are validation failures. */
 void redcc_note_misnamed(redcc_loop *loop, long count);
 
 /** Informs auto of a call's result; reason: why there was no plan, or NONE. */
-void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
-                     const struct outcome *outcome, enum reason reason);
+void redcc_inform_auto(struct loop_state *state, const redcc_loop *loop,
+                       const struct outcome *outcome, enum reason reason);
 
-/** A written_witness (bins/binning.h) whose `whom` is the execution: with validation, saves the
- *  bytes' contents. */
+/** A written_witness (bins/binning.h) whose `whom` is the execution: with validation, saves bytes
+ *  before they are written. */
 void redcc_hold_written(void *execution, uint32_t array, struct range written);
 
 /** Counts a call of a loop that ran sequentially because memory was lacking before redcc_enter. */
@@ -126,7 +126,7 @@ void redcc_note_no_memory(redcc_loop *loop);
 /** Counts that a call falls back to the original loop. */
 void redcc_count_fallback(struct loop_state *state, enum reason reason);
 
-/** Notes the row of auto's table for the report; thread-safe. */
+/** Stores the row of auto's table for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);
 
 /** Counts the plan that was invalidated since the last call of this function, if any. */
@@ -135,12 +135,12 @@ void redcc_count_lost(struct execution *execution);
 /** Records a timed execution of the original loop; one thread at a time. */
 void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
 
-/** Records the time of the loop's first execution, of all iterations in order. known: as of
+/** Records the time of the loop's first execution, if that was completely in order. known: as in
  *  redcc_enter. */
 void redcc_note_done(redcc_loop *loop, redcc_int trip, const redcc_extent *known, double seconds);
 
-/** Records the time of `done` iterations of the loop's first execution, in order; `rest` are
- *  left. */
+/** Records the time of the first `done` iterations of the loop's first execution, in order; `rest`
+ *  iterations are left. */
 void redcc_note_begun(redcc_loop *loop, redcc_int rest, redcc_int done, double seconds);
 
 /** Records that the last call was sequential. */

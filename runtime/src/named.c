@@ -43,7 +43,7 @@ static struct named_method parse_method(const char *value) {
     return named;
 }
 
-/* The digits after the last colon of FILE:LINE, which is truncated there; 0: there are none. */
+/* The line number in FILE:LINE, which is truncated at the colon; 0: there is none. */
 static int cut_line(char *place) {
     char *colon = strrchr(place, ':'), *end;
     if (!colon || colon == place || colon[1] < '0' || colon[1] > '9')
@@ -55,8 +55,8 @@ static int cut_line(char *place) {
     return (int)line;
 }
 
-/* One file's name is the end of the other, from a folder on: the compiled name and the user's may
- * be relative to different folders. */
+/* Is one name a suffix of the other, beginning at a folder? The compiled name and the user's may be
+ * relative to different folders. */
 static bool is_same_file(const char *a, const char *b) {
     const size_t a_length = strlen(a), b_length = strlen(b);
     const char *longer = a_length > b_length ? a : b, *shorter = a_length > b_length ? b : a;
@@ -64,7 +64,7 @@ static bool is_same_file(const char *a, const char *b) {
     return strcmp(end, shorter) == 0 && (end == longer || end[-1] == '/');
 }
 
-/* `item` is FILE:LINE=METHOD and becomes the new entry's. */
+/* Adds an entry for `item`, FILE:LINE=METHOD; the entry takes ownership of it. */
 static void read_loop(struct named *named, char *item, const char *whole) {
     char *equals = strrchr(item, '=');
     *equals = '\0';
@@ -91,7 +91,7 @@ static void read_loop(struct named *named, char *item, const char *whole) {
 void redcc_named_read(struct named *named, const char *value) {
     if (!value || !*value)
         return;
-    if (!strpbrk(value, ",=")) { /* the usual case needs no memory */
+    if (!strpbrk(value, ",=")) { /* the usual case, without allocation */
         named->all = parse_method(value);
         return;
     }
@@ -132,7 +132,7 @@ static const char *last_part(const char *file) {
     return slash ? slash + 1 : file;
 }
 
-/* Another file is farther than any line of the same one. */
+/* Any other file is farther than any line of the same file. */
 static size_t distance_to(const struct named_loop *loop, const struct reported *reported) {
     const size_t lines = (size_t)labs((long)loop->line - (long)reported->line);
     const size_t letters =

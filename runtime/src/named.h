@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** REDCC_METHOD: the method of all loops, and of single ones, FILE:LINE=METHOD. */
+/** REDCC_METHOD: the method of all loops, or of single loops as FILE:LINE=METHOD. */
 #ifndef REDCC_NAMED_H
 #define REDCC_NAMED_H
 
@@ -22,8 +22,8 @@ struct named_loop {
     char *file; /* as the user wrote it */
     int line;
     struct named_method as;
-    struct settings *settings; /* for that loop, after the first read; NULL: no memory for them */
-    atomic_int met;            /* such a loop was executed */
+    struct settings *settings; /* for that loop, after the first read; NULL: out of memory */
+    atomic_int met;            /* the loop was executed */
 };
 
 /** The contents of REDCC_METHOD. */
@@ -32,7 +32,7 @@ struct named {
     struct named_loop *loops; /* owned, never freed */
 };
 
-/** Parses `value` (NULL: unset) into *named. Errors are reported to redcc_complain. */
+/** Parses `value` (NULL: unset) into *named. Reports errors by redcc_complain. */
 void redcc_named_read(struct named *named, const char *value);
 
 /** The entry of REDCC_METHOD for the loop, which is marked as executed; NULL: there is none.

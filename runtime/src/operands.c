@@ -10,8 +10,8 @@
 #include "series.h"
 #include "settings.h"
 
-/* Without a limit, at most a quarter of the machine's memory: the loop's arrays and their plans may
- * need another quarter. */
+/* Without REDCC_MEMORY_LIMIT, operands use at most a quarter of the machine's memory, since the
+ * loop's arrays and plans need memory, too. */
 static bool are_too_many(size_t bytes) {
     const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
     return there > 0 && bytes > there / 4;
@@ -20,7 +20,7 @@ static bool are_too_many(size_t bytes) {
 void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size) {
     if (trip <= 0)
         return NULL;
-    (void)redcc_is_forked(); /* before any memory of the parent is used */
+    (void)redcc_is_forked(); /* must precede any use of the parent's memory */
     const bool fits = (redcc_size)trip <= SIZE_MAX / 4 / size;
     assert(size > 0);
     void *operands =

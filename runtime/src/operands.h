@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Memory for the operands of scalars that a loop accumulates into in addition to its arrays. */
+/** Memory for the operands of scalars that a loop accumulates besides its arrays. */
 #ifndef REDCC_OPERANDS_H
 #define REDCC_OPERANDS_H
 
@@ -10,7 +10,7 @@
 /** Sets attempt->operands; false: memory is lacking (which is reported), and none is allocated. */
 bool redcc_operands_take_all(redcc_loop *loop, const redcc_attempt *attempt);
 
-/** Frees them. */
+/** Frees attempt->operands. */
 void redcc_operands_give_all(const redcc_attempt *attempt);
 
 #endif

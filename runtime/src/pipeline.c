@@ -12,15 +12,15 @@
 static enum stage refuse(struct execution *execution, enum reason reason) {
     assert(reason != REASON_NONE);
     execution->reason = reason;
-    if (reason != REASON_DEADLINE) /* its progress is still to be recorded */
+    if (reason != REASON_DEADLINE) /* after a deadline, the progress is recorded by the route */
         execution->inspection.route = ROUTE_SERIAL;
     return STAGE_OVER;
 }
 
 /* ---- verify ---------------------------------------------------------------------------------- */
 
-/* A named method may use any plan; auto only a plan of the strategy it has chosen. Of the direct
- * ones only tiles have plans that are kept: they do not depend on subscripts. */
+/* A named method may use any kept plan of it; auto only a plan of the strategy that it has chosen.
+ * Of plans without schedules only those for tiles are kept: they do not depend on subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
@@ -70,16 +70,16 @@ static enum stage begin_inspection(struct execution *execution) {
         return refuse(execution, REASON_NO_MEMORY);
     const bool is_direct = redcc_goes_directly(&execution->advice);
     if (!named && !is_direct && !execution->call.in_bins &&
-        execution->advice.action == ACTION_REUSE) /* the cost of another plan counts from 0 */
+        execution->advice.action == ACTION_REUSE) /* no budget for a new plan yet */
         return refuse(execution, REASON_CHANGED);
     if (!redcc_known_are_disjoint_from_scalars(execution->call.request.loop,
                                                execution->call.request.known,
                                                &execution->inspection.overlap))
-        return refuse(execution, REASON_OVERLAP); /* before the slice reads it */
+        return refuse(execution, REASON_OVERLAP); /* must be checked before the slice reads */
     if (is_dry && redcc_may_have_aliases())
         return refuse(execution, REASON_TWO_ADDRESSES);
     execution->inspected = true;
-    /* No limit for the sample; auto sets one after it. */
+    /* The sample has no deadline; auto sets one after it. */
     execution->inspection.deadline =
         is_dry && !named && !is_direct ? redcc_seconds() + execution->advice.deadline : 0;
     if (!redcc_inspection_begin(&execution->inspection,
@@ -102,7 +102,7 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 static enum stage after_dry_run(struct execution *execution) {
     const enum reason reason = redcc_dry_run_finish(&execution->inspection);
     execution->inspection.deadline = 0;
-    if (reason == REASON_DEADLINE) /* the strategy is not decided */
+    if (reason == REASON_DEADLINE) /* it passed before a strategy was chosen */
         execution->inspection.route = ROUTE_SERIAL;
     return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
 }
@@ -119,8 +119,8 @@ static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
                                                                          : PROGRESS_MEET;
 }
 
-/* The access graph is not available: falls back to owners by address, or to auto's choice without
- * it. */
+/* Called if the access graph is not available: falls back to owners by address, or to auto's choice
+ * without the graph. */
 static enum stage fall_back(struct execution *execution) {
     const struct method *named = execution->call.method;
     if (named && named->in_levels)
@@ -143,8 +143,8 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
     }
 }
 
-/* A loop to be binned needs only extents. */
-static enum stage look_for_extents(struct execution *execution) {
+/* Prepares a sweep only for extents, for a loop that will be binned. */
+static enum stage sweep_for_extents(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     inspection->route = ROUTE_DIRECT;
     const bool possible = redcc_cut(inspection, NULL) &&
@@ -153,14 +153,13 @@ static enum stage look_for_extents(struct execution *execution) {
     return possible ? STAGE_SWEEP : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* Continues with a sweep, after cutting groups that are not known to overlap; or ends, if auto
- * decides so from the sample. */
+/* Cuts the groups, and continues with a sweep; or ends, if auto decides so from the sample. */
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     const struct call *call = &execution->call;
     struct estimate estimate = {0};
     if (call->in_bins)
-        return look_for_extents(execution);
+        return sweep_for_extents(execution);
     const bool decides =
         redcc_wants_estimate(inspection) && !redcc_goes_directly(&execution->advice);
     if (!redcc_cut(inspection, decides ? &estimate : NULL))
@@ -211,7 +210,7 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
     return PROGRESS_MEET;
 }
 
-/* The last check before a plan is built: may this method execute this loop? */
+/* The last check before a plan is built: why may this method not execute this loop? */
 static enum reason objection(const struct inspection *inspection, const struct method *method) {
     if (inspection->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
         return REASON_MIXED;
@@ -253,11 +252,11 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
     return execution->run.plan ? STAGE_PLAN : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* All iterations are recorded: selects the named method, or the one that auto chooses now. */
+/* After all iterations are recorded: selects the named method, or the one that auto chooses now. */
 static enum stage choose_method(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     if (inspection->route == ROUTE_COPIES && !redcc_copies_allowed(inspection)) {
-        inspection->no_copies = true; /* the sample had not seen the whole touched range */
+        inspection->no_copies = true; /* the touched range is larger than that of the sample */
         return cut(execution);
     }
     const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);
@@ -271,7 +270,7 @@ static enum stage choose_method(struct execution *execution) {
     return begin_plan(execution, method);
 }
 
-/* All touches are logged. */
+/* The stage after all touches are logged. */
 static enum stage after_log(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     switch (redcc_log_finish(inspection)) {
@@ -310,7 +309,7 @@ static enum stage after_sweep(struct execution *execution) {
 static enum progress partition(struct thread_state *thread, redcc_worker *worker) {
     (void)worker;
     struct inspection *inspection = &thread->execution->inspection;
-    if (inspection->route != ROUTE_LEVELS) /* one thread computes these */
+    if (inspection->route != ROUTE_LEVELS) /* levels are computed by one thread */
         redcc_partition_share(inspection, &thread->inspector, false);
     return PROGRESS_MEET;
 }
@@ -386,7 +385,7 @@ static enum stage after_prepare(struct execution *execution) {
     return STAGE_RUN;
 }
 
-/* ---- all of them ----------------------------------------------------------------------------- */
+/* ---- the table of stages --------------------------------------------------------------------- */
 
 _Static_assert(STAGE_OVER + 1 == STAGES, "the last stage");
 static const struct stage_entry {
@@ -407,7 +406,7 @@ static const struct stage_entry {
     [STAGE_OVER] = {0}, /* redcc_leave */
 };
 
-/* A barrier; the last thread runs the serial part, and all get the next stage. */
+/* A barrier; the last thread calls `then`, and all get the next stage. */
 static enum stage meet(struct thread_state *thread, enum stage (*then)(struct execution *)) {
     struct execution *execution = thread->execution;
     if (redcc_barrier_arrive(&execution->barrier, thread->threads)) {

@@ -12,12 +12,12 @@
  *                    sample     some iterations   -> struct partition (the cuts)
  *                    sweep      all iterations    -> struct summary, one a thread
  *                                                    and the overlap guard
- *                    log        all touches, kept -> struct access_log, one a thread
+ *                    log        all touches, stored -> struct access_log, one per thread
  *                    partition  of the graph      -> struct divide or struct levels
- *                    join       without stealable blocks after all
- *                    plan       who executes what -> struct plan                  plan/
- *     redcc_bins_next  bins     instead of all that, or after a sweep for
- *                               extents (REDCC_BINS_CHECKED): records, by bins    bins/
+ *                    join       stealable blocks with their owners, if not needed
+ *                    plan       schedules         -> struct plan                  plan/
+ *     redcc_bins_next  bins     instead of these, or after a sweep for
+ *                               extents (REDCC_BINS_CHECKED): in-order binning    bins/
  *     redcc_next     run        chunks, copies and their merge, hooks             execute/
  *     ------------------------------------------------------------------------------------------
  *     redcc_leave    updates the report, informs auto, keeps the plan             account.c
@@ -47,14 +47,14 @@ enum stage {
 
 struct execution;
 
-/** Searches for a kept plan that fits the call, with its current number of threads. */
+/** Searches for a kept plan for the call, with its current number of threads. */
 void redcc_find_plan(struct execution *execution);
 
 /** The result of a stage's `each`. */
 enum progress {
-    PROGRESS_TELL, /* the program has iterations to record; then `each` is called again */
-    PROGRESS_MEET, /* done: a barrier, and one thread calls `then` */
-    PROGRESS_PASS  /* done, and all know that the next stage is `passed` */
+    PROGRESS_TELL, /* the program must record iterations; then `each` is called again */
+    PROGRESS_MEET, /* done: a barrier follows, and one thread calls `then` */
+    PROGRESS_PASS  /* done: without a barrier, the next stage is `passed` */
 };
 
 #endif

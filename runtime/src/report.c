@@ -39,8 +39,8 @@ void redcc_report_remove(struct reported *reported) {
             at->next = reported->next;
 }
 
-/* Counts the text in a slot that is free (count 0) or has it already; false: the slot has another
- * one. The slot has space for it. */
+/* Counts a text in a slot that is free (count 0) or has the same text; false: the slot has another
+ * text. The text must fit into the slot. */
 static bool count_text(char *place, long *count, const char *text) {
     if (*count == 0)
         memcpy(place, text, strlen(text) + 1);
@@ -69,8 +69,8 @@ void redcc_report_lost(struct statistics *statistics, const char *array) {
             return;
 }
 
-/* Expands %p to the process's id, so that each of several processes has its own report. NULL: no
- * memory. */
+/* Expands %p to the process's id, so that each of several processes writes a separate report. NULL:
+ * out of memory. */
 static char *spell_name(const char *name) {
     const size_t room = 24 * strlen(name) + 1; /* %p is two letters, an id fewer than 40 */
     char *spelled = redcc_memory_take(room);
@@ -90,12 +90,12 @@ static char *spell_name(const char *name) {
 
 /* ---- several runtimes in one process ---------------------------------------------------------
  *
- * A library with its own runtime writes to the same file, from the same process. The second one
- * recognises by the first line what the first has written, and adds its loops. */
+ * If a library has its own runtime, both write to the same file, from the same process. The second
+ * recognises the first one's report by its first line, and adds its own loops. */
 
 static const char end_of_report[] = "]}\n";
 
-/* A regular file; `otherwise` if unknown. */
+/* Is it a regular file? `otherwise` if unknown. */
 static bool is_regular(const char *name, unsigned flags, bool otherwise) {
 #if defined(__linux__)
     struct statx found;
@@ -177,8 +177,9 @@ static bool write_through(const char *name, const char *head, const char *others
     return out && write_all(out, head, others);
 }
 
-/* Written under a temporary name in the same folder, then renamed, so that no reader sees half a
- * report. If no file can be created there, the file itself may still be written. */
+/* Writes the report under a temporary name in the same folder, then renames it, so that no reader
+ * sees an incomplete report. False if no file can be created there; the file itself may still be
+ * writable. */
 static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
     char *beside = redcc_memory_take(room);
@@ -194,11 +195,12 @@ static bool replace(const char *name, const char *head, const char *others) {
     return written;
 }
 
-/* Anything but a regular file (a pipe, a device, a link) is written to, and never replaced. */
+/* Writes the report. A file that is not regular (a pipe, a device, a link) is never replaced. */
 static bool write_file(const char *name) {
     char head[REDCC_REPORT_HEAD];
     redcc_report_head(head);
-    if (strcmp(name, "/dev/stdout") == 0) /* opening it again would lose the program's output */
+    if (strcmp(name, "/dev/stdout") ==
+        0) /* opening it again would overwrite the program's output */
         return write_whole(stdout, head, NULL);
     if (strcmp(name, "/dev/stderr") == 0)
         return write_whole(stderr, head, NULL);
@@ -211,8 +213,7 @@ static bool write_file(const char *name) {
 }
 
 void redcc_report_write(void) {
-    redcc_memory_limit(0); /* the limit was for the loops, which are over; the report must be
-                            * written all the same */
+    redcc_memory_limit(0); /* the limit was for the loops; the report must not fail by it */
     char *name = redcc_settings()->report ? spell_name(redcc_settings()->report) : NULL;
     if (!name)
         return;
@@ -229,11 +230,11 @@ static void end_program(void) {
     if (!redcc_report_validation())
         return;
     fflush(NULL);
-    _exit(REDCC_BROKEN); /* exit must not be called here, within exit's own handlers */
+    _exit(REDCC_BROKEN); /* not exit, because this is one of exit's handlers */
 }
 
-/* The handler registered first runs last: after the program's own handlers, and after all
- * reports. */
+/* Registered at program start, because the handler registered first runs last: after the program's
+ * handlers, and after all reports. */
 __attribute__((constructor)) static void register_end(void) {
     const char *value = redcc_environment("REDCC_VALIDATE");
     if (value && strcmp(value, "1") == 0)

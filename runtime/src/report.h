@@ -31,7 +31,7 @@ enum mode {
 
 enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
-/** A text with names of the user's, and how often it applied. */
+/** A text with names from the user's source, and the number of times it applied. */
 struct counted_text {
     char text[REDCC_TEXT];
     long count;
@@ -41,11 +41,11 @@ struct counted_text {
 struct last_execution {
     redcc_int stages;
     redcc_int trip;
-    redcc_int length; /* its makespan by the schedule, in iterations */
-    bool compensated; /* its sums */
+    redcc_int length; /* makespan of the schedule, in iterations */
+    bool compensated; /* with compensated sums */
     int lanes;        /* iterations at once; 0: one by one */
     enum lanes_reason lanes_reason;
-    atomic_int mode; /* enum mode, of the last call */
+    atomic_int mode; /* an enum mode: of the last call */
 };
 
 /** Costs of parallel executions other than time. */
@@ -61,10 +61,10 @@ struct timed_sequential {
     double seconds;
 };
 
-/** Placement of its threads. */
+/** Placement of the loop's threads. */
 struct placement {
-    int nodes;  /* NUMA nodes in the last execution; 0: not known */
-    long moves; /* threads found on another node than in the previous execution, in total */
+    int nodes;  /* number of NUMA nodes in the last execution; 0: unknown */
+    long moves; /* total number of times that a thread was on another node than before */
 };
 
 /** Plans that could not be reused because a subscript had changed. */
@@ -73,29 +73,30 @@ struct lost_plans {
     struct lost_to {
         char name[REDCC_NAME];
         long count;
-    } array[REDCC_LOST]; /* that had changed; further ones are only counted */
+    } array[REDCC_LOST]; /* the changed arrays; further ones are only counted */
 };
 
 /** Counters that are updated without holding the loop are atomic. */
 struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
-    struct counted_text overlap[REDCC_TEXTS]; /* of REASON_OVERLAP */
+    struct counted_text overlap[REDCC_TEXTS]; /* the pairs of REASON_OVERLAP */
     atomic_int rule;             /* enum rule: the row of auto's table that decided last */
-    const struct method *method; /* the last one used; NULL: none yet */
+    const struct method *method; /* the method used last; NULL: none yet */
     int parameter;
     redcc_order order;
-    int threads; /* of the last execution */
+    int threads; /* number in the last execution */
     struct placement placement;
     long plans_built;
     long plans_reused;
-    long watched; /* of these executions, those in which some subscripts were not read */
+    long watched; /* number of these in which write tracking made reading some subscripts
+                     unnecessary */
     struct lost_plans lost;
     double inspect_seconds;
     double execute_seconds;
     struct timed_sequential sequential;
     struct extra_work extra;
-    redcc_int in_loops; /* iterations in parallel executions, not counting replicated ones */
+    redcc_int in_loops; /* iterations of parallel executions, without replicated ones */
     struct last_execution last;
     struct validated validated;
 };
@@ -115,7 +116,7 @@ void redcc_report_add(struct reported *reported);
 /** The executed loops, most recent first; NULL: none. */
 const struct reported *redcc_report_loops(void);
 
-/** For tests: removes it from the list. No other thread may use the list. */
+/** For tests: removes a loop from the list. No other thread may use the list. */
 void redcc_report_remove(struct reported *reported);
 
 /** Counts a fallback due to an overlap of the two named arrays. */
@@ -126,26 +127,27 @@ void redcc_report_lost(struct statistics *statistics, const char *array);
 
 enum { REDCC_BROKEN = 3 /* exit status */ };
 
-/** Prints the validation's results on standard error: a line for each loop, and how many ran in
- *  parallel. Returns whether a promise was broken. */
+/** Prints the validation's results to standard error: a line for each loop, and the number of loops
+ * that ran in parallel. Returns whether there was an error. */
 bool redcc_report_validation(void);
 
-/** The beginning of this process's reports, unique to it: an opened object and its members
- *  "process" and "started". */
+/** The beginning of this process's reports, which is unique: the open brace and the members
+ * "process" and "started". */
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
 
-/** The first translated loop begins: seconds and lost cores are counted from here. */
+/** Called at the first translated loop: seconds and lost cores are counted from here. */
 void redcc_report_begin(void);
 
-/** Should a program whose cores were preempted `lost` times in this many seconds wait asleep?
- *  policy: OMP_WAIT_POLICY, NULL if unset; has_spin_time: another variable sets it. */
+/** Should the report advise OMP_WAIT_POLICY=passive, because cores were preempted `lost` times in
+ * this number of seconds? policy: OMP_WAIT_POLICY, NULL if unset; has_spin_time: another variable
+ * sets the spin time. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time);
 
 /** Writes the rest of the object: data common to all loops, and "loops". */
 void redcc_report_body(FILE *out);
 
-/** Writes the loops, objects with commas between them. */
+/** Writes the loops as objects separated by commas. */
 void redcc_report_list(FILE *out);
 
 /** Writes a table for human readers. */

@@ -12,7 +12,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* ---- what both say --------------------------------------------------------------------------- */
+/* ---- shared by both formats ------------------------------------------------------------------ */
 
 static const char *rule_slug(const struct statistics *statistics) {
     static const char *const slugs[] = {"named",
@@ -46,7 +46,7 @@ static void spell_method(char name[LONGEST_METHOD], const struct statistics *sta
         snprintf(name, LONGEST_METHOD, "%s", method->name);
 }
 
-/* Speed-up per iteration: the sequential loop's seconds over those of parallel executions,
+/* Speed-up per iteration: seconds of the sequential loop divided by those of parallel executions,
  * including all inspections and plans; 0: one of the two was not measured. */
 static double speedup_of(const struct statistics *it) {
     const double parallel = it->inspect_seconds + it->execute_seconds;
@@ -72,7 +72,7 @@ static void write_string(FILE *out, const char *text) {
     putc('"', out);
 }
 
-/* The decimal point must not depend on the locale. */
+/* Writes a decimal number without printf's %f, whose decimal point depends on the locale. */
 static void write_decimal(FILE *out, const char *key, double value, int digits) {
     long long unit = 1;
     for (int i = 0; i < digits; i++)
@@ -96,7 +96,7 @@ static void write_fallback(FILE *out, const char **separator, enum reason reason
     *separator = ", ";
 }
 
-/* Of the last parallel execution, if any. */
+/* Writes the number of lanes of the last parallel execution, if any. */
 static void write_lanes(FILE *out, const struct statistics *it) {
     fprintf(out, ", \"lanes\": %d", it->last.lanes > 0 ? it->last.lanes : 1);
     write_text(out, "lanes_why", redcc_lanes_slug(it->last.lanes_reason));
@@ -182,7 +182,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     putc('}', out);
 }
 
-/* Thread affinity and wait policy, as the environment sets them for OpenMP. */
+/* Writes an environment variable by which the user sets OpenMP's thread affinity or wait policy. */
 static void write_variable(FILE *out, const char *key, const char *variable) {
     const char *value = redcc_environment(variable);
     fprintf(out, "\"%s\": ", key);
@@ -193,7 +193,7 @@ static void write_variable(FILE *out, const char *key, const char *variable) {
     fputs(", ", out);
 }
 
-/* The time at which the first loop began. */
+/* The time, and the number of preemptions, at the first loop's beginning. */
 static double began_at;
 static long lost_before;
 
@@ -248,8 +248,8 @@ static void write_notes(FILE *out, const struct statistics *it) {
                     it->lost.array[i].count, it->lost.array[i].name);
 }
 
-/* With busy neighbours cores are preempted some 50 to 200 times a second (docs/report.md), on a
- * quiet machine rarely. */
+/* With other busy processes, cores are preempted some 50 to 200 times a second (docs/report.md); on
+ * a quiet machine, rarely. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool has_spin_time) {
     assert(seconds >= 0);
     const long many = 10, a_second = 20;

@@ -15,8 +15,8 @@ static bool ran_in_parallel(const struct reported *loop) {
     return loop->statistics.in_loops > 0;
 }
 
-/* The most frequent reason why a loop never ran in parallel. */
-static void tell_why_not(const struct reported *loop) {
+/* Prints the most frequent reason why a loop never ran in parallel. */
+static void print_why_not(const struct reported *loop) {
     const struct statistics *it = &loop->statistics;
     const char *why = "no call had an iteration to execute";
     long most = 0;
@@ -52,8 +52,9 @@ static void tell_comparison(const struct reported *loop) {
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
 }
 
-/* The first of them were printed when they were found. */
-static bool tell_misnamed(const struct reported *loop) {
+/* Prints the number of updates that slices did not name. (The first ones were printed when found.)
+ */
+static bool print_misnamed(const struct reported *loop) {
     const long count = atomic_load(&loop->statistics.validated.misnamed);
     if (count == 0)
         return false;
@@ -65,7 +66,7 @@ static bool tell_misnamed(const struct reported *loop) {
 static void tell(const struct reported *loop) {
     const struct validated *it = &loop->statistics.validated;
     if (!ran_in_parallel(loop)) {
-        tell_why_not(loop);
+        print_why_not(loop);
         return;
     }
     if (it->passed_over > 0) {
@@ -92,7 +93,7 @@ bool redcc_report_validation(void) {
         tell(loop);
         loops++;
         parallel += ran_in_parallel(loop);
-        broken = broken || loop->statistics.validated.broken > 0 || tell_misnamed(loop);
+        broken = broken || loop->statistics.validated.broken > 0 || print_misnamed(loop);
     }
     if (loops == 0)
         fputs("redcc: validated: 0 loops ran in parallel: no translated loop was executed\n",

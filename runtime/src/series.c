@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Operands of floating scalars, any number per iteration (redcc/series.h). An iteration that
- * several threads execute, each for its own elements, has the same operands, or none, in each of
- * them. So it does not matter which of them stores its part last.
+ * Operands of floating scalars, any number per iteration (redcc/series.h). If several threads
+ * execute an iteration, each for its own elements, each of them computes the same operands, or
+ * none. So it does not matter which of them stores its part last.
  *
  * If memory runs out during the loop, the arrays are already written, and the original loop cannot
- * run. Only operands are lost, and they do not depend on anything that the loop updates: executing
- * all iterations again, without owning anything, reproduces them.
+ * run. Only operands are lost, and they do not depend on the loop's updates: executing all
+ * iterations again, without owning any element, reproduces them.
  */
 #include "series.h"
 
@@ -25,17 +25,17 @@ enum {
         offsetof(redcc_series_part, value) / sizeof(double)
 };
 
-/* A piece of memory that a thread writes to. */
+/* A block of memory for operands; written by one thread. */
 struct operand_block {
-    struct operand_block *next; /* of all */
-    struct operand_block *more; /* of the thread's */
+    struct operand_block *next; /* in the list of all blocks */
+    struct operand_block *more; /* in the list of the thread's blocks */
     double operand[BLOCK_OPERANDS];
 };
 
 struct redcc_series {
     _Atomic(struct operand_block *) blocks; /* all of them */
     atomic_size_t bytes;                    /* of these blocks */
-    size_t most;                            /* the limit of these bytes */
+    size_t most;                            /* limit of `bytes` */
     atomic_bool lost;                       /* some operand was lost */
     redcc_int trip;
     _Atomic(redcc_series_part *) part[]; /* [trip] */
@@ -44,7 +44,8 @@ struct redcc_series {
 _Static_assert(offsetof(redcc_series_part, value) % sizeof(double) == 0,
                "parts lie among operands");
 
-/* Without a limit a quarter of the machine's memory, as for one operand per iteration. */
+/* The limit of a series' memory. Without REDCC_MEMORY_LIMIT it is a quarter of the machine's
+ * memory, as in operands.c. */
 static size_t most_bytes(void) {
     const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
     return there > 0 && there / 4 < SIZE_MAX ? (size_t)(there / 4) : SIZE_MAX;
@@ -53,7 +54,7 @@ static size_t most_bytes(void) {
 redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip) {
     if (trip <= 0)
         return NULL;
-    (void)redcc_is_forked(); /* before any memory of the parent is used */
+    (void)redcc_is_forked(); /* must precede any use of the parent's memory */
     const size_t most = most_bytes();
     redcc_series *series = NULL;
     const size_t each = sizeof series->part[0];
@@ -82,7 +83,7 @@ void redcc_series_join(redcc_series_writer *writer, redcc_series *series) {
     *writer = (redcc_series_writer){.series = series};
 }
 
-/* NULL: no memory. */
+/* Adds a block to the series. NULL: out of memory. */
 static struct operand_block *new_block(redcc_series *series) {
     const size_t bytes = sizeof(struct operand_block);
     const size_t taken = atomic_fetch_add_explicit(&series->bytes, bytes, memory_order_relaxed);
@@ -102,8 +103,8 @@ static void begin_block(redcc_series_writer *writer, struct operand_block *block
     writer->block_end = block->operand + BLOCK_OPERANDS;
 }
 
-/* Switches to a block of an earlier band, or to a new one. False: no memory. */
-static bool turn_to_block(redcc_series_writer *writer) {
+/* Switches to a block of an earlier band, or to a new one. False: out of memory. */
+static bool next_block(redcc_series_writer *writer) {
     struct operand_block *block = writer->block ? writer->block->more : NULL;
     if (!block) {
         block = new_block(writer->series);
@@ -122,7 +123,7 @@ int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
     if (writer->adds)
         return 0;
     REDCC_SERIES_COMPLETE(*writer);
-    if (writer->block_end - writer->at <= HEAD && !turn_to_block(writer)) {
+    if (writer->block_end - writer->at <= HEAD && !next_block(writer)) {
         atomic_store_explicit(&series->lost, true, memory_order_relaxed);
         writer->block_end = writer->end = writer->at;
         return 0;
@@ -139,7 +140,7 @@ int redcc_series_room(redcc_series_writer *writer, redcc_int k) {
     return 1;
 }
 
-/* By a plan, or in bins; all threads get the same answer. */
+/* Was the loop executed by a plan, or in bins? All threads get the same answer. */
 static bool is_executed(const struct thread_state *thread) {
     return thread &&
            (thread->stage == STAGE_RUN ||

@@ -9,37 +9,38 @@
  *  lacking (which is reported), and the original loop must run. */
 redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip);
 
-/** Frees it; NULL does nothing. */
+/** Frees a series; NULL does nothing. */
 void redcc_series_give(redcc_series *series);
 
 void redcc_series_join(redcc_series_writer *writer, redcc_series *series);
 
-/** Called by redcc_series_put: allocates memory for an operand of iteration number k. 0: none is
- *  needed, as the thread adds directly, or none is available. */
+/** Called by redcc_series_put: provides memory for an operand of iteration number k. 0: none is
+ * needed, because the thread adds operands directly, or out of memory. */
 int redcc_series_room(redcc_series_writer *writer, redcc_int k);
 
-/** If operands were lost, hands out all iterations once more to the first thread, as redcc_next
- *  does. Each thread must call it with all series of the loop until it returns 0. */
+/** If operands were lost, hands out all iterations again, to the first thread, as redcc_next does.
+ * Each thread must call it with all series of the loop until it returns 0. */
 int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
-/** 1 for the first thread if the loop is done. All operands are present then. */
+/** 1 for the first thread if the loop is done. Then all operands are stored. */
 int redcc_series_is_over(const redcc_worker *worker);
 
 /** Does any iteration have an operand? */
 int redcc_series_has_any(const redcc_series *series);
 
-/** The operands of the first iteration from *k on that has any, and its number; NULL: none is
- *  left. */
+/** The operands of the first iteration from *k on that has any; sets *k to its number. NULL: none
+ * is left. */
 const redcc_series_part *redcc_series_find(const redcc_series *series, redcc_int *k);
 
-/** Waits until the operands of all bands above the thread's, which is done, were added. */
+/** Called when the thread's band is done: waits until the operands of all bands above were added.
+ */
 void redcc_series_await_band(redcc_worker *worker);
 
 /** The operands of iteration k, of the thread's band; NULL: it has none. */
 const redcc_series_part *redcc_series_part_of(const redcc_series *series, redcc_int k);
 
-/** All operands of the thread's band were added: their memory is reused for its next band, and the
- *  next thread adds its own. */
+/** Called when all operands of the thread's band were added: reuses their memory for its next band,
+ * and lets the next thread add its operands. */
 void redcc_series_end_band(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 #endif

@@ -18,13 +18,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* For short iterations, which take some nanoseconds, or 0.3 microseconds with mathematical
- * functions. Fewer of them take less time than is worth a state (unmade.c). The call costs 20 to 30
- * nanoseconds, a tenth of 200 iterations. */
+/* The least trip count for a call of the runtime with short iterations. These take some
+ * nanoseconds, or 0.3 microseconds with mathematical functions; fewer of them take too little time
+ * for a state (unmade.c). The call costs 20 to 30 nanoseconds, a tenth of 200 iterations. */
 enum { LEAST_TRIP = 1024 };
 
-/* For short iterations, which take at least 0.3 ns: the first call touches pages of the runtime,
- * which takes 2 microseconds, a twentieth of that. The longest ones take at most 0.04 s. */
+/* The number of short iterations before the first call of the runtime, which costs 2 microseconds
+ * for page faults. Iterations take at least 0.3 ns each, so the call costs at most a twentieth of
+ * this time. With the longest iterations this time is 0.04 s. */
 enum { UNASKED_ITERATIONS = 1 << 17 };
 
 redcc_int redcc_least_trip;
@@ -32,7 +33,7 @@ redcc_int redcc_unasked_iterations;
 
 static struct settings settings;
 static struct named named;
-static char complaint[1024]; /* the first error in the environment; "": none */
+static char complaint[1024]; /* message on the first error in the environment; "": none */
 
 void redcc_stop(const char *format, ...) {
     va_list arguments;
@@ -54,7 +55,7 @@ const char *redcc_order_name(redcc_order order) {
 
 void redcc_complain(const char *format, ...) {
     va_list arguments;
-    if (complaint[0]) /* the first one counts */
+    if (complaint[0]) /* only the first one is reported */
         return;
     va_start(arguments, format);
     vsnprintf(complaint, sizeof complaint, format, arguments);
@@ -69,7 +70,7 @@ static void append(char *text, size_t size, const char *more) {
 
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count) {
-    assert(count > 0); /* one of them is the nearest */
+    assert(count > 0); /* so that there is a nearest name */
     char known[512] = "";
     for (size_t i = 0; i < count; i++) {
         append(known, sizeof known, i ? " " : "");
@@ -91,8 +92,8 @@ static void read_order(const char *value) {
     redcc_complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
-/* The index of the value among the names; `otherwise` if it is unset or, after a complaint,
- * unknown. */
+/* The index of the value among the names; `otherwise` if it is unset or, after an error was
+ * recorded, unknown. */
 static unsigned read_named(const char *variable, const char *value, const char *const *names,
                            unsigned count, unsigned otherwise) {
     if (!value || !*value)
@@ -138,7 +139,7 @@ static void read_lanes(const char *value) {
     settings.lanes = (enum lanes_setting)read_named("REDCC_LANES", value, names, 2, LANES_AUTO);
 }
 
-/* Names with commas between them. */
+/* Parses REDCC_TRACE: names separated by commas. */
 static void read_trace(const char *value) {
     while (value && *value) {
         char name[32];
@@ -179,11 +180,11 @@ static void read_memory_limit(const char *value) {
     if (!redcc_parse_bytes(value, &settings.memory_limit))
         redcc_complain("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
     if (settings.memory_limit == 0)
-        settings.memory_limit = 1; /* nothing at all, in contrast to no limit */
+        settings.memory_limit = 1; /* permits nothing; 0 would mean no limit */
 }
 
-/* Under validation every loop is executed in parallel if possible, from its first call on: auto
- * would begin with the sequential loop, and in a short program never leave it. */
+/* The method to use. Under validation every loop must run in parallel if possible, from its first
+ * call on, but auto would begin with the sequential loop and, in a short program, stay with it. */
 static struct named_method in_force(struct named_method said) {
     if (!said.method && settings.validate)
         said.method = &redcc_method_localwrite;
@@ -202,7 +203,7 @@ static void take_methods(void) {
     }
 }
 
-/* The other settings are common to all loops. */
+/* Makes the settings of a loop with its own method; all else is copied from the common settings. */
 static void copy_settings(struct named_loop *loop) {
     loop->settings = redcc_memory_take(sizeof *loop->settings);
     if (!loop->settings)
@@ -238,10 +239,10 @@ static void read_environment(void) {
         copy_settings(loop);
     redcc_note_unknown_variables();
     redcc_report_begin();
-    redcc_memory_limit(settings.memory_limit); /* for plans: memory allocated above is counted */
+    redcc_memory_limit(settings.memory_limit); /* counts the memory allocated so far as well */
 }
 
-/* If several threads arrive first, one reads. */
+/* Reads the settings; if several threads come first, only one reads. */
 static void read_once(atomic_int *done) {
     static struct spin lock;
     const uint64_t signals = redcc_signals_hold();
@@ -262,8 +263,8 @@ const struct settings *redcc_settings(void) {
     return &settings;
 }
 
-/* Reads the settings before main if no variable is set: otherwise the first execution of a loop of
- * some microseconds would take three times as long. */
+/* Reads the settings before main if no variable REDCC_... is set. Otherwise the first execution of
+ * a loop of some microseconds would take three times as long. */
 __attribute__((constructor)) static void read_early(void) {
     redcc_team_bind();
     if (redcc_any_variable())

@@ -8,10 +8,10 @@
 #include "plan/method.h"
 
 struct settings {
-    const struct method *method; /* named, or implied by REDCC_VALIDATE; NULL: auto */
-    int parameter;               /* the method's */
-    bool order_given;
-    redcc_order order;              /* if set */
+    const struct method *method;    /* named, or implied by REDCC_VALIDATE; NULL: auto */
+    int parameter;                  /* the method's */
+    bool order_given;               /* REDCC_ORDER is set */
+    redcc_order order;              /* if order_given */
     bool compensated;               /* REDCC_SUM */
     bool validate;                  /* REDCC_VALIDATE */
     bool watch;                     /* REDCC_WATCH: track writes if possible */
@@ -25,18 +25,18 @@ struct settings {
  *  2 if a value is invalid. Thread-safe. */
 const struct settings *redcc_settings(void);
 
-/** The settings for the loop: as redcc_settings, but with the method that REDCC_METHOD names for it
- *  alone. */
+/** The settings for the loop: as redcc_settings, but with the method that REDCC_METHOD names for
+ * this loop, if any. */
 const struct settings *redcc_settings_for(const redcc_loop *loop);
 
 /** Reports an error in the environment: redcc_settings stops with the first one. */
 void redcc_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/** The same for a value that is none of `count` known ones: lists all, and suggests the nearest. */
+/** Reports that a value is not one of `count` names: lists all, and suggests the nearest. */
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count);
 
-/** The order that the loop's sums keep. */
+/** The order that the loop's sums must satisfy. */
 static inline redcc_order redcc_order_of(const redcc_loop *loop, const struct settings *settings) {
     return settings->order_given ? settings->order : (redcc_order)loop->order;
 }

@@ -19,13 +19,13 @@ struct asking_hook {
     redcc_u32 array;
 };
 
-/* A thread's state while it executes one iteration after the other. */
+/* The state while iterations are checked one by one. */
 struct checker {
-    redcc_worker worker; /* first: the functions below get a pointer to it */
+    redcc_worker worker; /* must be first: the functions below convert a pointer to it */
     redcc_call call;
     const redcc_attempt *attempt;
     redcc_int k;
-    bool inspected, executed; /* has iteration k been handed out for it? */
+    bool inspected, executed; /* has iteration k been handed out for inspection, for execution? */
     redcc_entry entry[ENTRIES];
     redcc_entry *named; /* [count] the rows that the slice of iteration k named */
     size_t count, room;
@@ -121,8 +121,8 @@ static void report(struct checker *it, redcc_u32 number, const char *address) {
             loop->file, loop->line, loop->function, row, array->name, it->k);
 }
 
-/* Called before each update: reports it if the slice did not name its row. Permits none, so that
- * the arrays are unchanged. */
+/* Called before each update: reports it if the slice did not name its row. Permits no update, so
+ * that the arrays stay unchanged. */
 static int ask(struct redcc_hook *hook, const void *address) {
     const struct asking_hook *asking = (const struct asking_hook *)(const void *)hook;
     struct checker *it = asking->checker;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** REDCC_VALIDATE=1, loops of redcc/parallel.h: do slices name all rows that their bodies
- *  update? */
+/** REDCC_VALIDATE=1 for loops of redcc/parallel.h: checks that slices name all rows that the bodies
+ *  update. */
 #ifndef REDCC_SLICES_H
 #define REDCC_SLICES_H
 
 #include "redcc/entry.h"
 
-/** Executes slice and body of each iteration once more, without making updates, and prints on
- *  standard error which updated rows a slice does not name. Returns their number. Called after a
- *  parallel execution, which has shown that reads and updates do not overlap. */
+/** Executes slice and body of each iteration again, without making updates, and prints to standard
+ *  error the updated rows that a slice does not name. Returns their number. Called after a parallel
+ *  execution, which has shown that reads and updates do not overlap. */
 long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
                         const void *context);
 

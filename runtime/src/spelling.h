@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-/** Levenshtein distance (1966): the number of letters to insert, remove or change; the first 64
- *  letters of each count. */
+/** Levenshtein distance (1966), the number of letters to insert, remove or change, of the words'
+ * first 64 letters. */
 size_t redcc_spelling_distance(const char *a, const char *b);
 
 /** The nearest of `count` names (at least one) to `word`, the first of several. */

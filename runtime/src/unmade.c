@@ -6,27 +6,28 @@
 #include <assert.h>
 #include <stdint.h>
 
-/* The duration of an execution that is worth a state: threads are worth waking for it on an idle
- * machine (the learner decides again, with the measured cost). */
+/* The least duration of an execution that is worth a state: that for which waking threads pays on
+ * an idle machine. (The learner decides again, with the measured cost.) */
 static const double least_seconds = LEARN_WAKES * LEARN_LOOK / 40;
 
-/* The state, and one-time initialisation of the process, take 0.04 to 0.3 ms: they are created when
- * that is small compared with the loop's total time. Before that no inspection could pay off. */
+/* The total time of a loop's executions after which it gets a state. A state, with the one-time
+ * initialisation of the process, costs 0.04 to 0.3 ms, which is small compared with this time.
+ * Before that, no inspection could pay off. */
 static const double enough = 12.5 * LEARN_LOOK;
 
 enum {
-    SIZE_BITS = 7,    /* fields of the word, above the lowest bit, which is 1. The loop's size */
-    NUMBER_BITS = 12, /* number of calls until it is timed again */
-    EARNED_BITS = 13  /* total microseconds of its executions that are long enough */
+    SIZE_BITS = 7,    /* sizes of the word's fields above the lowest bit, which is 1: size, */
+    NUMBER_BITS = 12, /* left and length, */
+    EARNED_BITS = 13  /* earned */
 };
 
 _Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");
 
 struct word {
-    unsigned size; /* the logarithm of the trip count */
-    unsigned left;
-    unsigned length;
-    unsigned earned; /* microseconds */
+    unsigned size;   /* the logarithm of the trip count */
+    unsigned left;   /* number of calls until it is timed again */
+    unsigned length; /* number of calls between two timings */
+    unsigned earned; /* total microseconds of executions that are long enough */
 };
 
 static unsigned size_of(redcc_int trip) {
@@ -42,7 +43,7 @@ static struct word unpack(const void *state) {
                                    ((1u << EARNED_BITS) - 1)};
 }
 
-/* If another thread has changed the word meanwhile, its word or state remains. */
+/* Replaces the word, unless another thread has changed it since `before` was read. */
 static void replace(void **state, void *before, struct word word) {
     const uintptr_t it = (uintptr_t)word.size | (uintptr_t)word.left << SIZE_BITS |
                          (uintptr_t)word.length << (SIZE_BITS + NUMBER_BITS) |
@@ -51,8 +52,9 @@ static void replace(void **state, void *before, struct word word) {
                                 __ATOMIC_RELAXED);
 }
 
-/* Does this call count, representing EACH calls? A locked instruction takes as long as twenty
- * additions. The steps are the golden ratio's, so that loops called in turn are counted alike. */
+/* Is this call counted, as EACH calls? Counting every call would be slow, because a locked
+ * instruction takes as long as twenty additions. Calls are selected by steps of the golden ratio,
+ * so that loops that are called alternately are counted evenly. */
 enum { EACH = 16 };
 static bool counts(void) {
     static _Thread_local uint32_t place;
@@ -76,8 +78,8 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
-/* The time of the calls since the last timing, each taken as the shorter of this one and the
- * earlier average. */
+/* The estimated time of the calls since the last timing. Each is assumed to take the shorter of
+ * this call's time and the earlier average. */
 static double earned_before(struct word word, double seconds) {
     const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
     return timed + (between < left ? between : left);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops that have no state yet. Creating a loop's state takes some 40 microseconds, five executions
- * of a loop of 20,000 additions. So it is created once an execution has taken long enough for
- * threads to be worth waking, and often enough. Until then one word, in place of the pointer to the
- * state, determines when the loop is timed next. Thread-safe.
+ * of a loop of 20,000 additions. So it is created only when executions have taken long enough,
+ * often enough, for threads to be worth waking. Until then one word, stored instead of the pointer
+ * to the state, determines when the loop is timed next. Thread-safe.
  */
 #ifndef REDCC_UNMADE_H
 #define REDCC_UNMADE_H
@@ -21,9 +21,9 @@ static inline bool redcc_is_unmade(const void *state) {
  *  it. */
 bool redcc_unmade_call(void **state, redcc_int trip);
 
-/** Records a timing. 0: the loop is not worth a state yet. Otherwise it is, and the result is the
- *  number of executions that the timing represents: at least this one and those counted before
- *  it. */
+/** Records a timing. 0: the loop is not worth a state yet. Otherwise the caller creates the state;
+ * the result is the number of executions that the timing represents, at least this one and those
+ * counted before it. */
 int redcc_unmade_timed(void **state, redcc_int trip, double seconds);
 
 #endif

@@ -8,15 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The program may define `environ` for itself. */
+/* A reserved name, because the program may define `environ` itself. */
 extern char **__environ __attribute__((__weak__));
 
 static const char *const names[] = {
 #define REDCC_VARIABLE(name) name,
     REDCC_VARIABLE_LIST(REDCC_VARIABLE)
 #undef REDCC_VARIABLE
-    /* Those that redcc and redcc-cc read, tool/driver; they may still be set when the program
-     * runs. */
+    /* Variables of redcc and redcc-cc (tool/driver), which may still be set when the program runs.
+     */
     "REDCC_BUILD_REPORT",
     "REDCC_CACHE",
     "REDCC_CACHE_SIZE",
@@ -31,14 +31,15 @@ static const char *const names[] = {
 #define REDCC_VARIABLE(name) +1
 enum {
     NAMES = sizeof names / sizeof *names,
-    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* those of a translated program, which come
-                                                     * first */
-    ALIKE = 3                                       /* at most this many different letters count as
-                                                     * a typing error */
+    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* number of variables of a translated program,
+                                                     * which come first */
+    ALIKE = 3                                       /* maximum number of different letters of a
+                                                     * misspelt name */
 };
 #undef REDCC_VARIABLE
 
-/* A caller that starts a program with more rights than its own must not control where it writes. */
+/* Ignores the environment if the program has more rights than its caller (setuid): the caller must
+ * not control where it writes. */
 const char *redcc_environment(const char *name) {
     return redcc_system_is_privileged() ? NULL : getenv(name);
 }
@@ -47,7 +48,9 @@ static bool is_ours(const char *variable) {
     return strncmp(variable, "REDCC_", 6) == 0;
 }
 
-/* "REDCC_CACHE=off", or other variables that a shell for building and running exports. */
+/* Is it a build variable such as "REDCC_CACHE=off"? A shell may export these for building and
+ * running.
+ */
 static bool is_of_build(const char *variable) {
     const size_t length = strcspn(variable, "=");
     for (size_t n = OF_RUN; n < NAMES; n++)
@@ -65,7 +68,8 @@ bool redcc_any_variable(void) {
     return false;
 }
 
-/* Misspelled names of build variables are left to the build. */
+/* Reports an unknown variable, unless it may be a misspelt build variable, which the build reports.
+ */
 static void note_if_unknown(const char *name) {
     const size_t nearest = redcc_spelling_nearest(name, names, NAMES);
     const size_t distance = redcc_spelling_distance(name, names[nearest]);

@@ -5,7 +5,8 @@
 
 #include <stdbool.h>
 
-/** Those that a translated program reads; docs/report.md describes them, and a test compares. */
+/** The variables that a translated program reads; docs/report.md describes them, and a test
+ * compares the two lists. */
 #define REDCC_VARIABLE_LIST(X)                                                                     \
     X("REDCC_METHOD")                                                                              \
     X("REDCC_ORDER")                                                                               \
@@ -22,8 +23,8 @@
  *  (setuid), so that the environment must be ignored. */
 const char *redcc_environment(const char *name);
 
-/** Prints on standard error, once for each, the variables REDCC_... that neither a translated
- *  program nor redcc and redcc-cc know. Called once. */
+/** Prints to standard error the variables REDCC_... that neither translated programs nor redcc and
+ *  redcc-cc read. Called once. */
 void redcc_note_unknown_variables(void);
 
 /** Is a variable set that begins with REDCC_ and is not for builds only, or is that unknown? */

@@ -9,7 +9,7 @@
 /* The first estimate of the time to wake the threads, 10 microseconds (choose/waking.c). */
 static const double first_wake = LEARN_LOOK / 40;
 
-/* Possible remedies. */
+/* Advice for each reason. */
 static const char *const remedies[REASON_COUNT] = {
     [REASON_NAMED] = "unset it, or name another method",
     [REASON_FORKED] =
@@ -52,8 +52,8 @@ static const char *const remedies[REASON_COUNT] = {
     [REASON_TWO_ADDRESSES] = "map the memory once",
     [REASON_OVERLAP] = "keep the arrays that the loop reads disjoint from those it updates"};
 
-/* The most frequent reason of sequential calls, and their number in all; if that is 0, the reason
- * means nothing. */
+/* The most frequent reason of sequential calls; *sequential: the total number of these. If it is 0,
+ * the reason has no meaning. */
 static enum reason commonest(const struct statistics *it, long *sequential) {
     enum reason most = REASON_NONE;
     *sequential = 0;
@@ -66,8 +66,8 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* The number of executions of this duration after which the budget covers an inspection and a
- * plan construction of half an execution. */
+/* The number of executions of this duration after which the budget covers an inspection, and a plan
+ * construction that takes half an execution. */
 static long repaid_after(double seconds) {
     const double look = LEARN_LOOK < LEARN_CLEAR * seconds ? LEARN_LOOK / seconds : LEARN_CLEAR;
     return (long)((look + 0.5) / LEARN_SHARE);

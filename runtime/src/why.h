@@ -7,8 +7,8 @@
 
 enum { REDCC_WHY = 256 };
 
-/** Writes the sentence for the most frequent reason of its sequential calls. Empty if most calls
- * ran in parallel, or there were no calls. */
+/** Writes the sentence for the most frequent reason of the loop's sequential calls. Empty if most
+ * calls ran in parallel, or there were no calls. */
 void redcc_why_sequential(const struct statistics *it, char text[REDCC_WHY]);
 
 #endif

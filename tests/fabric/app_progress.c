@@ -49,11 +49,11 @@ static void test_lines(void **unused) {
     progress p;
     (void)unused;
     progress_begin(&p, PROGRESS_LINES, 0, 40);
-    progress_tell(&p, 1, 0.1, 7, 2);
+    progress_report(&p, 1, 0.1, 7, 2);
     assert_string_equal(heard(), ""); /* a line for each tenth part */
-    progress_tell(&p, 2, 0.2, 14, 4);
-    progress_tell(&p, 3, 0.3, 21, 6);
-    progress_tell(&p, 4, 0.4, 28, 8);
+    progress_report(&p, 2, 0.2, 14, 4);
+    progress_report(&p, 3, 0.3, 21, 6);
+    progress_report(&p, 4, 0.4, 28, 8);
     assert_string_equal(heard(), "step 4 of 40, t = 0.400 s, 28 iterations, 8.0 s, 1:12 left\n");
     progress_end(&p);
 }
@@ -65,7 +65,7 @@ static void test_time_left(void **unused) {
     (void)unused;
     progress_begin(&p, PROGRESS_LINES, 100, 200);
     for (int step = 101; step < 200; step++)
-        progress_tell(&p, step, 0, 0, seconds += step < 140 ? 100 : 1);
+        progress_report(&p, step, 0, 0, seconds += step < 140 ? 100 : 1);
     const char *text = heard();
     assert_non_null(
         strstr(text, "step 120 of 200, t = 0.000 s, 0 iterations, 2000.0 s, 2:13:20 left"));
@@ -83,7 +83,7 @@ static void test_signs_of_life(void **unused) {
     assert_string_equal(heard(), "step 4 of 40 under way for 60 s\n");
     raise(SIGALRM);
     assert_string_equal(heard(), "step 4 of 40 under way for 120 s\n");
-    progress_tell(&p, 5, 0, 0, 130); /* said, though not a tenth part: it has taken long */
+    progress_report(&p, 5, 0, 0, 130); /* said, though not a tenth part: it has taken long */
     assert_non_null(strstr(heard(), "step 5 of 40"));
     raise(SIGALRM);
     assert_string_equal(heard(), "step 6 of 40 under way for 60 s\n");
@@ -98,7 +98,7 @@ static void test_bar(void **unused) {
     progress_begin(&p, PROGRESS_BAR, 0, 4);
     raise(SIGALRM);
     assert_string_equal(heard(), "\rstep 1 of 4 (1 s)");
-    progress_tell(&p, 1, 0.1, 5, 3);
+    progress_report(&p, 1, 0.1, 5, 3);
     assert_string_equal(heard(),
                         "\r[######..................] step 1 of 4, 3.0 s, 9.0 s left\033[K");
     raise(SIGALRM);

@@ -168,7 +168,7 @@ static int cluster(const struct touched *it, uint32_t most, int threads, uint32_
         redcc_clusters_place(&clusters, 0, UNITS / 2);
         redcc_clusters_place(&clusters, UNITS / 2, UNITS);
         for (int thread = 0; thread < threads; thread++)
-            redcc_clusters_retell(&clusters, thread);
+            redcc_clusters_map(&clusters, thread);
         redcc_clusters_agree(&clusters, 0, clusters.count / 3);
         redcc_clusters_agree(&clusters, clusters.count / 3, clusters.count);
         check_connected(it, &clusters);

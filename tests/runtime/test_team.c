@@ -51,7 +51,7 @@ static void threads_that_are_there_need_not_be_started(void **state) {
         skip();
     assert_int_equal(redcc_team_to_start(1), 0);
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
-    redcc_team_came(1); /* one thread's look */
+    redcc_team_begun(1); /* one thread's look */
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
     if (begin_region(THREADS) < THREADS)
         skip();
@@ -61,7 +61,7 @@ static void threads_that_are_there_need_not_be_started(void **state) {
     const int too_many = count_threads() + 1;
     assert_int_equal(redcc_team_to_start(too_many), too_many - 1);
     assert_int_equal(asked_by_another_thread(), THREADS - 1); /* each has its own */
-    redcc_team_came(THREADS);
+    redcc_team_begun(THREADS);
     assert_int_equal(redcc_team_missing(THREADS), 0);
     assert_int_equal(redcc_team_to_start(THREADS + 2), 2);
 }

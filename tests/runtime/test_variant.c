@@ -154,7 +154,7 @@ static void iterations_are_cut_into_parts(void **unused) {
     double seconds[VARIANT_PARTS] = {0}, iterations[VARIANT_PARTS] = {0};
     redcc_parts_begin(&it, 4, 39);
     for (int i = 0; i < 33; i++) {
-        assert_int_equal(redcc_parts_turn(&it), i > 0 && i % 10 == 0);
+        assert_int_equal(redcc_parts_next(&it), i > 0 && i % 10 == 0);
         it.left--;
     }
     redcc_parts_end(&it);
@@ -168,7 +168,7 @@ static void iterations_are_cut_into_parts(void **unused) {
     /* more than were expected are the last part's; of fewer some parts have none */
     redcc_parts_begin(&it, 2, 9);
     for (int i = 0; i < 33; i++) {
-        redcc_parts_turn(&it);
+        redcc_parts_next(&it);
         it.left--;
     }
     redcc_parts_end(&it);

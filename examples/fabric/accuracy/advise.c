@@ -12,9 +12,9 @@
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* Fractions of the requested error that are allowed: for the advised run before tolerances and
- * solver are chosen; for the tolerances; for the difference of the two most exact runs; for the
- * displacement of starts. */
+/* Fractions of the requested error. aim: of the advised run before tolerances and solver are
+ * chosen; of_algebra: caused by the tolerances; agreed: difference of the two most exact runs;
+ * moved: perturbation of the start. */
 static const double aim = 0.85, of_algebra = 0.1, agreed = 0.3, moved = 1e-3;
 
 enum { MOST_RUNS = 24, METHODS = 3 };
@@ -134,8 +134,8 @@ static int check_by(adviser *a, const series *one, series *other, char *reason) 
     }
 }
 
-/* The final state, by an integrator whose error decreases with its order, confirmed by a second
- * integrator. 0; 1 with a reason; -1 after a message. */
+/* Sets a->reference: the final state by an integrator whose error decreases with its order,
+ * confirmed by a second integrator. 0; 1 with a reason; -1 after a message. */
 static int find_reference(adviser *a, char *reason) {
     for (int k = 0; k < METHODS; k++) {
         int status = reach(a, &a->of[k], agreed * a->error);
@@ -160,8 +160,8 @@ static double error_of(const adviser *a, const measured *got) {
     return measured_distance(got, a->reference, NULL) + a->doubt;
 }
 
-/* The integrator's coarsest run that is exact enough, unless it takes longer than `limit`; NULL:
- * there is none. *status: -1 after a message. */
+/* The integrator's coarsest run that is exact enough; NULL if there is none, or if it takes longer
+ * than `limit`. *status: -1 after a message. */
 static const trial *coarsest(const adviser *a, series *r, double limit, int *status) {
     for (int k = 0;; k++) {
         if (k == r->count && (*status = extend(a, r)) != 0)
@@ -173,7 +173,7 @@ static const trial *coarsest(const adviser *a, series *r, double limit, int *sta
     }
 }
 
-/* The run that takes least time of those that are exact enough; *best gets its settings. */
+/* Stores the fastest of the runs that are exact enough in *best. */
 static int choose_run(adviser *a, trial *best) {
     double least = INFINITY;
     for (int k = METHODS - 1; k >= 0; k--) {
@@ -207,22 +207,22 @@ static int try_settings(const adviser *a, const scene *settings, bool always, tr
     return 0;
 }
 
-/* The method of solution that takes the least time in the first steps, if that is clearly less than
- * by the default. */
+/* Chooses the solver that takes the least time in the first steps, if that is clearly less than the
+ * default's time. */
 static int choose_solver(const adviser *a, trial *best) {
-    static const int ways[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
-                                  {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},
-                                  {METHOD_DIRECT, PRECONDITIONER_GAUSS_SEIDEL}};
-    enum { COUNT = sizeof ways / sizeof *ways };
+    static const int solvers[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
+                                     {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},
+                                     {METHOD_DIRECT, PRECONDITIONER_GAUSS_SEIDEL}};
+    enum { COUNT = sizeof solvers / sizeof *solvers };
     double least = INFINITY;
     scene chosen = best->settings;
     for (int k = 0; k < COUNT; k++) {
         scene s = best->settings;
         measured got;
-        if (ways[k][0] == METHOD_DIRECT && !direct_solver_available())
+        if (solvers[k][0] == METHOD_DIRECT && !direct_solver_available())
             continue;
-        s.solution.method = ways[k][0];
-        s.solution.preconditioner = ways[k][1];
+        s.solution.method = solvers[k][0];
+        s.solution.preconditioner = solvers[k][1];
         scene start = s;
         start.time.steps = s.time.steps < 8 ? s.time.steps : 8;
         if (measure(&start, a->cloth, 3, ANY_REJECTIONS, &got) != 0)
@@ -236,7 +236,7 @@ static int choose_solver(const adviser *a, trial *best) {
     return try_settings(a, &chosen, true, best) < 0 ? -1 : 0;
 }
 
-/* The loosest tolerance whose own error is small enough. */
+/* Chooses the loosest tolerance that alone causes a small enough error. */
 static int choose_tolerance(const adviser *a, trial *best) {
     const double fine = best->settings.time.integrator == INTEGRATOR_LINEAR_EULER
                             ? best->settings.solution.tolerance
@@ -261,8 +261,8 @@ static int choose_tolerance(const adviser *a, trial *best) {
     return status;
 }
 
-/* The distance from *best of the final state of a run whose start is perturbed, each coordinate at
- * random. */
+/* *spread: the distance between the final states of *best and of the same run from a randomly
+ * perturbed start. */
 static int spread_of(const adviser *a, const trial *best, double *spread) {
     mesh other;
     measured got = {0};

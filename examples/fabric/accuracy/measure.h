@@ -11,14 +11,14 @@
 typedef struct measured {
     int finished; /* 0: the simulator failed, or was stopped because of rejected steps */
     int vertices;
-    double (*x)[3];     /* [vertices] m, at the end; measured_free's */
-    double cpu_seconds; /* of the process, all threads, in the steps; least of the repetitions */
+    double (*x)[3];     /* [vertices] m, at the end; measured_free frees it */
+    double cpu_seconds; /* of the process, all threads, in the steps; minimum of the repetitions */
     long steps, rejected;
-    double shortest; /* s, shortest step; only logged rejections are known */
+    double shortest; /* s, shortest step, from the logged rejections (at most MOST_REJECTIONS) */
     long cg_iterations, newton_iterations;
-    double strain, energy; /* at the end: of the most stretched triangle; J. Both, and depth, are
-                            * NaN without a monitor */
-    double depth;          /* m, of the deepest vertex in a collider, in all of the run */
+    double strain, energy; /* at the end: the largest strain of a triangle; J. NaN without a
+                            * monitor, as is depth */
+    double depth;          /* m, of the deepest vertex in a collider during the run */
 } measured;
 
 /** No limit on rejected steps. */
@@ -32,15 +32,15 @@ simulation *study_simulation(const mesh *cloth, const scene *s);
 int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result);
 void measured_free(measured *m);
 
-/** Root mean square and largest distance of the vertices, in m; not a number where either run did
+/** Root mean square and largest distance of corresponding vertices, in m; NaN if either run did
  *  not finish. */
 double measured_distance(const measured *a, const measured *b, double *largest);
 
-/** The same of `count` vertices; `largest` may be NULL. */
+/** The same for two arrays of `count` positions; `largest` may be NULL. */
 double distance_of(int count, const double (*x)[3], const double (*y)[3], double *largest);
 
-/** The mesh with each coordinate moved by up to `most` m at random; its other arrays are `from`'s,
- *  its positions to be freed. 0, or -1 after a message. */
+/** The mesh with each coordinate moved by up to `most` m at random. The caller frees its
+ *  positions; all other arrays are `from`'s. 0, or -1 after a message. */
 int move_start(const mesh *from, double most, random_source *source, mesh *to);
 
 /** Kinetic, elastic and potential energy, J, as the monitor computes it. */

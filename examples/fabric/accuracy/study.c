@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "step/integrator.h"
 
-/* The reference is refined this often at most. */
+/* The reference is refined at most this many times. */
 enum { MOST_ROUNDS = 4 };
 
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
@@ -82,8 +82,8 @@ double scene_stiffness(const scene *s) {
     return s->material.stretch / (s->material.density * gravity * s->mesh.side);
 }
 
-/* Does one run, or the interpolation of two by a power of time, have less error in the same
- * time? */
+/* Is the row on the Pareto front: does no other run, and no interpolation of two runs by a power of
+ * time, have less error in the same time? */
 static int is_on_front(const study *of, const study_row *r) {
     for (int k = 0; k < of->row_count; k++)
         for (int m = 0; m < of->row_count; m++) {

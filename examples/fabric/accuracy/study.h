@@ -4,17 +4,19 @@
  * folder, most with these columns:
  *
  *   experiment, scene, vertices, variant  what was varied, as text
- *   step, s; tolerance                    of the time stepping; of what the experiment varies
- *   steps, rejected                       taken and thrown away
- *   cg_iterations, newton_iterations      all steps together: no noise of the machine in them
- *   cpu_seconds                           of the steps, least of the repetitions
+ *   step, tolerance                       time step, s; tolerance of what the experiment varies
+ *   steps, rejected                       accepted steps, and rejected ones
+ *   cg_iterations, newton_iterations      all steps together, so without the machine's noise
+ *   cpu_seconds                           of the steps, minimum of the repetitions
  *   error_rms, error_max                  m, against the reference at the end of the scene
- *   error_own                             m rms, against the same method with exact algebra, where
- *                                         the experiment has it
- *   front                                 1: nothing in the table is both faster and more exact
- *   side, stiffness, contact, wind        of the scene: m; scene_stiffness; 1: there is some
- *   error_strain, error_energy            of the triangle stretched most; J; against the reference
- *   depth                                 m, of the deepest vertex in a collider, in all of the run
+ *   error_own                             m rms, against the same method with exact algebra, in
+ *                                         experiments that run it
+ *   front                                 1: no other row is both faster and more exact
+ *   side, stiffness                       of the cloth, m; scene_stiffness
+ *   contact, wind                         1 if the scene has colliders; if it has wind
+ *   error_strain, error_energy            of the largest strain; of the energy, J; against the
+ *                                         reference
+ *   depth                                 m, of the deepest vertex in a collider during the run
  */
 #ifndef FABRIC_ACCURACY_STUDY_H
 #define FABRIC_ACCURACY_STUDY_H
@@ -40,19 +42,19 @@ typedef struct study {
     mesh cloth;
     const char *folder;
     int repeat;
-    int quick;                          /* fewer and coarser runs: to see that it works */
+    int quick;                          /* fewer and coarser runs, for a test of the program */
     int steps[MOST_COUNTS], step_count; /* numbers of steps, ascending */
     measured reference;
-    double reference_gap; /* m rms, between the two methods that give the reference */
+    double reference_gap; /* m rms, between the final states of the reference's two methods */
     study_row rows[MOST_ROWS];
     int row_count;
 } study;
 
-/** Stretch stiffness over the weight of a strip as long as the sheet: the inverse of the strain
- *  by its own weight. No unit. */
+/** Stretch stiffness divided by the weight of a strip as long as the sheet: the inverse of the
+ *  strain under its own weight. No unit. */
 double scene_stiffness(const scene *s);
 
-/** Runs the scene on the cloth, which may be another than the study's, and files the result. 0, or
+/** Runs the scene on a cloth, which need not be the study's, and adds the result to the rows. 0, or
  *  -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
               const mesh *cloth, double tolerance);
@@ -68,11 +70,12 @@ void study_compare(study *of);
  * 0 in a quick study.
  */
 int study_trusts_reference(study *of);
-/** A table of another form: folder/NAME, begun with its line of columns. NULL after a message. */
+/** Opens folder/NAME for a table with other columns, and writes the line of columns. NULL after a
+ *  message. */
 FILE *study_open(const study *of, const char *name, const char *columns);
 /** 0, or -1 after a message: not all of it was written. */
 int study_close(FILE *file);
-/** The least z, m: compares runs with different vertices. */
+/** The lowest vertex' z, m: comparable between runs on different meshes. */
 double lowest_point(int count, const double (*x)[3]);
 /** Writes folder/NAME.csv of all rows and forgets them. 0, or -1 after a message. */
 int study_write(study *of, const char *name);

@@ -18,7 +18,7 @@
 #include "step/integrator.h"
 #include "step/simulation_state.h"
 
-/* The scene without dissipation, in the middle number of steps. */
+/* Writes the energy over time of the scene without dissipation, in the middle number of steps. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
@@ -39,7 +39,7 @@ static int write_energy(study *of, integrator_kind kind, FILE *file) {
     return 0;
 }
 
-/* A run of at least 3 steps, and 0.1 s, at one step and stiffness. */
+/* Writes whether a run of at least 3 steps and 0.1 s survives with this step and stiffness. */
 static int write_survival(study *of, integrator_kind kind, double step, double stretch,
                           FILE *file) {
     static const char *const outcomes[] = {"finished", "halved", "gave up"};
@@ -119,24 +119,24 @@ int study_mesh(study *of) {
     return file && study_close(file) != 0 ? -1 : status;
 }
 
-/* An order of reduction, with a method that uses it. Without a named method the runtime would
+/* An order of summation, with a method that uses it. Without a named method the runtime would
  * choose the fastest one, perhaps the sequential loop, for every order, and all times would be
- * equal. Compensated sums are added up in the serial order. */
+ * equal. Compensated sums are computed in the serial order. */
 static const struct {
     const char *order, *method, *sum;
-} ways[] = {{"serial", "serial", "plain"},           {"serial", "localwrite", "plain"},
-            {"serial", "localwrite", "compensated"}, {"fixed", "expansion-fixed", "plain"},
-            {"any", "expansion", "plain"},           {"any", "auto", "plain"}};
-enum { WAYS = sizeof ways / sizeof *ways };
+} variants[] = {{"serial", "serial", "plain"},           {"serial", "localwrite", "plain"},
+                {"serial", "localwrite", "compensated"}, {"fixed", "expansion-fixed", "plain"},
+                {"any", "expansion", "plain"},           {"any", "auto", "plain"}};
+enum { VARIANTS = sizeof variants / sizeof *variants };
 
 /* Time of a run: elapsed seconds, and CPU seconds of all threads. */
 typedef struct {
-    double passed, cpu;
+    double elapsed, cpu;
 } spent;
 
 /* Runs this program on the scene in another process, because the runtime reads its environment
  * once. 0, or -1 after a message. */
-static int run_apart(const study *of, int way, const char *threads, spent *it) {
+static int run_child(const study *of, int variant, const char *threads, spent *it) {
     char program[] = "/proc/self/exe", yaml[FILE_PATH_SIZE], out[FILE_PATH_SIZE];
     if (files_join(yaml, of->folder, "sum.yaml") != 0 ||
         files_join(out, of->folder, "sum-run") != 0)
@@ -145,9 +145,9 @@ static int run_apart(const study *of, int way, const char *threads, spent *it) {
     const double began = clock_seconds();
     const pid_t child = fork();
     if (child == 0) {
-        setenv("REDCC_ORDER", ways[way].order, 1);
-        setenv("REDCC_METHOD", ways[way].method, 1);
-        setenv("REDCC_SUM", ways[way].sum, 1);
+        setenv("REDCC_ORDER", variants[variant].order, 1);
+        setenv("REDCC_METHOD", variants[variant].method, 1);
+        setenv("REDCC_SUM", variants[variant].sum, 1);
         setenv("OMP_NUM_THREADS", threads, 1);
         execl(program, program_name, "run", yaml, "-o", out, "--frames", "0", "--progress", "none",
               (char *)NULL);
@@ -158,7 +158,7 @@ static int run_apart(const study *of, int way, const char *threads, spent *it) {
     if (child < 0 || wait4(child, &status, 0, &used) != child || !WIFEXITED(status) ||
         WEXITSTATUS(status) != 0) {
         fprintf(stderr, "accuracy: the run with REDCC_ORDER=%s and REDCC_METHOD=%s failed\n",
-                ways[way].order, ways[way].method);
+                variants[variant].order, variants[variant].method);
         return -1;
     }
     *it = (spent){clock_seconds() - began,
@@ -166,14 +166,14 @@ static int run_apart(const study *of, int way, const char *threads, spent *it) {
     return 0;
 }
 
-/* The least of all repetitions. */
-static int least_apart(const study *of, int way, const char *threads, spent *least) {
+/* The least times of all repetitions. */
+static int fastest_child(const study *of, int variant, const char *threads, spent *least) {
     *least = (spent){INFINITY, INFINITY};
     for (int n = 0; n < of->repeat; n++) {
         spent once;
-        if (run_apart(of, way, threads, &once) != 0)
+        if (run_child(of, variant, threads, &once) != 0)
             return -1;
-        least->passed = fmin(least->passed, once.passed);
+        least->elapsed = fmin(least->elapsed, once.elapsed);
         least->cpu = fmin(least->cpu, once.cpu);
     }
     return 0;
@@ -186,7 +186,7 @@ static double farthest(const state *a, const state *b) {
     return most;
 }
 
-/* Each way at several thread counts, against the sequential loops. */
+/* Each order at several thread counts, against the sequential loops. */
 int study_sum(study *of) {
     static const char *const counts[] = {"1", "2", "3"};
     char path[FILE_PATH_SIZE], final_state[FILE_PATH_SIZE];
@@ -206,11 +206,11 @@ int study_sum(study *of) {
     FILE *file =
         study_open(of, "sum.csv", "order,method,sum,threads,seconds,cpu_seconds,difference\n");
     int status = file ? 0 : -1;
-    for (int way = 0; way < WAYS && status == 0; way++)
+    for (int variant = 0; variant < VARIANTS && status == 0; variant++)
         for (int k = 0; k < 3 && status == 0; k++) {
             state now;
             spent least;
-            if (least_apart(of, way, counts[k], &least) != 0 ||
+            if (fastest_child(of, variant, counts[k], &least) != 0 ||
                 state_read(&now, final_state) != 0) {
                 status = -1;
                 break;
@@ -218,12 +218,13 @@ int study_sum(study *of) {
             if (!first.memory)
                 first = now;
             const double difference = farthest(&now, &first);
-            fprintf(file, "%s,%s,%s,%s,%.4g,%.4g,%.4g\n", ways[way].order, ways[way].method,
-                    ways[way].sum, counts[k], least.passed, least.cpu, difference);
+            fprintf(file, "%s,%s,%s,%s,%.4g,%.4g,%.4g\n", variants[variant].order,
+                    variants[variant].method, variants[variant].sum, counts[k], least.elapsed,
+                    least.cpu, difference);
             fprintf(stderr,
                     "order %-7s %-16s %-12s %s threads  %8.3f s (CPU %.3f s)  differs by %.3g m\n",
-                    ways[way].order, ways[way].method, ways[way].sum, counts[k], least.passed,
-                    least.cpu, difference);
+                    variants[variant].order, variants[variant].method, variants[variant].sum,
+                    counts[k], least.elapsed, least.cpu, difference);
             if (now.memory != first.memory)
                 state_free(&now);
         }

@@ -11,13 +11,13 @@ enum { MOVED_RUNS = 16 };
 static const double moved = 1e-9;
 
 /* All runs of a scene, advanced together; [0] starts unperturbed. */
-typedef struct flock {
+typedef struct ensemble {
     mesh cloth[1 + MOVED_RUNS]; /* the perturbed ones own only `position` */
     simulation *run[1 + MOVED_RUNS];
     int count;
-} flock;
+} ensemble;
 
-static void flock_free(flock *all) {
+static void ensemble_free(ensemble *all) {
     for (int r = 0; r < all->count; r++) {
         simulation_free(all->run[r]);
         if (r > 0)
@@ -26,7 +26,7 @@ static void flock_free(flock *all) {
 }
 
 /* 0, or -1 after a message. */
-static int flock_add(flock *all, const study *of, random_source *source) {
+static int ensemble_add(ensemble *all, const study *of, random_source *source) {
     const int r = all->count;
     mesh *cloth = &all->cloth[r];
     if (r == 0)
@@ -39,22 +39,22 @@ static int flock_add(flock *all, const study *of, random_source *source) {
 }
 
 /* A row for each run; returns the root mean square of their distances from the first, m. */
-static double write_rows(const study *of, const flock *all, FILE *file) {
+static double write_rows(const study *of, const ensemble *all, FILE *file) {
     const int vertices = of->cloth.vertex_count;
     double squares = 0;
     for (int r = 0; r < all->count; r++) {
         const simulation *run = all->run[r];
-        const double apart = distance_of(vertices, simulation_positions(run),
-                                         simulation_positions(all->run[0]), NULL);
-        squares += apart * apart;
-        fprintf(file, "%.6g,%d,%.4g,%.6g,%.6g\n", simulation_time(run), r, apart, total_energy(run),
-                lowest_point(vertices, simulation_positions(run)));
+        const double distance = distance_of(vertices, simulation_positions(run),
+                                            simulation_positions(all->run[0]), NULL);
+        squares += distance * distance;
+        fprintf(file, "%.6g,%d,%.4g,%.6g,%.6g\n", simulation_time(run), r, distance,
+                total_energy(run), lowest_point(vertices, simulation_positions(run)));
     }
     return sqrt(squares / (double)MOVED_RUNS);
 }
 
-/* Steps all runs until one fails, and reports the times of the distances. */
-static void follow(const study *of, flock *all, FILE *file) {
+/* Steps all runs until one fails, and reports when their distance exceeds each mark. */
+static void follow(const study *of, ensemble *all, FILE *file) {
     static const double marks[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}; /* m */
     enum { MARKS = sizeof marks / sizeof *marks };
     char error[256] = "";
@@ -65,15 +65,15 @@ static void follow(const study *of, flock *all, FILE *file) {
                 fprintf(stderr, "%s: run %d: %s\n", of->base.name, r, error);
                 return;
             }
-        const double apart = write_rows(of, all, file);
-        for (; passed < MARKS && apart > marks[passed]; passed++)
+        const double distance = write_rows(of, all, file);
+        for (; passed < MARKS && distance > marks[passed]; passed++)
             fprintf(stderr, "horizon: %g mm apart after %.3g s\n", 1e3 * marks[passed],
                     simulation_time(all->run[0]));
     }
 }
 
-/* Mean and standard deviation over the perturbed runs. */
-static void tell_ends(const study *of, const flock *all) {
+/* Reports mean and standard deviation over the perturbed runs' ends. */
+static void report_ends(const study *of, const ensemble *all) {
     double sum[2] = {0}, squares[2] = {0};
     for (int r = 1; r < all->count; r++) {
         const double value[] = {
@@ -94,17 +94,17 @@ static void tell_ends(const study *of, const flock *all) {
 
 int study_horizon(study *of) {
     random_source source = {1};
-    flock *all = calloc(1, sizeof *all);
+    ensemble *all = calloc(1, sizeof *all);
     FILE *file = study_open(of, "horizon.csv", "time,run,distance_rms,energy,lowest\n");
     int status = all && file ? 0 : -1;
     while (status == 0 && all->count <= MOVED_RUNS)
-        status = flock_add(all, of, &source);
+        status = ensemble_add(all, of, &source);
     if (status == 0) {
         follow(of, all, file);
-        tell_ends(of, all);
+        report_ends(of, all);
     }
     if (all)
-        flock_free(all);
+        ensemble_free(all);
     free(all);
     return file && study_close(file) != 0 ? -1 : status;
 }

@@ -8,11 +8,11 @@
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* Runs the scene unchanged, with its own integrator, step and tolerances. */
+/* The variant that runs the scene unchanged, with its own integrator, step and tolerances. */
 static const char *const scene_default = "default";
 
-/* The best settings of a method: the loosest tolerance whose own error is a tenth of the error of
- * time stepping, or the tightest tolerance. 0, or -1 after a message. */
+/* Runs a method with its best settings: the loosest tolerance that alone causes a tenth of the
+ * error of time stepping, or the tightest tolerance. 0, or -1 after a message. */
 static int run_fairly(study *of, int kind, int steps) {
     static const double tolerances[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6};
     enum { COUNT = sizeof tolerances / sizeof *tolerances };
@@ -97,9 +97,9 @@ int study_newton(study *of) {
     return study_write(of, "newton");
 }
 
-/* Runs the scene with each value of a setting and at each tolerance. `chosen` is the setting in
- * `s`, and `kinds` are the names of its values. The first row, with the first value and tolerance
- * 1e-12, is the reference for the others' own errors. */
+/* Runs the scene with each value of a setting and at each tolerance. `chosen` points to the setting
+ * in `s`, and `kinds` are the names of its values. The first row, with the first value and
+ * tolerance 1e-12, is the reference for error_own. */
 static int compare_kinds(study *of, const char *experiment, scene *s, int *chosen,
                          const char *const *kinds) {
     static const double tolerances[] = {1e-12, 1e-2, 1e-4, 1e-6, 1e-8};
@@ -142,28 +142,30 @@ int study_precision(study *of) {
     return study_write(of, "precision");
 }
 
-/* The cost of a step on one mesh by each method of solution, for several step lengths. */
-static int compare_ways(study *of, const mesh *cloth) {
+/* The cost of a step on one mesh with each solver, for several step lengths. */
+static int compare_solvers(study *of, const mesh *cloth) {
     static const double steps[] = {0.001, 0.0033, 0.01, 0.033}, shortest = 0.02; /* s */
     static const struct {
         const char *name;
         int method;
         double tolerance;
-    } ways[] = {{"gauss-seidel to 1e-2", METHOD_CONJUGATE_GRADIENTS, 1e-2},
-                {"gauss-seidel to 1e-6", METHOD_CONJUGATE_GRADIENTS, 1e-6},
-                {"direct", METHOD_DIRECT, 0}};
+    } solvers[] = {{"gauss-seidel to 1e-2", METHOD_CONJUGATE_GRADIENTS, 1e-2},
+                   {"gauss-seidel to 1e-6", METHOD_CONJUGATE_GRADIENTS, 1e-6},
+                   {"direct", METHOD_DIRECT, 0}};
     for (int h = of->quick ? 2 : 0; h < 4; h++)
-        for (int way = 0; way < 3; way++) {
+        for (int solver = 0; solver < 3; solver++) {
             scene s = of->base;
             s.time.integrator = INTEGRATOR_LINEAR_EULER;
             s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
             s.time.step = steps[h];
             s.time.steps = (int)fmax(4, ceil(shortest / steps[h]));
-            s.solution.method = ways[way].method;
-            s.solution.tolerance = ways[way].method == METHOD_DIRECT ? of->base.solution.tolerance
-                                                                     : ways[way].tolerance;
+            s.solution.method = solvers[solver].method;
+            s.solution.tolerance = solvers[solver].method == METHOD_DIRECT
+                                       ? of->base.solution.tolerance
+                                       : solvers[solver].tolerance;
             if ((s.solution.method != METHOD_DIRECT || direct_solver_available()) &&
-                study_run(of, "solver", ways[way].name, &s, cloth, ways[way].tolerance) != 0)
+                study_run(of, "solver", solvers[solver].name, &s, cloth,
+                          solvers[solver].tolerance) != 0)
                 return -1;
         }
     return 0;
@@ -176,7 +178,7 @@ int study_solver(study *of) {
         const scene s = refined(&of->base, factors[k]);
         if (scene_mesh(&s, &cloth, NULL) != 0)
             return -1;
-        const int status = compare_ways(of, &cloth);
+        const int status = compare_solvers(of, &cloth);
         mesh_free(&cloth);
         if (status != 0)
             return -1;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Before each array; its alignment is any array's. */
+/** Precedes each array, and is aligned for any type. */
 typedef struct array_link {
     _Alignas(max_align_t) struct array_link *before;
 } array_link;

@@ -16,7 +16,7 @@ static inline int chunk_sum_chunks(int count) {
     return (count + length - 1) / length;
 }
 
-/** Where the chunk ends; it begins where the one before ends. */
+/** One past the chunk's last index. */
 static inline int chunk_sum_end(int count, int chunk) {
     const int end = (chunk + 1) * chunk_sum_length(count);
     return end < count ? end : count;

@@ -5,7 +5,7 @@
 
 #include <time.h>
 
-/** Seconds since some moment in the past; never runs backwards. */
+/** Seconds since an unspecified moment; monotonic. */
 static inline double clock_seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);

@@ -25,7 +25,7 @@ static int has_suffix(const char *text, const char *suffix) {
     return length > end && strcmp(text + length - end, suffix) == 0;
 }
 
-int files_beside_program(char path[FILE_PATH_SIZE], const char *name) {
+int files_in_program_folder(char path[FILE_PATH_SIZE], const char *name) {
     const ssize_t length = readlink("/proc/self/exe", path, FILE_PATH_SIZE - 1);
     if (length <= 0)
         return -1;
@@ -41,7 +41,7 @@ int files_beside_program(char path[FILE_PATH_SIZE], const char *name) {
 static int find_scenes_folder(char folder[FILE_PATH_SIZE]) {
     const char *chosen = getenv("FABRIC_SCENES");
     if (!chosen || chosen[0] == '\0')
-        return files_beside_program(folder, "../share/fabric/scenes");
+        return files_in_program_folder(folder, "../share/fabric/scenes");
     return snprintf(folder, FILE_PATH_SIZE, "%s", chosen) < FILE_PATH_SIZE ? 0 : -1;
 }
 

@@ -17,8 +17,8 @@ int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 /** "folder/name". 0, or -1 after a message when that is too long. */
 int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
 
-/** "FOLDER/name" with the folder of the running program. 0, or -1: unknown. */
-int files_beside_program(char path[FILE_PATH_SIZE], const char *name);
+/** "FOLDER/name", FOLDER being that of the running program. 0, or -1: the folder is unknown. */
+int files_in_program_folder(char path[FILE_PATH_SIZE], const char *name);
 
 /** Opens a file to be read, as bytes. NULL after a message. */
 FILE *files_open(const char *path);
@@ -26,8 +26,8 @@ FILE *files_open(const char *path);
 /** Makes a folder and those above it. 0, or -1 after a message. */
 int files_make_folder(const char *path);
 
-/** Numbers of the files DIGITS.suffix in a folder, ascending, to be freed; their count, or -1 after
- *  a message. */
+/** *numbers: the numbers of the files DIGITS.suffix in a folder, ascending, to be freed. Returns
+ *  their count, or -1 after a message. */
 int files_numbered(const char *folder, const char *suffix, long **numbers);
 
 #endif

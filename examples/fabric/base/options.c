@@ -12,7 +12,7 @@
 
 enum { MOST_OPTIONS = 32 };
 
-/** What was read instead of an option's number in the table. */
+/** Results of read_next other than an option's index in the table. */
 enum { END = -1, WORD = -2, HELP = -3, WRONG = -4 };
 
 const char *program_name = "fabric";
@@ -74,7 +74,7 @@ static int take_value(options *o, const option *known, const char *equals) {
     return -1;
 }
 
-/** Reads the next word: the option's number, or one of the above. */
+/** Reads the next word: the option's index, or one of the above. */
 static int read_next(options *o) {
     if (o->next >= o->argc)
         return END;

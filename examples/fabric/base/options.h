@@ -10,7 +10,7 @@ typedef enum option_kind {
     OPTION_FLAG,   /* int: 1 */
     OPTION_WHOLE,  /* long, from low to high */
     OPTION_NUMBER, /* double, low or more */
-    OPTION_CHOICE, /* int: the number of the word in choices */
+    OPTION_CHOICE, /* int: the word's index in `choices` */
     OPTION_OWN     /* read by `take` */
 } option_kind;
 
@@ -29,7 +29,7 @@ typedef int option_taker(const options *o, void *to);
 
 typedef struct option {
     const char *name;     /* "--steps" or "-o" */
-    const char *argument; /* what follows it, as --help names it; NULL: nothing */
+    const char *argument; /* the name of its argument in --help; NULL: it takes none */
     const char *help;     /* one line */
     option_kind kind;
     size_t offset; /* of the value in the request that options_read fills */
@@ -53,22 +53,21 @@ enum { EXIT_USAGE = 2, OPTIONS_READ = -1 };
 
 /**
  * Reads the command line into *request: options as the table says, words by `take_word`, whose `to`
- * is the request. OPTIONS_READ, or the exit status: 0 where help was asked for, EXIT_USAGE after a
- * message.
+ * is the request. OPTIONS_READ, or the exit status: 0 after --help, EXIT_USAGE after a message.
  */
 int options_read(const command *of, int argc, char **argv, void *request, option_taker *take_word);
 
-/** The word as the number of one of `choices` (NULL after the last); -1 after a message. */
+/** The word's index in `choices` (NULL after the last); -1 after a message. */
 int options_choice(const options *o, const char *name, const char *const *choices);
 
-/** Takes the only word, "a folder", into *text. */
+/** Takes the only word into *text; `what` describes it in messages: "a folder". */
 int options_only_word(const options *o, const char **text, const char *what);
 
 /** "fabric run: ..." on standard error. Returns EXIT_USAGE. */
 int options_complain(const command *of, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/** The name the program was started by, without folders. */
+/** The program's name as it was started, without folders. */
 extern const char *program_name;
 
 #endif

@@ -6,8 +6,8 @@
 #include "base/options.h"
 
 /** Runs the command that argv[1] names; `purpose` is the first sentence of --help. Sets
- *  program_name. Returns the exit status; EXIT_USAGE after a message where there is no such
- *  command. */
+ *  program_name. Returns the exit status; EXIT_USAGE after a message if there is no such command.
+ */
 int program_run(const char *purpose, const command *const *commands, int count, int argc,
                 char **argv);
 

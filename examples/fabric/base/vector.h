@@ -33,7 +33,7 @@ static inline void vector_scale(const double a[3], double factor, double scaled[
         scaled[k] = factor * a[k];
 }
 
-/** The direction of a, 0 where that is 0; returns its length. */
+/** unit = a / |a|, or 0 if a is 0. Returns |a|. */
 static inline double vector_unit(const double a[3], double unit[3]) {
     const double length = vector_length(a);
     for (int k = 0; k < 3; k++)
@@ -41,7 +41,7 @@ static inline double vector_unit(const double a[3], double unit[3]) {
     return length;
 }
 
-/** The normal of the triangle a b c, twice as long as its area. */
+/** The normal of the triangle a b c; its length is twice the triangle's area. */
 static inline void vector_normal(const double a[3], const double b[3], const double c[3],
                                  double normal[3]) {
     double one[3], other[3];
@@ -58,7 +58,7 @@ static inline void vector_add_scaled(const double a[3], double factor, const dou
     sum[2] = a[2] + factor * b[2];
 }
 
-/** The same vectors, not to be written. */
+/** The same vectors, as const. (C does not convert to a pointer to const arrays implicitly.) */
 static inline const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
 }

@@ -6,7 +6,7 @@
 
 void waiting_is_short(char **argv) {
 #ifdef _OPENMP
-    /* The library's own value for more threads than cores. */
+    /* libgomp's own value when there are more threads than cores. */
     static const char spins[] = "1000";
     if (!getenv("OMP_WAIT_POLICY") && !getenv("GOMP_SPINCOUNT") &&
         setenv("GOMP_SPINCOUNT", spins, 1) == 0)

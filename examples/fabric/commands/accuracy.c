@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric accuracy: what accuracy costs, and what to choose for an error. */
+/* fabric accuracy: what accuracy costs, and which settings reach a given error. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -149,7 +149,7 @@ static int run_experiments(study *of, int name) {
     return 0;
 }
 
-/** The heading of plots. */
+/** Writes the heading of plots. */
 static int write_heading(const study *of) {
     FILE *file = study_open(of, "study.gnuplot", "");
     if (!file)

@@ -23,20 +23,20 @@ typedef struct setting_list {
     int count;
 } setting_list;
 
-/** Takes one more into the list: an option_taker. */
+/** An option_taker: appends a `--set` to the list. */
 int take_setting(const options *o, void *list);
 
-/** The option for it, of a request with `settings`. */
+/** The entry for `--set` in the options of a request that has a member `settings`. */
 #define SETTING_OPTION(request_, example)                                                          \
     {                                                                                              \
         "--set", "KEY=VALUE", "change a key of the scene, such as " example,                       \
             .kind = OPTION_OWN, .offset = offsetof(request_, settings), .take = take_setting       \
     }
 
-/** Makes the settings. 0, or -1 after a message: then the scene is empty. */
+/** Applies the settings to the scene. 0, or -1 after a message: then the scene is empty. */
 int make_settings(scene *s, const setting_list *settings);
 
-/** Finds and reads a scene and makes its settings. 0, or -1 after a message. */
+/** Finds and reads a scene and applies the settings. 0, or -1 after a message. */
 int read_scene(scene *s, const char *name, const setting_list *settings);
 
 #endif

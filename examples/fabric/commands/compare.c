@@ -25,7 +25,7 @@ static const option compare_options[] = {
 /** The largest difference of two arrays of numbers. */
 typedef struct difference {
     long numbers;   /* numbers that differ */
-    double largest; /* infinite where one of the two is not a number */
+    double largest; /* infinite if either is NaN */
     int vertex;     /* original number of the vertex where `largest` is */
     uint64_t ulps;  /* the most numbers representable between the two, plus one */
 } difference;
@@ -42,7 +42,8 @@ static uint64_t ulps_between(double a, double b) {
     return first > second ? (uint64_t)first - (uint64_t)second : (uint64_t)second - (uint64_t)first;
 }
 
-/** Three numbers per vertex; vertex v of the generated mesh is at a_place[v] and b_place[v]. */
+/** Compares two arrays of three numbers per vertex; vertex v of the generated mesh is at a_place[v]
+ *  and b_place[v]. */
 static difference differ(const double *a, const int *a_place, const double *b, const int *b_place,
                          int vertex_count) {
     difference d = {0, 0.0, -1, 0};

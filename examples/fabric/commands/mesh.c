@@ -17,7 +17,7 @@ enum { GENERATE, REORDER, INFO };
 
 /** Arguments of the command line. */
 typedef struct request {
-    int action; /* -1: not said yet */
+    int action; /* -1: not given yet */
     const char *input;
     const char *output;
     long vertices, boundary, seed;
@@ -88,7 +88,7 @@ static void angle_range(const mesh *m, double *least, double *greatest) {
         }
 }
 
-/** Largest distance of two neighbours' numbers, and the mean. */
+/** Largest and mean difference between the numbers of an edge's two vertices. */
 static void edge_spans(const mesh *m, int *longest, double *mean) {
     double sum = 0.0;
     *longest = 0;

@@ -11,10 +11,10 @@
 
 static const option no_options[] = {{.name = NULL}};
 
-/** The program installed in the same folder, otherwise by PATH. Returns only on errors. */
+/** Executes fabric-view from this program's folder, otherwise from PATH. Returns only on errors. */
 static void become_view(char **words) {
     char path[FILE_PATH_SIZE];
-    if (files_beside_program(path, words[0]) == 0)
+    if (files_in_program_folder(path, words[0]) == 0)
         execv(path, words);
     execvp(words[0], words);
 }

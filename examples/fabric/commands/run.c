@@ -38,7 +38,7 @@ static const option run_options[] = {
 
 static volatile sig_atomic_t interrupted;
 
-/* A second signal ends the program at once. */
+/* Handles the first signal; a second one ends the program at once. */
 static void note_interrupt(int signal_number) {
     static const char said[] = "\nends after this step; at once with another Ctrl-C\n";
     (void)signal_number;
@@ -157,7 +157,7 @@ static int take_step(cloth_run *run) {
     return 0;
 }
 
-/** Output of a step: a frame, a checkpoint. `ends`: it is the last step of this run. */
+/** Writes the outputs of a step: a frame, a checkpoint. `ends`: it is the last step of this run. */
 static int keep_step(cloth_run *run, int ends) {
     const long every = run->record.every;
     const int done = run->record.step == run->of.time.steps;
@@ -181,8 +181,8 @@ static int take_steps(cloth_run *run, const run_request *r) {
         status = taken < 0 ? -1 : 0;
         ends = interrupted || run->record.step >= last;
         if (taken == 0)
-            progress_tell(&told, run->record.step, simulation_time(run->sim),
-                          simulation_counts(run->sim).iterations, run->record.seconds - before);
+            progress_report(&told, run->record.step, simulation_time(run->sim),
+                            simulation_counts(run->sim).iterations, run->record.seconds - before);
         if (status == 0)
             status = keep_step(run, ends);
     }
@@ -191,7 +191,7 @@ static int take_steps(cloth_run *run, const run_request *r) {
 }
 
 /** Reports the result of the run, and how to resume it if it was interrupted. */
-static void tell_results(const cloth_run *run, const run_request *r) {
+static void print_results(const cloth_run *run, const run_request *r) {
     const char *quote = strpbrk(run->folder, " \t!\"#$&()*;<>?[\\]`{|}~") ? "'" : "";
     if (run->account.interrupted)
         fprintf(stderr, "ended after step %ld of %d; to go on: %s run --resume %s%s%s\n",
@@ -209,7 +209,7 @@ static int finish(cloth_run *run, const run_request *r) {
         return -1;
     if (!run->account.interrupted && run->record.every == 0)
         run_forget(run);
-    tell_results(run, r);
+    print_results(run, r);
     return 0;
 }
 

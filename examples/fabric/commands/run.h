@@ -20,7 +20,7 @@ typedef struct run_request {
     long stop_after;        /* NOT_GIVEN: the last step */
     long threads;           /* 0: as OpenMP chooses */
     long frames;            /* NOT_GIVEN: FRAMES, or the resumed run's */
-    long every;             /* as frames; NOT_GIVEN of a new run: 0 */
+    long every;             /* steps between checkpoints; NOT_GIVEN: 0, or the resumed run's */
     int progress;           /* progress_style */
     setting_list settings;
 } run_request;
@@ -39,11 +39,11 @@ typedef struct cloth_run {
     run_account account;
 } cloth_run;
 
-/** Makes the folder and removes files of an older run after record.step (of a new run: all of
- *  them), so that they are not taken for this run's. 0, or -1 after a message. */
+/** Makes the folder and removes an older run's files of steps after record.step (for a new run: all
+ *  its files), so that they are not mistaken for this run's. 0, or -1 after a message. */
 int run_prepare_folder(cloth_run *run, const run_request *r);
 
-/** Writes the state after record.step for pictures, if it is a frame. 0, or -1 after a message. */
+/** If record.step is a frame, writes its state for pictures. 0, or -1 after a message. */
 int run_write_frame(const cloth_run *run);
 
 /** Writes the last state and the summary. 0, or -1 after a message. */
@@ -56,7 +56,7 @@ int run_resume(cloth_run *run, const run_request *r);
 /** Restores the state of the simulation, which has been made. 0, or -1 after a message. */
 int run_restore(cloth_run *run);
 
-/** Writes the checkpoint of record.step. 0, or -1 after a message: an older one is as it was. */
+/** Writes the checkpoint of record.step. 0, or -1 after a message: an older one is unchanged. */
 int run_save(cloth_run *run);
 
 /** Removes the checkpoint of a finished run. */

@@ -45,8 +45,8 @@ static void remove_old_results(const cloth_run *run) {
     remove_frames(run, goes_on ? run->record.step : -1);
 }
 
-/** The folder of the resumed run; otherwise by default the scene's name without folders and
- *  .yaml, and "-run". */
+/** Sets run->folder: that of the resumed run; otherwise by default the scene's name without folders
+ *  and .yaml, followed by "-run". */
 static int name_folder(cloth_run *run, const run_request *r) {
     if (!run->from.memory) {
         const char *slash = strrchr(r->scene_name, '/');
@@ -78,8 +78,8 @@ static int frame_path(const cloth_run *run, long step, char path[FILE_PATH_SIZE]
     return files_join(path, run->frames_folder, name);
 }
 
-/** Prints which files of earlier steps are missing. They cannot be made again. */
-static void look_for_frames(const cloth_run *run) {
+/** Prints which frames of earlier steps are missing: a resumed run does not write them again. */
+static void report_missing_frames(const cloth_run *run) {
     char path[FILE_PATH_SIZE];
     long missing = 0;
     for (long step = 0; step <= run->record.step; step++)
@@ -96,7 +96,7 @@ int run_prepare_folder(cloth_run *run, const run_request *r) {
         return -1;
     remove_old_results(run);
     if (run->from.memory && run->of.time.steps == run->from.of.time.steps)
-        look_for_frames(run);
+        report_missing_frames(run);
     if (scene_write(&run->of, path) == 0)
         return 0;
     fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));

@@ -6,7 +6,7 @@
 
 #include "commands/run.h"
 
-/** DIR or FILE: the file, and the folder it lies in. */
+/** Sets the checkpoint's path and the run's folder from `name`, a folder or a file. */
 static int find_checkpoint(cloth_run *run, const char *name) {
     struct stat status;
     const char *slash = strrchr(name, '/');
@@ -35,7 +35,7 @@ static int find_checkpoint(cloth_run *run, const char *name) {
     return 0;
 }
 
-/** The scene that the command line names, or the checkpoint's own, with its settings made. */
+/** Reads the scene that the command line names, or the checkpoint's, and applies the settings. */
 static int read_wanted_scene(cloth_run *run, const run_request *r) {
     if (r->scene_name)
         return read_scene(&run->of, r->scene_name, &r->settings);
@@ -44,7 +44,7 @@ static int read_wanted_scene(cloth_run *run, const run_request *r) {
     return make_settings(&run->of, &r->settings);
 }
 
-/** A named scene's number of steps is only a default: the run's first one is compared. */
+/** Chooses the number of steps. That of a scene named on the command line is only a default. */
 static int choose_steps(cloth_run *run, const run_request *r) {
     if (r->steps != NOT_GIVEN)
         run->of.time.steps = (int)r->steps;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Making the surface of cloth and bodies, and where bodies are. */
+/* Builds the surface of cloth and bodies, and positions the bodies. */
 #include "barrier.h"
 
 #include <stdio.h>
@@ -16,7 +16,7 @@ static int check_scene(const scene *s, char *error) {
     for (int n = 0; n < s->collider_count; n++) {
         const collider *k = &s->colliders[n];
         const char *wrong = k->from > 0 || k->until > 0 ? "is there all the time: no from, no until"
-                            : k->kind == COLLIDER_PLANE && motion_turns(k)
+                            : k->kind == COLLIDER_PLANE && motion_rotates(k)
                                 ? "does not turn where it is a plane: use a box"
                             : !(k->gap > 0) ? "has a gap above 0"
                                             : NULL;
@@ -28,7 +28,7 @@ static int check_scene(const scene *s, char *error) {
     return 0;
 }
 
-/* The bodies' surfaces one after the other, in their own axes; a plane is one point. */
+/* Appends a body's surface in the body's own axes; a plane is one point. */
 static int add_body(barrier *b, int number) {
     static const double middle[3];
     const collider *k = &b->scene->colliders[number];
@@ -81,7 +81,7 @@ static int make_surface(barrier *b) {
     return 0;
 }
 
-/* Rest positions, and which vertices are connected (union-find). */
+/* Computes rest positions and connected components (union-find). */
 static int know_cloth(barrier *b) {
     const mesh *m = b->cloth;
     const size_t n = (size_t)m->vertex_count + 1;
@@ -110,8 +110,9 @@ static double greatest_reach(const scene *s) {
     return most;
 }
 
-/* A vertex of mean mass that is pressed to about half its reach by its own weight, or stopped there
- * within a step: m reach (reach / h^2 + g). Harder presses come nearer, as the logarithm allows. */
+/* Sets the stiffness to m reach (reach / h^2 + g): a vertex of mean mass m comes to rest at about
+ * half its reach under its own weight, and is stopped there within a step. Greater forces press it
+ * nearer; the logarithm keeps the distance above 0. */
 static void set_stiffness(barrier *b, double reach, const double *mass) {
     const scene *s = b->scene;
     double sum = 0;
@@ -137,7 +138,7 @@ int barrier_init(barrier *b, const mesh *cloth, const scene *s, const double *ma
     b->driven = arrays_add(&b->own, n, 1);
     b->begin = arrays_add(&b->own, n, sizeof *b->begin);
     b->x = arrays_add(&b->own, n, sizeof *b->x);
-    b->way = arrays_add(&b->own, n, sizeof *b->way);
+    b->displacement = arrays_add(&b->own, n, sizeof *b->displacement);
     b->goal = arrays_add(&b->own, n, sizeof *b->goal);
     b->searched = arrays_add(&b->own, n, sizeof *b->searched);
     set_stiffness(b, reach, mass);
@@ -165,6 +166,6 @@ void barrier_place_bodies(const barrier *b, double time, double (*x)[3]) {
             motion_pose(&b->scene->colliders[b->collider[i]], time, &pose);
         placed = b->collider[i];
         for (int a = 0; a < 3; a++)
-            x[i][a] = pose.origin[a] + vector_dot(pose.turn[a], b->surface.position[i]);
+            x[i][a] = pose.origin[a] + vector_dot(pose.rotation[a], b->surface.position[i]);
     }
 }

@@ -8,15 +8,14 @@
  * as its keyframes say. Each pair of a vertex and a triangle, or of two edges, that is nearer than
  * its reach has the energy, for the distance d and s = d / reach,
  *     B(d) = -stiffness (s - 1)^2 ln s        0 < s < 1, else 0     J
- * which is twice differentiable and grows beyond all bounds as d goes to 0 (Li et al. 2020,
+ * which is twice differentiable and grows without bound as d goes to 0 (Li et al. 2020,
  * equation 6). For edges it is multiplied by e(c) = (2 - c / eps) c / eps, c = |e1 x e2|^2 < eps,
- * eps = 1e-3 |E1|^2 |E2|^2, because the nearest points of parallel edges are not unique (there,
- * equation 24). A plane is on one side only: its pairs are of each vertex and the plane.
+ * eps = 1e-3 |E1|^2 |E2|^2, because the nearest points of parallel edges are not unique
+ * (equation 24 of the same paper). A plane has no edges: each vertex forms a pair with it.
  *
- * No pair passes: every change of positions is cut to the part that conservative continuous
- * collision detection allows (barrier_part.c), and a start in which something crosses is refused
- * (barrier_start.c). What crosses nowhere on the way from a state to the next never has to be
- * untangled.
+ * No pair ever passes through itself: every displacement is cut to the fraction that conservative
+ * continuous collision detection allows (barrier_part.c), and a start with crossings is refused
+ * (barrier_start.c).
  */
 #ifndef FABRIC_BARRIER_H
 #define FABRIC_BARRIER_H
@@ -31,7 +30,8 @@ typedef enum barrier_kind { BARRIER_VERTEX, BARRIER_EDGES, BARRIER_PLANE } barri
 
 /** Two features that may come nearer to each other than `reach`. */
 typedef struct barrier_pair {
-    int vertex[4]; /* of the surface; of a plane: the cloth's, then three times the plane's point */
+    int vertex[4]; /* of the surface; for a plane: the cloth's, then the plane's point three times
+                    */
     barrier_kind kind;
     int collider; /* -1: the cloth itself */
     double reach; /* m */
@@ -45,11 +45,11 @@ typedef struct barrier_contact {
 
 /** A contact at the beginning of a step, for friction: Li et al. 2020, section 5. */
 typedef struct barrier_grip {
-    barrier_contact touch; /* where the step began */
-    double most;           /* N, friction's greatest force */
+    barrier_contact touch; /* at the beginning of the step */
+    double most;           /* N, greatest friction force */
 } barrier_grip;
 
-/** An element's part of the gradient and of the positive semidefinite Hessian. */
+/** An element's contribution to the gradient and to the positive semidefinite Hessian. */
 typedef struct barrier_element {
     int vertex[4];
     double gradient[4][3];  /* N */
@@ -68,23 +68,23 @@ typedef struct barrier_list {
 typedef struct barrier {
     const scene *scene;
     const mesh *cloth;
-    mesh surface;          /* all triangles; positions: where the cloth starts */
+    mesh surface;          /* all triangles; its positions: the cloth's initial ones */
     double (*rest)[3];     /* [cloth's vertices] m, rest positions */
-    int *component;        /* [cloth's vertices] which connected part of the cloth */
-    int *collider;         /* [surface's vertices] -1: the cloth's */
+    int *component;        /* [cloth's vertices] connected component of the cloth */
+    int *collider;         /* [surface's vertices] its collider; -1: of the cloth */
     unsigned char *driven; /* [surface's vertices] moved by a pin or a body */
     double stiffness;      /* J */
-    double slip_speed;     /* m/s, below which friction grows from 0 */
-    self_collision search; /* the grid and its candidates; */
-    double margin;         /* m, displacement of vertices for which candidates are kept; */
-    double (*searched)[3]; /* [surface's vertices] m, positions of the search; */
-    int has_candidates;    /* they may be reused */
+    double slip_speed;     /* m/s, up to which friction grows with the speed */
+    self_collision search; /* the grid and its candidates */
+    double margin;         /* m, candidates stay valid for displacements up to this */
+    double (*searched)[3]; /* [surface's vertices] m, positions at the last search */
+    int has_candidates;    /* the last search may be reused */
     barrier_list list;
-    double (*begin)[3]; /* [surface's vertices] m, positions at the step's beginning */
-    double (*x)[3];     /* [surface's vertices] m, current positions */
-    double (*way)[3];   /* [surface's vertices] m, planned displacements */
-    double (*goal)[3];  /* [surface's vertices] m, final positions of driven vertices */
-    arrays own;         /* of those above, all but the surface, its owners and the lists */
+    double (*begin)[3];        /* [surface's vertices] m, positions at the step's beginning */
+    double (*x)[3];            /* [surface's vertices] m, current positions */
+    double (*displacement)[3]; /* [surface's vertices] m, planned displacements */
+    double (*goal)[3];         /* [surface's vertices] m, final positions of driven vertices */
+    arrays own; /* all arrays above but those of surface, collider, search and list */
 } barrier;
 
 /** Keeps references to scene and cloth; mass [vertices] kg. 0, or -1 with a message in
@@ -92,36 +92,37 @@ typedef struct barrier {
 int barrier_init(barrier *b, const mesh *cloth, const scene *s, const double *mass, char *error);
 void barrier_free(barrier *b);
 
-/** Where the vertices of bodies are at `time` (s): writes x from the cloth's last vertex on. */
+/** Writes the positions of the bodies' vertices at `time` (s) to x, behind the cloth's vertices. */
 void barrier_place_bodies(const barrier *b, double time, double (*x)[3]);
 
-/** Lists the pairs that may come within their reach while x moves by part of `way` (NULL: rests).
- *  0, or -1: out of memory, or not all is finite. */
-int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3]);
+/** Lists the pairs that may come within their reach while x moves by any fraction of `displacement`
+ *  (NULL: 0). 0, or -1: out of memory, or a number is not finite. */
+int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*displacement)[3]);
 
-/** Forgets the candidates of earlier searches. The order of pairs depends on them, hence the bits:
- *  those of a step must not depend on the steps before. */
+/** Discards the candidates of earlier searches. The order of pairs, and so the bits, depends on
+ *  them; a step's bits must not depend on earlier searches. */
 static inline void barrier_begin_search(barrier *b) {
     b->has_candidates = 0;
 }
 
-/** Lists those of the pairs that are within their reach at x. 0, or -1: out of memory. */
+/** Lists as contacts the pairs that are within their reach at x. 0, or -1: out of memory. */
 int barrier_find_contacts(barrier *b, const double (*x)[3]);
 
-/** Keeps the contacts found last for friction. 0, or -1: out of memory. */
+/** Stores the last found contacts for friction. 0, or -1: out of memory. */
 int barrier_grip_contacts(barrier *b);
 
-/** How much of `way` may be gone from x so that no listed pair passes: 0 to 1. */
-double barrier_part_of_way(const barrier *b, const double (*x)[3], const double (*way)[3]);
+/** The fraction, 0 to 1, of `displacement` by which x may move so that no listed pair passes. */
+double barrier_allowed_part(const barrier *b, const double (*x)[3],
+                            const double (*displacement)[3]);
 
-/** The listed pairs' energy at x, J; infinite where a pair has passed. */
+/** The listed pairs' energy at x, J; infinite if a pair has passed. */
 double barrier_energy(const barrier *b, const double (*x)[3]);
 
 /** Friction's potential at x in a step of h s, J. */
 double barrier_friction(const barrier *b, double h, const double (*x)[3]);
 
-/** Fills the elements: of all contacts, with the nearest points found last, and of all grips, at x.
- *  0, or -1: out of memory. */
+/** Computes the elements of all contacts, with the last found nearest points, and of all grips, at
+ *  x. 0, or -1: out of memory. */
 int barrier_make_elements(barrier *b, double h, const double (*x)[3]);
 
 /** An edge that goes through a triangle. */
@@ -130,22 +131,23 @@ typedef struct barrier_crossing {
     int nearer;       /* the end of the edge that is nearer to the triangle's plane: 0 or 1 */
     double depth;     /* m, how far that end lies beyond the plane */
     double normal[3]; /* unit, of the triangle, on the side of that end */
-    double weight[3]; /* of the triangle's vertices where the edge meets it */
+    double
+        weight[3]; /* barycentric coordinates of the point in which the edge meets the triangle */
 } barrier_crossing;
 
-/** Looks at a crossing; a status other than 0 ends the search. */
+/** Called for each crossing; a status other than 0 ends the search. */
 typedef int barrier_visitor(void *context, const barrier *b, const barrier_crossing *found);
 
-/** Visits all crossings at b->x of cloth with itself and with bodies; an edge of two triangles is
- *  visited for each. The visitor's last status, or -1: out of memory. */
+/** Visits all crossings at b->x of cloth with itself and with bodies; an edge that two triangles
+ *  share is visited twice. Returns the visitor's last status, or -1: out of memory. */
 int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *context);
 
-/** Moves the cloth at b->x out of itself and out of bodies, as far as it can. 0, or -1: out of
- *  memory, or not all is finite. barrier_check_start says whether something is left. */
+/** Moves the cloth at b->x out of itself and out of bodies, as far as possible. 0, or -1: out of
+ *  memory, or a number is not finite. barrier_check_start tests whether a crossing is left. */
 int barrier_untangle(barrier *b);
 
-/** Is the cloth through itself or a body where it starts, or does it touch? Then -1, with features,
- *  depth and a remedy in error[200]; 0: neither. barrier_find_pairs was called for b->x. */
+/** Tests the cloth's start, after barrier_find_pairs at b->x. -1 if the cloth crosses or touches
+ *  itself or a body, with features, depth and a remedy in error[200]; otherwise 0. */
 int barrier_check_start(barrier *b, char *error);
 
 /** The pair's nearest points at x. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The barrier's energy, its gradient, and a positive semidefinite part of its Hessian.
+ * The barrier's energy, its gradient, and a positive semidefinite approximation of its Hessian.
  *
- * With u = sum w_k x_k, d = |u| and n = u / d the gradient of d by x_k is exactly w_k n: at the
- * nearest points, changes of the weights do not contribute. Of the Hessian
+ * With u = sum w_k x_k, d = |u| and n = u / d, the gradient of d with respect to x_k is exactly
+ * w_k n: at the nearest points, changes of the weights do not contribute. Of the Hessian
  *
  *     B'' w_i w_j n n' + B' (d2 d),   B'' > 0, B' < 0
  *
@@ -18,7 +18,7 @@
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 
-/* The energy by the distance, with its derivatives. */
+/* The energy as a function of the distance, with its derivatives. */
 typedef struct curve {
     double value, first, second; /* J, N, N/m */
 } curve;
@@ -37,7 +37,7 @@ static curve barrier_curve(double stiffness, double reach, double distance) {
 
 /* The factor for edges that are nearly parallel. */
 typedef struct mollifier {
-    double value, slope; /* by c; 1 and 0 where they are not */
+    double value, slope; /* e and de/dc; 1 and 0 if the edges are not nearly parallel */
     double cross[3];     /* e1 x e2, m^2 */
     double edge[2][3];   /* m */
 } mollifier;
@@ -155,7 +155,7 @@ static double slip_of(const barrier *b, const barrier_grip *grip, const double (
 }
 
 /*
- * Li et al. 2020, equations 19 to 21: of a way y the potential most f0(y), f0' = f1, with
+ * Li et al. 2020, equations 19 to 21: a slip of y m has the potential most f0(y), f0' = f1, with
  *     f1 = 2 y / e - (y / e)^2   y < e = h slip_speed, else 1
  */
 double barrier_friction(const barrier *b, double h, const double (*x)[3]) {
@@ -179,15 +179,16 @@ static void make_grip(const barrier *b, const barrier_grip *grip, double h, cons
     const double small = h * b->slip_speed;
     double slip[3], m[3][3];
     const double y = slip_of(b, grip, x, slip);
-    const double by_way = grip->most * (y < small ? (2 - y / small) / small : 1 / y);
+    const double f1_over_y = grip->most * (y < small ? (2 - y / small) / small : 1 / y);
     const double along = grip->most * (y < small ? 2 * (1 - y / small) / small : 0);
     const double *n = grip->touch.at.normal;
     for (int k = 0; k < 4; k++)
-        vector_add_scaled(e->gradient[k], by_way * grip->touch.at.weight[k], slip, e->gradient[k]);
+        vector_add_scaled(e->gradient[k], f1_over_y * grip->touch.at.weight[k], slip,
+                          e->gradient[k]);
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < 3; c++)
-            m[r][c] = by_way * ((r == c ? 1 : 0) - n[r] * n[c]) +
-                      (y > 0 ? (along - by_way) * slip[r] * slip[c] / (y * y) : 0);
+            m[r][c] = f1_over_y * ((r == c ? 1 : 0) - n[r] * n[c]) +
+                      (y > 0 ? (along - f1_over_y) * slip[r] * slip[c] / (y * y) : 0);
     add_blocks(1, grip->touch.at.weight, (const double(*)[3])m, e->block);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which pairs there are: the grid's, and each vertex with each plane. */
+/* Lists the pairs: those of the grid, and each vertex with each plane. */
 #include "barrier.h"
 
 #include <string.h>
@@ -22,17 +22,17 @@ void barrier_nearest(const barrier *b, const barrier_pair *pair, const double x[
 }
 
 /* Upper bound on the decrease of the distance during the displacement, m. */
-static double greatest_way(const int vertex[4], const double (*way)[3], int firsts) {
+static double greatest_approach(const int vertex[4], const double (*displacement)[3], int firsts) {
     double of[2] = {0, 0};
-    for (int k = 0; way && k < 4; k++) {
+    for (int k = 0; displacement && k < 4; k++) {
         double *most = &of[k >= firsts];
-        *most = fmax(*most, vector_length(way[vertex[k]]));
+        *most = fmax(*most, vector_length(displacement[vertex[k]]));
     }
     return of[0] + of[1];
 }
 
-/* The gap, but at most half the rest distance of features of one part: cloth with triangles
- * smaller than the gap would push itself apart. */
+/* The reach of a pair of the cloth: the gap, but at most half the rest distance of features of one
+ * component. Otherwise triangles smaller than the gap would repel their neighbours. */
 static double reach_of_cloth(const barrier *b, const barrier_pair *pair) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     const double gap = b->scene->self_collision.gap;
@@ -65,24 +65,26 @@ static barrier_pair pair_of(const barrier *b, const self_pair *from) {
     return pair;
 }
 
-/* Each feature's motion has a bounding box: are the two boxes further apart than the reach? */
-static int boxes_apart(const barrier_pair *pair, const double (*x)[3], const double (*way)[3]) {
-    return self_pair_stays_apart(pair->vertex, pair->kind == BARRIER_EDGES, pair->reach,
-                                 way ? 1 : 0, x, way ? way : x);
+/* Are the bounding boxes of the features' motions farther from each other than the reach? */
+static int boxes_keep_distance(const barrier_pair *pair, const double (*x)[3],
+                               const double (*displacement)[3]) {
+    return self_pair_keeps_distance(pair->vertex, pair->kind == BARRIER_EDGES, pair->reach,
+                                    displacement ? 1 : 0, x, displacement ? displacement : x);
 }
 
-/* Leaves the pair out if it cannot come within its reach. */
-static void leave_out_far(const barrier *b, const double (*x)[3], const double (*way)[3],
+/* Sets the pair's reach to 0 if it cannot come within it. */
+static void leave_out_far(const barrier *b, const double (*x)[3], const double (*displacement)[3],
                           barrier_pair *pair) {
     double at[4][3];
     nearest found;
-    if (pair->kind != BARRIER_PLANE && boxes_apart(pair, x, way)) {
+    if (pair->kind != BARRIER_PLANE && boxes_keep_distance(pair, x, displacement)) {
         pair->reach = 0;
         return;
     }
     barrier_gather(pair->vertex, x, at);
     barrier_nearest(b, pair, (const double(*)[3])at, &found);
-    const double most = greatest_way(pair->vertex, way, pair->kind == BARRIER_EDGES ? 2 : 1);
+    const double most =
+        greatest_approach(pair->vertex, displacement, pair->kind == BARRIER_EDGES ? 2 : 1);
     if (pair->reach > 0 && pair->collider < 0)
         pair->reach = found.distance - most < pair->reach ? reach_of_cloth(b, pair) : 0;
     if (found.distance - most >= pair->reach)
@@ -96,9 +98,9 @@ static int count_planes(const barrier *b) {
     return count;
 }
 
-/* Each vertex of the cloth with the plane whose point is vertex `point`. */
-static void add_plane(const barrier *b, int point, const double (*x)[3], const double (*way)[3],
-                      barrier_pair *pair) {
+/* Adds a pair of each cloth vertex with the plane whose point is vertex `point`. */
+static void add_plane(const barrier *b, int point, const double (*x)[3],
+                      const double (*displacement)[3], barrier_pair *pair) {
     const int number = b->collider[point];
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->cloth->vertex_count; i++) {
@@ -106,26 +108,29 @@ static void add_plane(const barrier *b, int point, const double (*x)[3], const d
                                  .kind = BARRIER_PLANE,
                                  .collider = number,
                                  .reach = b->scene->colliders[number].gap};
-        leave_out_far(b, x, way, &pair[i]);
+        leave_out_far(b, x, displacement, &pair[i]);
     }
 }
 
-/* The largest distance from the searched positions during the displacement, m. */
-static double distance_from_search(const barrier *b, const double (*x)[3], const double (*way)[3]) {
+/* The largest distance of a vertex from its position at the last search, during the displacement,
+ * m. */
+static double distance_from_search(const barrier *b, const double (*x)[3],
+                                   const double (*displacement)[3]) {
     double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most)
     for (int i = 0; i < b->surface.vertex_count; i++) {
         double from[3];
         vector_subtract(x[i], b->searched[i], from);
         most = fmax(most, vector_length(from));
-        if (way)
-            vector_add_scaled(from, 1, way[i], from);
+        if (displacement)
+            vector_add_scaled(from, 1, displacement[i], from);
         most = fmax(most, vector_length(from));
     }
     return most;
 }
 
-/* Keeps the candidates that may come within their reach while all vertices stay in the margin. */
+/* Removes the candidates that cannot come within their reach while all vertices stay in the margin.
+ */
 static void drop_far_candidates(barrier *b, const double (*x)[3]) {
     self_pair *candidate = b->search.pair;
     const int found = b->search.pair_count;
@@ -133,7 +138,7 @@ static void drop_far_candidates(barrier *b, const double (*x)[3]) {
     for (int k = 0; k < found; k++) {
         barrier_pair pair = pair_of(b, &candidate[k]);
         pair.reach = pair.reach > 0 ? pair.reach + 2 * b->margin : 0;
-        candidate[k].is_far = !(pair.reach > 0) || boxes_apart(&pair, x, NULL);
+        candidate[k].is_far = !(pair.reach > 0) || boxes_keep_distance(&pair, x, NULL);
     }
     b->search.pair_count = 0;
     for (int k = 0; k < found; k++)
@@ -141,16 +146,16 @@ static void drop_far_candidates(barrier *b, const double (*x)[3]) {
             candidate[b->search.pair_count++] = candidate[k];
 }
 
-/* Candidates for pairs. A displacement within the margin is found in advance: the boxes are larger
- * by the margin, and the search is valid until a vertex leaves it. */
-static int search(barrier *b, const double (*x)[3], const double (*way)[3]) {
+/* Finds candidates for pairs. Boxes are enlarged by the margin, so that a search stays valid until
+ * a vertex has moved by more than the margin. */
+static int search(barrier *b, const double (*x)[3], const double (*displacement)[3]) {
     const double gap = b->search.gap;
-    if (b->has_candidates && distance_from_search(b, x, way) <= b->margin)
+    if (b->has_candidates && distance_from_search(b, x, displacement) <= b->margin)
         return 0;
     memcpy(b->searched, x, (size_t)b->surface.vertex_count * sizeof *b->searched);
-    b->has_candidates = distance_from_search(b, x, way) <= b->margin;
+    b->has_candidates = distance_from_search(b, x, displacement) <= b->margin;
     if (!b->has_candidates)
-        return self_grid_find(&b->search, 1, x, way, INFINITY);
+        return self_grid_find(&b->search, 1, x, displacement, INFINITY);
     b->search.gap += b->margin;
     const int status = self_grid_find(&b->search, 0, x, x, INFINITY);
     b->search.gap = gap;
@@ -159,11 +164,11 @@ static int search(barrier *b, const double (*x)[3], const double (*way)[3]) {
     return status;
 }
 
-int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3]) {
+int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*displacement)[3]) {
     barrier_list *list = &b->list;
     const int vertices = b->cloth->vertex_count;
     list->pairs = 0;
-    if (search(b, x, way) != 0)
+    if (search(b, x, displacement) != 0)
         return -1;
     const int found = b->search.pair_count;
     const long all = found + (long)vertices * count_planes(b);
@@ -173,12 +178,12 @@ int barrier_find_pairs(barrier *b, const double (*x)[3], const double (*way)[3])
     for (int k = 0; k < found; k++) {
         list->pair[k] = pair_of(b, &b->search.pair[k]);
         if (list->pair[k].reach > 0)
-            leave_out_far(b, x, way, &list->pair[k]);
+            leave_out_far(b, x, displacement, &list->pair[k]);
     }
     barrier_pair *next = list->pair + found;
     for (int i = vertices; i < b->surface.vertex_count; i++)
         if (b->scene->colliders[b->collider[i]].kind == COLLIDER_PLANE) {
-            add_plane(b, i, x, way, next);
+            add_plane(b, i, x, displacement, next);
             next += vertices;
         }
     for (long k = 0; k < all; k++)

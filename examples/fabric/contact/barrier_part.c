@@ -10,37 +10,41 @@
 
 #include "base/vector.h"
 
-/* A pair keeps at least this fraction of its distance, less the minimum below. */
+/* A pair keeps at least this fraction of its distance beyond the minimum below. */
 static const double kept = 0.1;
-/* A pair always keeps this fraction of its reach. Without this minimum, repeated steps of nine
- * tenths of the distance would reach the rounding error, where the side of a vertex is
- * undefined. */
+/* The minimum distance, as a fraction of the reach. Without it, repeated approaches by nine tenths
+ * of the distance would reach the size of rounding errors, at which the side of a vertex is
+ * undefined.
+ */
 static const double kept_reach = 1e-6;
-/* After this number of advances the current fraction is returned: it is safe at any time. */
+/* After this number of advances the current fraction is returned: every intermediate value is safe.
+ */
 enum { most_advances = 1000 };
 
-/* The way relative to the pair's mean, and how fast the features approach at most. */
-static double approach(const barrier_pair *pair, double way[4][3]) {
+/* Makes the displacements relative to the pair's mean; returns an upper bound on the features'
+ * approach. */
+static double approach(const barrier_pair *pair, double displacement[4][3]) {
     const int firsts = pair->kind == BARRIER_EDGES ? 2 : 1;
     double of[2] = {0, 0};
     for (int a = 0; a < 3; a++) {
-        const double mean = (way[0][a] + way[1][a] + way[2][a] + way[3][a]) / 4;
+        const double mean =
+            (displacement[0][a] + displacement[1][a] + displacement[2][a] + displacement[3][a]) / 4;
         for (int k = 0; k < 4; k++)
-            way[k][a] -= mean;
+            displacement[k][a] -= mean;
     }
     for (int k = 0; k < 4; k++) {
-        const double length = vector_length(way[k]);
+        const double length = vector_length(displacement[k]);
         of[k >= firsts] = length > of[k >= firsts] ? length : of[k >= firsts];
     }
     return of[0] + of[1];
 }
 
 static double part_of(const barrier *b, const barrier_pair *pair, const double (*x)[3],
-                      const double (*way)[3]) {
+                      const double (*displacement)[3]) {
     double at[4][3], move[4][3];
     nearest found;
     barrier_gather(pair->vertex, x, at);
-    barrier_gather(pair->vertex, way, move);
+    barrier_gather(pair->vertex, displacement, move);
     const double speed = approach(pair, move);
     barrier_nearest(b, pair, (const double(*)[3])at, &found);
     double room = found.distance - kept_reach * pair->reach, part = 0;
@@ -62,11 +66,12 @@ static double part_of(const barrier *b, const barrier_pair *pair, const double (
     return part;
 }
 
-double barrier_part_of_way(const barrier *b, const double (*x)[3], const double (*way)[3]) {
+double barrier_allowed_part(const barrier *b, const double (*x)[3],
+                            const double (*displacement)[3]) {
     double least = 1;
 #pragma omp parallel for schedule(static) reduction(min : least)
     for (int k = 0; k < b->list.pairs; k++) {
-        const double part = part_of(b, &b->list.pair[k], x, way);
+        const double part = part_of(b, &b->list.pair[k], x, displacement);
         least = part < least ? part : least;
     }
     return least;

@@ -10,7 +10,8 @@
 #include "motion.h"
 #include "shape.h"
 
-/* A distance of this part of the reach is none: the barrier would be steeper than numbers allow. */
+/* Features nearer than this fraction of their reach count as touching: the barrier is too steep
+ * there for floating-point numbers. */
 static const double least_part = 1e-5;
 
 typedef struct extent {
@@ -46,8 +47,8 @@ static double volume(const double a[3], const double b[3], const double c[3], co
     return vector_dot(cross, ad);
 }
 
-/* Whether the edge goes through the triangle. What reaches beyond by rounding alone lies in the
- * plane: if it is near as well, it touches. */
+/* Whether the edge goes through the triangle. An end that is beyond the plane by no more than
+ * rounding counts as in the plane; the test for touching features covers it. */
 static int crosses(const barrier *b, const int edge[2], const int triangle[3],
                    barrier_crossing *found) {
     const double *p = b->x[edge[0]], *q = b->x[edge[1]], *x[3];
@@ -114,7 +115,7 @@ static int complain_crossing(void *to, const barrier *b, const barrier_crossing 
     return refuse(b, to);
 }
 
-/* The edges of triangle t against triangle u. */
+/* Visits the crossings of triangle t's edges with triangle u. */
 static int visit_edges(const barrier *b, int t, int u, barrier_visitor *visit, void *context) {
     const int *one = b->surface.triangle[t];
     int status = 0;
@@ -152,8 +153,7 @@ int barrier_visit_crossings(const barrier *b, barrier_visitor *visit, void *cont
     return status;
 }
 
-/* The cloth's vertices in solids whose inside is known. A mesh has none that counts: cloth may lie
- * in a hollow one. */
+/* Refuses cloth vertices inside solids, except inside meshes: cloth may lie in a hollow one. */
 static int check_inside(const barrier *b, char *error) {
     for (int n = 0; n < b->scene->collider_count; n++) {
         const collider *k = &b->scene->colliders[n];

@@ -55,7 +55,7 @@ static int lay_out(barrier_system *s, const barrier *b) {
     return system_init(&s->all, b->cloth->vertex_count, 2, lists);
 }
 
-/* The cloth's own blocks, which are some of each row's. */
+/* Copies the cloth's matrix and b; each row's blocks are a subset of the combined row's. */
 static void copy_cloth(barrier_system *s, const linear_system *cloth) {
     const block_matrix *from = &cloth->A;
     block_matrix *to = &s->all.A;
@@ -92,7 +92,8 @@ static int find_block(const block_matrix *A, int row, int column) {
     return low;
 }
 
-/* Where the element's blocks are; what would lie below the diagonal is turned over. */
+/* Finds where the element's blocks are stored; transposes those that would lie below the diagonal.
+ */
 static void locate(const barrier *b, const block_matrix *A, barrier_element *e, int place[10]) {
     int k = 0;
     for (int p = 0; p < 4; p++)
@@ -107,18 +108,18 @@ static void locate(const barrier *b, const block_matrix *A, barrier_element *e, 
         }
 }
 
-/* Adds the change of the gradient due to the displacement of vertex number `from` of the
- * element. */
-static void lead(const double way[3], int from, barrier_element *e) {
+/* Adds the change of the gradient caused by the displacement of the element's vertex number
+ * `from`. */
+static void add_driven_gradient(const double displacement[3], int from, barrier_element *e) {
     int k = 0;
     for (int p = 0; p < 4; p++)
         for (int q = p; q < 4; q++, k++)
             for (int r = 0; r < 3 && (p == from || q == from); r++)
                 for (int c = 0; c < 3; c++)
                     if (q == from)
-                        e->gradient[p][r] += e->block[k][r][c] * way[c];
+                        e->gradient[p][r] += e->block[k][r][c] * displacement[c];
                     else
-                        e->gradient[q][r] += e->block[k][c][r] * way[c];
+                        e->gradient[q][r] += e->block[k][c][r] * displacement[c];
 }
 
 static void add_gradients(int count, const barrier_element *restrict element,
@@ -153,8 +154,8 @@ int barrier_system_make(barrier_system *s, barrier *b, double h, const linear_sy
     for (int e = 0; e < count; e++) {
         for (int k = 0; k < 4; k++) {
             const int i = b->list.element[e].vertex[k];
-            if (b->collider[i] >= 0 && vector_length(b->way[i]) > 0)
-                lead(b->way[i], k, &b->list.element[e]);
+            if (b->collider[i] >= 0 && vector_length(b->displacement[i]) > 0)
+                add_driven_gradient(b->displacement[i], k, &b->list.element[e]);
         }
         locate(b, &s->all.A, &b->list.element[e], s->place[e]);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The cloth's matrix with the blocks of what touches, whose pattern changes with every iteration.
+/** The cloth's matrix plus the blocks of contacts; its sparsity pattern changes in every iteration.
  */
 #ifndef FABRIC_BARRIER_SYSTEM_H
 #define FABRIC_BARRIER_SYSTEM_H
@@ -14,7 +14,7 @@ typedef struct barrier_system {
     int (*couple)[4]; /* [room] vertices of the cloth that an element couples */
     int (*place)[10]; /* [room] where each of an element's blocks is in `all`; -1: nowhere */
     int couple_room, place_room;
-    double (*push)[3]; /* [surface's vertices] N, the elements' gradient */
+    double (*push)[3]; /* [surface's vertices] N, sum of the elements' gradients */
 } barrier_system;
 
 /** A: the cloth's matrix without contact, of which only the sparsity pattern is used. 0, or -1:
@@ -22,8 +22,8 @@ typedef struct barrier_system {
 int barrier_system_init(barrier_system *s, const block_matrix *A, int surface_vertices);
 void barrier_system_free(barrier_system *s);
 
-/** s->all = A + h^2 (the elements' Hessians), b - h (their gradient, and what bodies change it by
- *  while they go their b->way). 0, or -1: out of memory. */
+/** s->all: A + h^2 (the elements' Hessians), and b - h (their gradient, including its change by the
+ *  b->displacement of bodies). 0, or -1: out of memory. */
 int barrier_system_make(barrier_system *s, barrier *b, double h, const linear_system *cloth);
 
 #endif

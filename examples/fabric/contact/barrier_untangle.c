@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Separates overlapping parts before the first step. Geometry only: vertices are projected, one
+ * Separates overlapping parts before the first step, by geometry only: vertices are projected, one
  * constraint after the other (position-based dynamics, Müller et al. 2007), until no edge crosses a
  * triangle, no vertex is inside a solid and no pair is nearer than a quarter of its reach.
  *
- * A crossing does not say which of two layers belongs on which side. So each pair of connected
- * parts gets one side for the whole run: the one on which most of their vertices are. Of parts in
- * the same place the one that comes first in the mesh is the lower. Where a part overlaps itself,
- * the same holds for each connected patch of the overlap. The boundary of an overlap moves inwards
- * by about an edge a round, hence the number of rounds.
+ * A crossing does not determine which of two layers belongs on which side. So one side is chosen
+ * for each pair of connected parts: the one on which most of their vertices are. Of parts in the
+ * same place, the one that comes first in the mesh becomes the lower. If a part overlaps itself,
+ * each connected patch of the overlap is treated likewise. The boundary of an overlap moves inwards
+ * by about one edge per round, hence the number of rounds.
  */
 #include <string.h>
 
@@ -23,20 +23,20 @@ static const double wanted_part = 0.5;
 
 typedef struct untangling {
     barrier *b;
-    int cloths, parts; /* connected parts of the cloth; these and the bodies */
+    int cloths, parts; /* number of connected parts of the cloth; the same plus the bodies */
     int *part;         /* [surface's vertices] */
-    double *side;  /* [cloths * parts] above 0: the first is on the side of the second's normals */
-    int *patch;    /* [cloth's vertices] those of a part that overlap it, connected; */
-    double *above; /* [cloth's vertices] m, height above the part's own nearest triangle,
-                    * along its normal; 0: none; of a patch's root: their sum */
+    double *side;      /* [cloths * parts] > 0: the first is on the side of the second's normals */
+    int *patch; /* [cloth's vertices] union-find parent: patches of vertices over their own part */
+    double *above; /* [cloth's vertices] m, height above the part's own nearest triangle, along its
+                    * normal; 0: none; at a patch's root: the patch's sum */
     double (*normal)[3]; /* [surface's vertices] */
-    double longest;      /* m, of one projection */
-    int crossings;       /* in this round; */
-    int changed;         /* something moved in it */
+    double longest;      /* m, maximum displacement of a projection */
+    int crossings;       /* found in this round */
+    int changed;         /* a vertex moved in this round */
     arrays own;
 } untangling;
 
-/* Parts are numbered in the order of their first vertices, bodies behind them. */
+/* Numbers parts in the order of their first vertices; bodies follow. */
 static int untangling_init(untangling *u, barrier *b) {
     const int vertices = b->cloth->vertex_count;
     *u = (untangling){.b = b, .longest = mesh_mean_edge(b->cloth)};
@@ -60,7 +60,7 @@ static void triangle_normal(const barrier *b, const int vertex[3], double normal
     vector_normal(b->x[vertex[0]], b->x[vertex[1]], b->x[vertex[2]], normal);
 }
 
-/* Weighted by the areas of the triangles. */
+/* Vertex normals, weighted by the areas of the triangles. */
 static void find_normals(untangling *u) {
     const mesh *m = &u->b->surface;
     memset(u->normal, 0, (size_t)m->vertex_count * sizeof *u->normal);
@@ -84,7 +84,7 @@ static void feature_normal(const untangling *u, int count, const int *vertex, do
     vector_unit(normal, normal);
 }
 
-/* Each vertex' height above or below a triangle counts for its part. */
+/* Sums, for each pair of parts, the heights of vertices above (> 0) or below triangles. */
 static int find_sides(untangling *u) {
     barrier *b = u->b;
     const double gap = b->search.gap;
@@ -136,7 +136,8 @@ static void find_patches(untangling *u) {
     }
 }
 
-/* Where the first feature of a part is to go relative to the second of the same. 0: unknown. */
+/* The direction in which the first feature must move relative to the second, both of one part. 0:
+ * unknown. */
 static int find_own_direction(const untangling *u, int firsts, const int *first, int seconds,
                               const int *second, double direction[3]) {
     double one = 0, other = 0;
@@ -153,7 +154,7 @@ static int find_own_direction(const untangling *u, int firsts, const int *first,
     return sign != 0;
 }
 
-/* Where the first feature is to go relative to the second. 0: unknown. */
+/* The direction in which the first feature must move relative to the second. 0: unknown. */
 static int find_direction(const untangling *u, int firsts, const int *first, int seconds,
                           const int *second, double direction[3]) {
     const int one = u->part[first[0]], other = u->part[second[0]];
@@ -190,7 +191,7 @@ static double reach_between(const barrier *b, int i, int j) {
     return owner >= 0 ? b->scene->colliders[owner].gap : b->scene->self_collision.gap;
 }
 
-/* The end on the wrong side goes to the other. */
+/* A barrier_visitor: moves the edge's end that is on the wrong side to the other side. */
 static int separate_crossing(void *context, const barrier *b, const barrier_crossing *found) {
     untangling *u = context;
     double direction[3], across[3];
@@ -226,7 +227,7 @@ static void leave_solids(untangling *u) {
             if (distance >= wanted_part * k->gap / 2)
                 continue;
             for (int a = 0; a < 3; a++)
-                out[a] = vector_dot(pose.turn[a], normal);
+                out[a] = vector_dot(pose.rotation[a], normal);
             project(u, 1, &i, (const double[]){1}, out, wanted_part * k->gap - distance);
         }
     }

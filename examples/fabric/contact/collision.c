@@ -8,17 +8,17 @@
 #include "base/vector.h"
 #include "shape.h"
 
-/* Steps in a row in which a constraint may pull before it is ended (flickering contacts otherwise
- * shake cloth at rest). */
+/* Number of consecutive steps in which a constraint may pull before the contact ends. (Contacts
+ * that ended at once would flicker and shake cloth at rest.) */
 enum { most_pulls = 2 };
 
-/* Does something that exists from `from` to `until` (0: forever) exist at `time`? */
+/* Is `time` in the interval from `from` to `until` (0: no end)? */
 static int lasts(double from, double until, double time) {
     return time >= from && (until <= 0 || time < until);
 }
 
-/* The vertices that pins hold at `time`, the first of several pins; a vertex without mass is held
- * by the last, which stays. */
+/* Finds the vertices that pins hold at `time`; of several pins the first holds. A vertex without
+ * mass that no pin holds gets the number pin_count, whose speed is 0. */
 static void find_pins(collisions *c, double time) {
     const scene *s = c->scene;
     c->pinned.count = 0;
@@ -34,7 +34,7 @@ static void find_pins(collisions *c, double time) {
             c->pinned.list[c->pinned.count++] = i;
 }
 
-/* Is there a vertex that is held at some time? */
+/* Is a vertex ever held? */
 static int any_pins(const collisions *c) {
     for (int i = 0; i < c->mesh->vertex_count && c->scene->pin_count == 0; i++)
         if (!(c->mass[i] > 0))
@@ -127,11 +127,11 @@ void collisions_free(collisions *c) {
     *c = (collisions){0};
 }
 
-/* A vertex that slides over a turning body ends the step at another place of it: the plane to stay
- * outside of is the one there, at the end p + u, unless the way leads around or through the body.
- * 1; 0: it ends outside. */
-static int look_at_end(const collider *k, const body_motion *m, const double p[3],
-                       const double u[3], const double v[3], approach *found) {
+/* A vertex that slides over a rotating body ends the step at another point of it. Replaces the
+ * tangent plane that the vertex must stay outside of by the one at the end p + u, unless the path
+ * leads around or through the body. 1; 0: the vertex ends outside. */
+static int use_plane_at_end(const collider *k, const body_motion *m, const double p[3],
+                            const double u[3], const double v[3], approach *found) {
     approach end;
     double at[3], past[3];
     vector_add_scaled(p, 1, u, at);
@@ -156,8 +156,8 @@ static int would_touch(const collisions *c, int number, double time, double h, c
     motion_enter(k, motion, time, h, x, v, p, u);
     if (!shape_approach(k, p, u, found))
         return 0;
-    if (motion_has_keys(k) && motion->turns)
-        return look_at_end(k, motion, p, u, v, found);
+    if (motion_has_keys(k) && motion->rotates)
+        return use_plane_at_end(k, motion, p, u, v, found);
     motion_carry(k, motion, p, found->normal, found->carried);
     return 1;
 }
@@ -259,7 +259,8 @@ void collisions_add_friction(collisions *c, double h, const double (*v)[3], line
     c->friction_visits += visits;
 }
 
-/* Normals first: they win over the tangents of a contact that sticks. */
+/* The constraints of a vertex as directions and changes. Normals come first, so that they win over
+ * the tangents of a sticking contact. */
 static int demands(const collisions *c, int vertex, const double v[3], double d[][3],
                    double *change) {
     const vertex_contacts *of = &c->now[vertex];
@@ -271,7 +272,7 @@ static int demands(const collisions *c, int vertex, const double v[3], double d[
     for (int n = 0; n < of->count; n++) {
         if (!of->list[n].sticks)
             continue;
-        /* All three axes: what lies along the normals is known already and is left out. */
+        /* All three axes are given; constraint_give drops those that depend on earlier ones. */
         for (int axis = 0; axis < 3; axis++, count++) {
             for (int a = 0; a < 3; a++)
                 d[count][a] =
@@ -346,7 +347,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     return added;
 }
 
-/* Changes the velocity of one vertex; by how much, m/s. */
+/* Changes the velocity of one vertex; returns by how much, m/s. */
 static double keep_out(const collisions *c, int i, double time, double h, const double x[3],
                        double v[3]) {
     double changed = 0;
@@ -399,7 +400,7 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
     }
 }
 
-/* Whether the contact pulls and whether it sticks, from the constraint's force (N). */
+/* Decides from the constraint's force (N) whether the contact pulls, and whether it sticks. */
 static void settle(contact *touch, const collider *k, const double carried[3], double stick_speed,
                    double h, double mass, const double v[3], const double force[3]) {
     double along[3], slip[3];

@@ -2,12 +2,12 @@
 /**
  * Cloth against colliders and pins, as constraints on vertices' velocities.
  *
- * A vertex in contact is given its velocity along the normal, so that it ends the step at the gap;
- * the contact ends when the constraint has pulled for two steps. Friction is Coulomb's: a vertex
- * sticks (all its velocity is given: the collider's) while the tangential force is at most
- * friction x normal force, else it slides, held back by that force, which enters the linear system
- * with the normal force of the step before: as -c (v - v_collider) in the tangential plane with
- * c = h friction force / slip speed, so that it never turns a motion round.
+ * The velocity of a vertex in contact is prescribed along the normal, so that it ends the step at
+ * the gap; the contact ends when the constraint has pulled for two steps. Friction is Coulomb's: a
+ * vertex sticks (its whole velocity is prescribed: the collider's) while the tangential force is at
+ * most friction x normal force. Otherwise it slides. The friction force, computed with the normal
+ * force of the step before, enters the linear system as -c (v - v_collider) in the tangential plane
+ * with c = h friction force / slip speed, so that it never reverses a motion.
  */
 #ifndef FABRIC_COLLISION_H
 #define FABRIC_COLLISION_H
@@ -26,11 +26,11 @@ enum { CONTACTS_PER_VERTEX = 3 };
 typedef struct contact {
     int collider;
     int sticks;        /* 0: it slides */
-    int pulls;         /* steps in a row in which the constraint pulled */
+    int pulls;         /* consecutive steps in which the constraint pulled */
     double normal[3];  /* unit */
-    double speed;      /* m/s, given along the normal */
-    double force;      /* N, pressing, of the last accepted step */
-    double slip_speed; /* m/s, for the friction's c */
+    double speed;      /* m/s, prescribed along the normal */
+    double force;      /* N, normal force of the last accepted step; > 0: it presses */
+    double slip_speed; /* m/s, in the friction's c */
 } contact;
 
 typedef struct vertex_contacts {
@@ -42,33 +42,33 @@ typedef struct met_triangle {
     int triangle, collider;
 } met_triangle;
 
-/** Triangles that a collider may meet between their vertices in the step being taken. */
+/** Triangles that a collider may penetrate between their vertices in the current step. */
 typedef struct met_triangles {
     met_triangle *list; /* [count] */
     int count, room;
-    int left;               /* of those, how many still meet one after the impulses */
-    double gap;             /* m, the least of their colliders; infinite: there are none */
-    double *distance;       /* [vertices] m, to the current collider; NULL: none yet */
-    unsigned char *is_near; /* [triangles] may it meet that? */
+    int left;               /* how many of them a collider still penetrates after the impulses */
+    double gap;             /* m, the smallest gap of their colliders; infinite: there are none */
+    double *distance;       /* [vertices] m, to the collider being tested; NULL: not allocated */
+    unsigned char *is_near; /* [triangles] may it meet the collider being tested? */
 } met_triangles;
 
-/** Colliders that the cloth cannot reach for some time, so that they cost nothing: all colliders
- *  that are not watched. */
+/** Colliders that the cloth cannot reach for some time: all that are not watched. They are not
+ *  tested while the bound below holds. */
 typedef struct out_of_reach {
-    int *watched;     /* [count] numbers of the colliders to be tested, ascending */
+    int *watched;     /* [count] indices of the colliders to be tested, ascending */
     int count;        /* -1: all are to be tested */
-    double center[3]; /* m, of the cloth when they were, at */
-    double time;      /* s; then */
-    double clearance; /* m, the centre's distance to the nearest of the others, less its gap */
+    double center[3]; /* m, of the cloth when all were tested last */
+    double time;      /* s, of that test */
+    double clearance; /* m, then the centre's distance to the nearest of the others, less its gap */
     double speed;     /* m/s, of the fastest of the others */
 } out_of_reach;
 
 /** The vertices that pins hold. */
 typedef struct pinned_vertices {
     int *pin_of;        /* [vertices] index of the pin that holds it; -1: none. NULL: no pins */
-    int count;          /* how many are held: */
-    int *list;          /* [count] these, ascending */
-    double (*speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
+    int count;          /* how many are held */
+    int *list;          /* [count] the held vertices, ascending */
+    double (*speed)[3]; /* [pins + 1] m/s, mean over the current step; the last is 0 */
 } pinned_vertices;
 
 typedef struct collisions {
@@ -76,25 +76,25 @@ typedef struct collisions {
     const mesh *mesh;
     const double *mass; /* [vertices] kg */
     pinned_vertices pinned;
-    unsigned char *there; /* [colliders] it exists at present */
-    int *near_list;       /* [any_near] those that may touch the cloth in the step being taken,
+    unsigned char *there; /* [colliders] does it exist now? */
+    int *near_list;       /* [any_near] colliders that may touch the cloth in the current step,
                              ascending */
-    body_motion *motion;  /* [colliders] in the step being taken, of those in near_list that have
+    body_motion *motion;  /* [colliders] in the current step, set for those in near_list that have
                              keyframes; NULL: none has */
     int any_near;
-    int any_there; /* how many exist at present */
+    int any_there; /* how many exist now */
     out_of_reach others;
     int now_empty, before_empty; /* no vertex has a contact in `now`, `before` */
-    long visits;                 /* vertices held against a collider, in all */
-    long friction_visits;        /* contacts with friction, in all */
-    double stick_speed;          /* m/s, slower than this a sliding vertex sticks */
+    long visits;                 /* vertices tested against colliders, all steps */
+    long friction_visits;        /* contacts with friction, all steps */
+    double stick_speed;          /* m/s, below which a sliding vertex sticks */
     vertex_contacts *before;     /* [vertices] of the last accepted step; NULL without colliders */
-    vertex_contacts *now;        /* [vertices] contacts of the step being taken */
+    vertex_contacts *now;        /* [vertices] contacts of the current step */
     double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, velocity of the colliders'
                                                 * material at contacts in `now`; NULL: no collider
                                                 * has keyframes */
     met_triangles met;
-    arrays own; /* of those above, but for met's and the list of those pinned */
+    arrays own; /* all arrays above, except those of `met` and pinned.list */
 } collisions;
 
 /** Which pin holds the vertex; -1: none does. */
@@ -102,33 +102,33 @@ static inline int collisions_pin_of(const collisions *c, int vertex) {
     return c->pinned.pin_of ? c->pinned.pin_of[vertex] : -1;
 }
 
-/** The velocity of the collider's material at contact n of those that the vertex has in the step
- *  being taken, [3] m/s. */
+/** The velocity, [3] m/s, of the collider's material at the vertex' contact n of the current step.
+ */
 static inline const double *collisions_carried(const collisions *c, int vertex, int n) {
     return c->carried ? c->carried[vertex][n]
                       : c->scene->colliders[c->now[vertex].list[n].collider].velocity;
 }
 
-/** Mesh, scene and mass [vertices] kg by reference; a vertex without mass, of no triangle, is held
- *  in place. 0, or -1: out of memory. */
+/** Keeps references to mesh, scene and mass [vertices] kg. A vertex without mass (of no triangle)
+ * is held in place. 0, or -1: out of memory. */
 int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass);
 void collisions_free(collisions *c);
 
 /** Updates pins and colliders to those that exist at `time`. */
 void collisions_follow(collisions *c, double time);
 
-/** A step of h s begins at `time` (s), positions x and velocities v; dv is the change expected.
- *  Finds what vertices would come too near to a collider. */
+/** Finds the vertices that would come too near to a collider in a step of h s that begins at `time`
+ *  (s) with positions x and velocities v; dv is the expected change of velocity. */
 void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
                        const double (*v)[3], const double (*dv)[3]);
 
 /** Adds the friction of sliding contacts to A and b, for velocities v and a step of h s. */
 void collisions_add_friction(collisions *c, double h, const double (*v)[3], linear_system *system);
 
-/** Turns contacts and pins into constraints on dv. 0, or -1: out of memory. */
+/** Converts contacts and pins to constraints on dv. 0, or -1: out of memory. */
 int collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
 
-/** With dv solved: adds contacts that were not expected; returns how many. */
+/** Adds the contacts that the solution dv causes unexpectedly; returns how many. */
 int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 
@@ -142,16 +142,16 @@ double collisions_keep_out(collisions *c, double time, double h, const double (*
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 
-/** Finds the triangles that a near collider may meet between their vertices (shape_triangle.h) in
- * the step; planes meet none. 0, or -1: out of memory. */
+/** Finds the triangles that a near collider may penetrate between their vertices (shape_triangle.h)
+ *  in the step; planes penetrate none. 0, or -1: out of memory. */
 int collisions_find_triangles(collisions *c, double time, double h, const double (*x)[3],
                               const double (*v)[3]);
 
-/** One round of impulses over those triangles, as collisions_keep_out. */
+/** One round of impulses over those triangles; `work` and result as for collisions_keep_out. */
 double collisions_push_triangles(collisions *c, const movable *of, double time, double h,
                                  const double (*x)[3], double (*v)[3], double *work);
 
-/** Counts in c->met.left those of the triangles that are still met, though they could be moved. */
+/** Counts in c->met.left the triangles that are still penetrated and could be moved. */
 void collisions_check_triangles(collisions *c, const movable *of, double time, double h,
                                 const double (*x)[3], const double (*v)[3]);
 
@@ -161,27 +161,29 @@ void collisions_check_triangles(collisions *c, const movable *of, double time, d
 double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
                               double h);
 
-/** Puts pinned vertices exactly where they are at `time`. */
+/** Sets pinned vertices exactly to their positions and velocities at `time`. */
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]);
 
-/** The step of h s is accepted, with velocities v after it; residual as the solver left it. Notes
- *  the contacts' forces, and which stick or slide from now on. */
+/** Accepts the step of h s with final velocities v and the solver's residual: stores the contacts'
+ *  forces, and which stick or slide from now on. */
 void collisions_accept(collisions *c, double h, const double (*v)[3], const double (*residual)[3]);
 
 /** The work in J of constraints and friction in the step of h s that ends with velocities v; an
  *  upper bound if a collider moves. Colliders at rest do no positive work except to push
- *  vertices out. residual as the solver left it, for a stage of stage_h s. */
+ *  vertices out. residual: the solver's, for a stage of stage_h s. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]);
 
-/** How deep the deepest vertex that is not pinned is inside a collider at `time`, m; 0: none is. */
+/** The depth in a collider at `time` of the deepest vertex that is not pinned, m; 0: none is
+ * inside.
+ */
 double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 
 /** How many vertices that are not pinned are inside a collider at `time`. */
 long collisions_inside(const collisions *c, double time, const double (*x)[3]);
 
-/** Sets pin_of[i] = number for each vertex i of the mesh that the pin holds: by where the mesh has
- *  it, before anything moves. pin_of: [vertex_count]. */
+/** Sets pin_of[i] = number for each vertex i that the pin holds, according to the mesh's initial
+ *  positions. pin_of: [vertex_count]. */
 void pin_find(const pin *p, const mesh *m, int number, int *pin_of);
 
 #endif

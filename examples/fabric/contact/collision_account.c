@@ -5,7 +5,7 @@
 #include "collision.h"
 #include "shape.h"
 
-/* Friction -f (v - u) does a work of at most f u.u / 4. */
+/* Friction -f (v - u) does work of at most f u.u / 4. */
 static double friction_work(const contact *touch, double friction, const double carried[3],
                             double h) {
     if (touch->sticks || !(touch->force > 0))
@@ -14,8 +14,8 @@ static double friction_work(const contact *touch, double friction, const double 
     return factor * vector_dot(carried, carried) / 4;
 }
 
-/* Do nothing but colliders at rest hold the vertex, and push it nowhere? Pushing something out that
- * is too near is work indeed. */
+/* Do only colliders at rest hold the vertex, without pushing it out? (Pushing out a vertex that is
+ * too near does work.) */
 static int is_held_at_rest(const collisions *c, int vertex) {
     if (collisions_pin_of(c, vertex) >= 0)
         return 0;
@@ -26,9 +26,9 @@ static int is_held_at_rest(const collisions *c, int vertex) {
     return 1;
 }
 
-/* A body at rest takes energy and gives none. A constraint that seems to give some, by pulling
- * at an approaching vertex, shows an error of the solution of that size. Only the sum is
- * meaningful: at single vertices the solver's tolerance appears with either sign. */
+/* A body at rest takes energy and gives none. If a constraint seems to give some, by pulling at an
+ * approaching vertex, that is an error of the solution. Only the sum is meaningful: at single
+ * vertices the solver's tolerance appears with either sign. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]) {
     const int count = c->mesh->vertex_count, contacts = c->now && !c->now_empty;
@@ -50,7 +50,7 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
     return chunk_sum_all(count, moving) + (from_resting < 0 ? from_resting : 0);
 }
 
-/* How deep the vertex is in the deepest of the near colliders, m; 0: it is in none. */
+/* The vertex' greatest depth in a near collider, m; 0: it is in none. */
 static double depth_of(const collisions *c, int vertex, double time, const double x[3]) {
     double deepest = 0;
     for (int m = 0; m < c->any_near && collisions_pin_of(c, vertex) < 0; m++) {

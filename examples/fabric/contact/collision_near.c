@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The colliders that the cloth may touch in a step. The cost of a step does not grow with the
- * number of the others. */
+/* Finds the colliders that the cloth may touch in a step. Colliders out of reach cost nothing. */
 #include <string.h>
 
 #include "base/vector.h"
@@ -10,14 +9,14 @@
 /* The bounding ball of the cloth, and the largest displacement of a vertex in the step. v or dv
  * NULL: 0. */
 typedef struct cloth_ball {
-    double center[3], radius, way;
+    double center[3], radius, displacement;
 } cloth_ball;
 
 static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3],
                               const double (*v)[3], const double (*dv)[3]) {
     cloth_ball ball = {{0, 0, 0}, 0, 0};
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    double radius = 0, way = 0;
+    double radius = 0, displacement = 0;
     for (int i = 0; i < c->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++) {
             low[a] = x[i][a] < low[a] ? x[i][a] : low[a];
@@ -32,14 +31,14 @@ static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3
         if (dv)
             vector_add_scaled(v[i], 1, dv[i], speed);
         const double square = vector_dot(speed, speed);
-        way = !(square <= way) ? square : way;
+        displacement = !(square <= displacement) ? square : displacement;
     }
     ball.radius = sqrt(radius);
-    ball.way = h * sqrt(way);
+    ball.displacement = h * sqrt(displacement);
     return ball;
 }
 
-/* How far the cloth's centre is from the collider, m. */
+/* The distance from the cloth's centre to the collider, m. */
 static double distance_to(const collider *k, const double center[3], double time) {
     double p[3], normal[3];
     motion_to_body(k, time, center, p);
@@ -49,23 +48,24 @@ static double distance_to(const collider *k, const double center[3], double time
 /* The distance from the cloth's centre at which a collider may touch it, without its own motion and
  * gap. */
 static double reach_of(const cloth_ball *ball) {
-    return 1.01 * (ball->radius + ball->way);
+    return 1.01 * (ball->radius + ball->displacement);
 }
 
 static double own_reach(const collider *k, double h) {
     return 1.01 * (h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
 }
 
-/* The same of one with keyframes: all of it that the cloth may meet moves by no more than this. */
+/* The same for a collider with keyframes: its motion and gap. The bound covers the part of the
+ * collider that the cloth may meet. */
 static double own_reach_keyed(const collider *k, const body_motion *m, const cloth_ball *ball) {
     double from[3];
     vector_subtract(ball->center, m->begin.origin, from);
-    const double reach = vector_length(from) + ball->radius + ball->way;
-    return 1.01 * (motion_way(m, reach) + 2 * k->gap + 1e-9);
+    const double reach = vector_length(from) + ball->radius + ball->displacement;
+    return 1.01 * (motion_displacement(m, reach) + 2 * k->gap + 1e-9);
 }
 
-/* May one that is not watched touch the cloth by now? A distance changes by no more than the way of
- * the centre and the collider's. */
+/* May a collider that is not watched touch the cloth by now? A distance changes by no more than the
+ * displacements of the centre and of the collider. */
 static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, double time,
                           double h) {
     double moved[3];
@@ -77,11 +77,11 @@ static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, do
 }
 
 /* Tests all colliders, and watches those that the cloth might reach by moving a distance equal to
- * its size. The distance to a mesh that is not closed may jump, and keyframes begin at any time:
- * such are watched always. */
-static void look_at_all(collisions *c, const cloth_ball *ball, double time, double h) {
+ * its size. Meshes and colliders with keyframes are always watched: the distance to an open mesh
+ * may jump, and keyframes may begin at any time. */
+static void test_all(collisions *c, const cloth_ball *ball, double time, double h) {
     out_of_reach *others = &c->others;
-    const double margin = ball->radius + 4 * ball->way;
+    const double margin = ball->radius + 4 * ball->displacement;
     *others = (out_of_reach){.watched = others->watched, .clearance = INFINITY, .time = time};
     memcpy(others->center, ball->center, sizeof others->center);
     for (int n = 0; n < c->scene->collider_count; n++) {
@@ -107,7 +107,7 @@ void collisions_find_near(collisions *c, double time, double h, const double (*x
         return;
     const cloth_ball ball = ball_around(c, h, x, v, dv);
     if (may_be_reached(&c->others, &ball, time, h))
-        look_at_all(c, &ball, time, h);
+        test_all(c, &ball, time, h);
     for (int m = 0; m < c->others.count; m++) {
         const int n = c->others.watched[m];
         const collider *k = &c->scene->colliders[n];

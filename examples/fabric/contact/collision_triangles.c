@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Colliders that come between the vertices of a triangle: a thin rod, a tip, a small ball. */
+/* Colliders that penetrate a triangle between its vertices: a thin rod, a tip, a small ball. */
 #include <stdlib.h>
 
 #include "base/arrays.h"
@@ -7,7 +7,7 @@
 #include "collision.h"
 #include "shape_triangle.h"
 
-/* The triangle's corners in the collider's axes, and their ways relative to it. */
+/* The triangle's corners in the collider's axes, and their displacements relative to it. */
 static void gather(const collisions *c, int number, const int corner[3], double time, double h,
                    const double (*x)[3], const double (*v)[3], double p[3][3], double u[3][3]) {
     const collider *k = &c->scene->colliders[number];
@@ -16,7 +16,7 @@ static void gather(const collisions *c, int number, const int corner[3], double 
         motion_enter(k, motion, time, h, x[corner[n]], v[corner[n]], p[n], u[n]);
 }
 
-/* Where the triangle meets the collider, for the space. */
+/* shape_meets_triangle with its result converted from the collider's axes to space. */
 static int meets(const collisions *c, int number, const double p[3][3], const double u[3][3],
                  double weight[3], approach *found) {
     const collider *k = &c->scene->colliders[number];
@@ -29,35 +29,35 @@ static int meets(const collisions *c, int number, const double p[3][3], const do
     return 1;
 }
 
-/* May the collider come near to some point of the triangle, or to one that impulses have moved by
- * another gap? */
+/* May the collider come near to some point of the triangle, even if impulses move that by another
+ * gap? */
 static int may_meet(const collider *k, const double p[3][3], const double u[3][3]) {
-    double middle[3], normal[3], radius = 0, way = 0;
+    double middle[3], normal[3], radius = 0, displacement = 0;
     for (int a = 0; a < 3; a++)
         middle[a] = (p[0][a] + p[1][a] + p[2][a]) / 3;
     for (int n = 0; n < 3; n++) {
         double arm[3];
         vector_subtract(p[n], middle, arm);
         radius = fmax(radius, vector_length(arm));
-        way = fmax(way, vector_length(u[n]));
+        displacement = fmax(displacement, vector_length(u[n]));
     }
-    return shape_distance(k, middle, normal) <= radius + way + 2 * k->gap;
+    return shape_distance(k, middle, normal) <= radius + displacement + 2 * k->gap;
 }
 
-/* A bound for triangles that are far away, from one distance a vertex: any point of a triangle is
- * as near as its first corner but for its longer edge from there, and no vertex goes further than
- * `way`. */
+/* Bounds the distance of far triangles from below by one distance per vertex: a point of a triangle
+ * is nearer than its first corner by at most the longer edge at that corner, and no vertex moves
+ * farther than the longest displacement. */
 typedef struct clearances {
     const double *distance; /* [vertices] m, to the collider as the step begins; NULL: not known */
-    double way;             /* m, the longest way that a vertex goes relative to the collider */
+    double displacement;    /* m, longest displacement of a vertex relative to the collider */
 } clearances;
 
-/* The distance to a mesh that is not closed may jump, so that no bound follows from it. */
+/* Leaves `distance` NULL for a mesh: the distance to an open one may jump, so it bounds nothing. */
 static int find_clearances(collisions *c, int number, double time, double h, const double (*x)[3],
                            const double (*v)[3], clearances *found) {
     const collider *k = &c->scene->colliders[number];
     const body_motion *motion = c->motion ? &c->motion[number] : NULL;
-    double way = 0;
+    double displacement = 0;
     *found = (clearances){NULL, 0};
     if (k->kind == COLLIDER_MESH)
         return 0;
@@ -65,25 +65,26 @@ static int find_clearances(collisions *c, int number, double time, double h, con
         c->met.distance = malloc(((size_t)c->mesh->vertex_count + 1) * sizeof *c->met.distance);
     if (!c->met.distance)
         return -1;
-#pragma omp parallel for schedule(static) reduction(max : way)
+#pragma omp parallel for schedule(static) reduction(max : displacement)
     for (int i = 0; i < c->mesh->vertex_count; i++) {
         double p[3], u[3], normal[3];
         motion_enter(k, motion, time, h, x[i], v[i], p, u);
         c->met.distance[i] = shape_distance(k, p, normal);
         const double square = vector_dot(u, u);
-        way = square > way ? square : way;
+        displacement = square > displacement ? square : displacement;
     }
-    *found = (clearances){c->met.distance, sqrt(way)};
+    *found = (clearances){c->met.distance, sqrt(displacement)};
     return 0;
 }
 
-/* Never true if may_meet is true: the longer edge counts twice; its two thirds at most lie between
- * the first corner and the middle, and no corner is further from the middle than it is long. */
+/* True only if may_meet is false. Let L be the longer edge at the first corner: the middle is at
+ * most 2/3 L from that corner, and every corner at most L from the middle. So may_meet requires
+ * reach <= 5/3 L, and this tests reach > 2 L. */
 static int is_far(const clearances *known, const collider *k, const int corner[3],
                   const double (*x)[3]) {
     if (!known->distance)
         return 0;
-    const double reach = known->distance[corner[0]] - known->way - 2 * k->gap;
+    const double reach = known->distance[corner[0]] - known->displacement - 2 * k->gap;
     double one[3], other[3];
     vector_subtract(x[corner[1]], x[corner[0]], one);
     vector_subtract(x[corner[2]], x[corner[0]], other);
@@ -163,7 +164,7 @@ void collisions_check_triangles(collisions *c, const movable *of, double time, d
         double p[3][3], u[3][3];
         approach found;
         gather(c, number, corner, time, h, x, v, p, u);
-        /* Half of the way from there to the middle is not through yet. */
+        /* Halfway between the allowed depth and the middle it has not passed through yet. */
         if (meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
             c->met.left += found.beyond > (1 - TRIANGLE_DEPTH_PART) / 2 * shape_inner_radius(k) &&
                            impulse_is_possible(of, &point, v, found.normal);

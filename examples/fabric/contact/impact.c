@@ -6,7 +6,7 @@
 /* Number of rounds of impulses, and of searches for pairs. */
 enum { most_rounds = 20, most_searches = 3 };
 
-/* One round over all; returns the largest change of a velocity, m/s. */
+/* One round of all impulses; returns the largest change of a velocity, m/s. */
 static double push(impact_step *s, double *own_work, double *body_work) {
     double largest = 0;
     if (s->itself)
@@ -34,8 +34,8 @@ static double little(const impact_step *s) {
     return 1e-3 * fmin(own, s->bodies->met.gap) / s->h;
 }
 
-/* Rounds with what may meet at present; returns whether anything was changed. */
-static int push_apart(impact_step *s, double *own_work, double *body_work) {
+/* Rounds over the pairs and triangles found last; returns whether a velocity was changed. */
+static int push_until_settled(impact_step *s, double *own_work, double *body_work) {
     double largest = push(s, own_work, body_work);
     const int changed = largest > 0;
     const double enough = little(s);
@@ -49,7 +49,7 @@ int impact_resolve(impact_step *s, double *work) {
     int changed = 1, failed = 0;
     for (int n = 0; n < most_searches && changed && !failed; n++) {
         failed = find(s) != 0;
-        changed = !failed && push_apart(s, &own_work, &body_work) && s->itself;
+        changed = !failed && push_until_settled(s, &own_work, &body_work) && s->itself;
         if (!changed)
             break;
         failed = self_collision_check(s->itself, s->h, s->x, (const double(*)[3])s->v) != 0;

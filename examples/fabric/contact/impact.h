@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * After the system is solved: velocities are changed so that in the step the cloth goes neither
- * through itself nor through a body. Both together, since what one pushes the other may have to
- * push back: rounds of impulses over the cloth's own pairs, the vertices that came too near to a
- * body and the triangles that meet one between their vertices. What still passes after that moves
- * as one: impact zones.
+ * After the system is solved, velocities are changed so that in the step the cloth passes neither
+ * through itself nor through a body. Both are handled together, since an impulse of one may have to
+ * be undone by the other: rounds of impulses over the cloth's own pairs, the vertices that came too
+ * near to a body, and the triangles that a body penetrates between their vertices. Features that
+ * still pass after that move as one rigid body: impact zones.
  */
 #ifndef FABRIC_IMPACT_H
 #define FABRIC_IMPACT_H
@@ -15,7 +15,7 @@
 
 typedef struct impact_step {
     double time, h;         /* s */
-    const double (*x)[3];   /* [vertices] m, at its beginning */
+    const double (*x)[3];   /* [vertices] m, at the step's beginning */
     double (*v)[3];         /* [vertices] m/s, changed */
     movable of;             /* what may move */
     self_collision *itself; /* NULL: the cloth may go through itself */
@@ -24,7 +24,7 @@ typedef struct impact_step {
 
 /** Resolves contacts of the step. *work: the work of bodies, J, less the energy that the cloth's
  *  own impulses take. Energy that these add is not counted as external work, so the monitor
- *  detects it. 0, or -1: out of memory, or the step ends in something not finite. */
+ *  detects it. 0, or -1: out of memory, or a number at the step's end is not finite. */
 int impact_resolve(impact_step *step, double *work);
 
 /**
@@ -32,11 +32,11 @@ int impact_resolve(impact_step *step, double *work);
  * pairs that impulses could not keep from passing move together in the step, so that nothing passes
  * between them.
  *
- * Joins the vertices of passing pairs to zones, each of which gets the velocities of a rigid
- * body with its momenta; a zone with vertices that a pin or contact holds moves like these.
- * Zones grow by pairs that pass at their boundary, until none does or the number of rounds is
- * exhausted. Adds the required energy to *work, J. s->left counts the pairs that still pass. 0,
- * or -1: out of memory.
+ * Joins the vertices of passing pairs to zones. Each zone gets the velocities of a rigid body with
+ * the zone's linear and angular momentum; a zone with vertices that a pin or contact holds moves
+ * with their mean velocity. Zones grow by pairs that pass at their boundary, until none does or the
+ * number of rounds is exhausted. Adds the required energy to *work, J. s->left counts the pairs
+ * that still pass. 0, or -1: out of memory.
  */
 int impact_zones_make(self_collision *s, const movable *of, double h, const double (*x)[3],
                       double (*v)[3], double *work);

@@ -8,11 +8,11 @@
 
 enum { most_growths = 20 };
 
-/** A zone's sums over its vertices, kept at its root. */
+/** Sums over a zone's vertices, stored at the zone's root. */
 typedef struct zone {
     int count, held;
     double mass, center[3], momentum[3]; /* kg, kg m, kg m/s */
-    double held_speed[3];                /* sum over those held, m/s */
+    double held_speed[3];                /* sum over the held vertices, m/s */
     double inertia[3][3], spin[3];       /* about the centre, kg m^2; kg m^2/s */
 } zone;
 
@@ -63,7 +63,8 @@ static void sum_up(const self_collision *s, const movable *of, int *parent, cons
     }
 }
 
-/* inertia turn = spin by Cramer's rule; 0 for a zone in a line, which has no such turn. */
+/* Solves inertia * turn = spin by Cramer's rule; 0 for a zone in a line, whose inertia is singular.
+ */
 static void angular_velocity(const zone *z, double turn[3]) {
     double cross[3], trace = 0;
     vector_cross(z->inertia[1], z->inertia[2], cross);

@@ -9,8 +9,8 @@ int movable_is_held(const movable *of, int vertex) {
     return collisions_pin_of(c, vertex) >= 0 || (c->now && c->now[vertex].count > 0);
 }
 
-/* By how much faster the vertex moves away from its contact's body than that asks for, m/s; what
- * the rounding of v makes of nothing is none. */
+/* By how much faster the vertex moves away from its contact's body than the contact prescribes,
+ * m/s; 0 if that is within the rounding of v. */
 static double leaving_speed(const contact *touch, const double v[3]) {
     static const double rounding = 1e-9;
     const double speed = vector_dot(touch->normal, v) - touch->speed;
@@ -47,8 +47,8 @@ void movable_move(const movable *of, int i, const double change[3], double v[3])
     }
 }
 
-/* The velocity that an impulse along d (kg m/s) gives vertex i, m/s. 0 if a body takes most of
- * it: the remainder points sideways and would have to be many times as large. */
+/* The velocity that the impulse d (kg m/s) gives vertex i, m/s. 0 if a body takes most of the
+ * impulse: the remainder points sideways and would have to be many times as large. */
 static void response(const movable *of, int i, const double v[3], const double d[3],
                      double change[3]) {
     static const double least_part = 0.25; /* of d'd that is free */

@@ -7,7 +7,7 @@
 
 struct collisions;
 
-/** What may move, and how easily. By reference. */
+/** The vertices' mobility: their masses, pins and contacts, by reference. */
 typedef struct movable {
     const double *mass;              /* [vertices] kg */
     const struct collisions *bodies; /* with the step's pins and contacts */
@@ -17,8 +17,8 @@ typedef struct movable {
 int movable_is_held(const movable *of, int vertex);
 
 /** The part of an impulse or velocity d that moves vertex i, which has velocity v [3] m/s: 0 if
- *  it is pinned, without the component into a body that it lies on. A vertex that leaves its
- *  body is free; otherwise impulses could lift it but not slow it down, and the rounds would not
+ *  it is pinned; without the component into a body that it lies on. A vertex that is leaving its
+ *  body is free: otherwise impulses could lift it but not slow it down, and the rounds would not
  *  converge. */
 void movable_part(const movable *of, int i, const double v[3], const double d[3], double part[3]);
 
@@ -36,14 +36,14 @@ typedef struct feature {
 /** The feature's velocity, m/s. */
 void feature_velocity(const feature *f, const double (*v)[3], double speed[3]);
 
-/** Can it be moved along the unit normal? Not by its vertices that are not held alone if the point
- *  is far from them: they would have to be many times as fast. */
+/** Can the feature be moved along the unit normal? Not if its point is far from all vertices that
+ *  are not held: these would have to move many times as fast. */
 int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3],
                         const double normal[3]);
 
 /** Changes the feature's velocity along the unit normal by `change` m/s, with Coulomb's friction
- *  against what moves with `base` m/s (NULL: 0): equal and opposite where weights have two signs.
- *  Adds the energy that this gives (below 0: takes) to *work, J. 0: it is not possible. */
+ *  against a surface that moves with `base` m/s (NULL: 0). Weights of both signs give equal and
+ *  opposite impulses. Adds the energy gained to *work, J. 0: it is not possible. */
 int impulse_give(const movable *of, const feature *f, const double normal[3], double change,
                  double friction, const double *base, double (*v)[3], double *work);
 

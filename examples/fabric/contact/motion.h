@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Where colliders are, and how they move in a step. A collider without keyframes moves evenly. One
- * with keyframes goes and turns evenly between two of them, and rests before the first and after
- * the last; it turns about its turn_axis through its position. In a step that a keyframe falls into
- * it moves by the mean.
+ * Positions and motions of colliders. A collider without keyframes moves at a constant velocity.
+ * One with keyframes moves and rotates at constant rates between two of them, and rests before the
+ * first and after the last; it rotates about its turn_axis through its position. In a step that
+ * contains a keyframe it moves with its mean velocity over the step.
  *
- * Contact is found in the body's own axes: a vertex that starts at p there and ends at p + u. The
- * way between is taken for straight, which for a body that turns by the angle a leaves out a bow of
- * a^2 / 8 of the distance to its axis; both ends are exact.
+ * Contact is found in the body's own axes, in which a vertex starts the step at p and ends it at
+ * p + u. The path between is approximated by a straight line: for a body that rotates by the angle
+ * a, the error is a^2 / 8 of the distance to its axis. Both ends are exact.
  */
 #ifndef FABRIC_MOTION_H
 #define FABRIC_MOTION_H
@@ -19,13 +19,13 @@
 /** A position and a rotation: the point p of the body is at origin + turn p in space. */
 typedef struct body_pose {
     double origin[3]; /* m */
-    double turn[3][3];
+    double rotation[3][3];
 } body_pose;
 
 /** A step of a collider with keyframes. */
 typedef struct body_motion {
-    double h;  /* s */
-    int turns; /* its axes change during the step */
+    double h;    /* s */
+    int rotates; /* it rotates during the step */
     body_pose begin, end;
 } body_motion;
 
@@ -33,24 +33,25 @@ static inline int motion_has_keys(const collider *k) {
     return k->keyframe_count > 0;
 }
 
-/** Does it turn at some time? */
-int motion_turns(const collider *k);
+/** Does the collider ever rotate? */
+int motion_rotates(const collider *k);
 
-/** The time after which it does not move any more, s; infinite where its velocity is not 0. */
+/** The time after which the collider does not move any more, s; infinite if its velocity is not 0.
+ */
 double motion_end(const collider *k);
 
-/** Where any collider is at `time`, s. */
+/** The pose of any collider at `time`, s. */
 void motion_pose(const collider *k, double time, body_pose *pose);
 
-/** The angle by which it is turned then, rad. */
+/** The angle by which the collider is rotated at `time`, rad. */
 double motion_angle(const collider *k, double time);
 
-/** The step of h s that begins at `time`, of one with keyframes. */
+/** The motion of a collider with keyframes in the step of h s that begins at `time`. */
 void motion_in_step(const collider *k, double time, double h, body_motion *m);
 
 /** An upper bound on the displacement in the step of points within `reach` m of the body's origin,
  *  m. */
-double motion_way(const body_motion *m, double reach);
+double motion_displacement(const body_motion *m, double reach);
 
 /** p: the point x of space in the body's axes at `time`. */
 void motion_to_body(const collider *k, double time, const double x[3], double p[3]);

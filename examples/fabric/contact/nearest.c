@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Each function takes the nearest of all candidates: the inner point, if it exists, and the
- * points on the borders. No case is selected by a sign that rounding may change. */
+ * points on the borders. So no case depends on a sign that rounding may change. */
 #include "nearest.h"
 
 #include <string.h>
@@ -9,24 +9,24 @@
 
 /* Normal and distance from the weights. */
 static void measure(const double x[4][3], nearest *found) {
-    double apart[3];
-    nearest_combine(x, found->weight, apart);
-    found->distance = vector_unit(apart, found->normal);
+    double separation[3];
+    nearest_combine(x, found->weight, separation);
+    found->distance = vector_unit(separation, found->normal);
 }
 
-/* *square: of the least distance so far. */
+/* *square: the least squared distance so far. */
 static void keep_nearer(const double x[4][3], const double weight[4], nearest *best,
                         double *square) {
-    double apart[3];
-    nearest_combine(x, weight, apart);
-    const double other = vector_dot(apart, apart);
+    double separation[3];
+    nearest_combine(x, weight, separation);
+    const double other = vector_dot(separation, separation);
     if (other < *square) {
         *square = other;
         memcpy(best->weight, weight, sizeof best->weight);
     }
 }
 
-/* Where the foot of p on the segment a b is, from 0 to 1. */
+/* The position on the segment a b of the point nearest to p, from 0 to 1. */
 static double foot_on_segment(const double p[3], const double a[3], const double b[3]) {
     double along[3], from[3];
     vector_subtract(b, a, along);
@@ -36,7 +36,7 @@ static double foot_on_segment(const double p[3], const double a[3], const double
     return t < 0 ? 0 : (t > 1 ? 1 : t);
 }
 
-/* Vertex p against the segment of vertices a and b; `sign` of p's weight. */
+/* Tries vertex p against the segment of vertices a and b; `sign`: of p's weight. */
 static void try_segment(const double x[4][3], int p, int a, int b, double sign, nearest *best,
                         double *square) {
     const double t = foot_on_segment(x[p], x[a], x[b]);

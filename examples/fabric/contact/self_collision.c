@@ -8,11 +8,11 @@
 #include "base/vector.h"
 #include "mesh/mesh_sides.h"
 
-/* Pairs nearer than the gap separate by this fraction of the missing distance in a step of the
+/* Pairs nearer than the gap separate by this fraction of the missing distance in each step of the
  * scene. */
-static const double drawing_apart = 0.25;
-/* What would pass is kept this part of its distance, or of the gap, away. */
-static const double kept_away = 0.1;
+static const double separation_rate = 0.25;
+/* Pairs that would pass keep this fraction of their distance, or of the gap. */
+static const double kept_part = 0.1;
 
 /* Each vertex and edge is owned by the first of its triangles. */
 static int share_out(self_collision *s) {
@@ -43,8 +43,8 @@ int self_collision_init(self_collision *s, const mesh *m, double gap, double fri
                           .bodies_from = m->triangle_count};
     s->grid.box = arrays_add(&s->own, (size_t)m->triangle_count + 1, sizeof *s->grid.box);
     s->grid.owned = arrays_add(&s->own, (size_t)m->triangle_count + 1, sizeof *s->grid.owned);
-    s->turns.vertex = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->turns.vertex);
-    s->turns.v = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->turns.v);
+    s->history.vertex = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->history.vertex);
+    s->history.v = arrays_add(&s->own, (size_t)m->vertex_count + 1, sizeof *s->history.v);
     if (!s->own.failed && share_out(s) == 0)
         return 0;
     self_collision_free(s);
@@ -60,8 +60,8 @@ void self_collision_free(self_collision *s) {
     for (int part = 0; part < SELF_PARTS; part++)
         free(s->grid.part[part].pair);
     free(s->pair);
-    free(s->turns.pair);
-    free(s->turns.demand);
+    free(s->history.pair);
+    free(s->history.demand);
     *s = (self_collision){0};
 }
 
@@ -79,23 +79,23 @@ static int rest_near(const self_collision *s, const self_pair *pair) {
     return self_pair_is_near(pair->is_edges, (const double(*)[3])at, s->gap, &found);
 }
 
-/* The change of the normal velocity that this contact asks for, m/s; 0: none. */
-static double asked(const self_collision *s, const self_pair *pair, double h, const double (*x)[3],
-                    const double (*v)[3], self_contact *found) {
+/* The change of the normal velocity that this contact requires, m/s; 0: none. */
+static double required_change(const self_collision *s, const self_pair *pair, double h,
+                              const double (*x)[3], const double (*v)[3], self_contact *found) {
     double from[4][3], to[4][3], speed = 0, least = 0;
-    if (self_pair_stays_apart(pair->vertex, pair->is_edges, s->gap, h, x, v))
+    if (self_pair_keeps_distance(pair->vertex, pair->is_edges, s->gap, h, x, v))
         return 0;
     self_pair_gather(pair, h, x, v, from, to);
     const double(*start)[3] = (const double(*)[3])from, (*end)[3] = (const double(*)[3])to;
     if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found) &&
         !rest_near(s, pair))
-        least = drawing_apart * (s->gap - found->distance) / s->step;
+        least = separation_rate * (s->gap - found->distance) / s->step;
     else if (self_pair_passes(pair->is_edges, start, end, found))
-        least = -(1 - kept_away) * found->distance / h;
+        least = -(1 - kept_part) * found->distance / h;
     else if (!pair->near_at_rest &&
-             self_pair_ends_near(pair->is_edges, start, end, kept_away * s->gap, found) &&
+             self_pair_ends_near(pair->is_edges, start, end, kept_part * s->gap, found) &&
              !rest_near(s, pair))
-        least = (kept_away * s->gap - found->distance) / h;
+        least = (kept_part * s->gap - found->distance) / h;
     else
         return 0;
     for (int k = 0; k < 4; k++)
@@ -105,38 +105,40 @@ static double asked(const self_collision *s, const self_pair *pair, double h, co
 
 /* Have the pair's vertices kept their velocities since then? */
 static int is_unchanged(const self_collision *s, int n, int since) {
-    const int *vertex = s->pair[n].vertex, *changed = s->turns.vertex;
+    const int *vertex = s->pair[n].vertex, *changed = s->history.vertex;
     return changed[vertex[0]] <= since && changed[vertex[1]] <= since &&
            changed[vertex[2]] <= since && changed[vertex[3]] <= since;
 }
 
 static int is_quiet(const self_collision *s, int n) {
-    return is_unchanged(s, n, s->turns.pair[n]);
+    return is_unchanged(s, n, s->history.pair[n]);
 }
 
-static void ask(self_collision *s, int n, double h, const double (*x)[3], const double (*v)[3]) {
-    self_demand *to = &s->turns.demand[n];
-    to->change = asked(s, &s->pair[n], h, x, v, &to->contact);
+static void update_demand(self_collision *s, int n, double h, const double (*x)[3],
+                          const double (*v)[3]) {
+    self_demand *to = &s->history.demand[n];
+    to->change = required_change(s, &s->pair[n], h, x, v, &to->contact);
 }
 
-/* In parallel: marks velocities that changed since the last round, and what pairs ask for at the
- * beginning of a round. Most need no impulse; the sequential part skips them. */
-static void look_through(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
-    self_turns *turns = &s->turns;
-    turns->looked = ++turns->now;
+/* In parallel, at the beginning of a round: marks velocities that changed since the last round, and
+ * computes the impulses that pairs need. Most need none; the sequential part skips these. */
+static void evaluate_pairs(self_collision *s, double h, const double (*x)[3],
+                           const double (*v)[3]) {
+    self_history *history = &s->history;
+    history->round_start = ++history->now;
 #pragma omp parallel
     {
 #pragma omp for schedule(static)
         for (int i = 0; i < s->mesh->vertex_count; i++)
-            if (memcmp(v[i], turns->v[i], sizeof v[i]) != 0)
-                turns->vertex[i] = turns->now;
+            if (memcmp(v[i], history->v[i], sizeof v[i]) != 0)
+                history->vertex[i] = history->now;
 #pragma omp for schedule(static)
         for (int n = 0; n < s->pair_count; n++) {
             if (is_quiet(s, n))
                 continue;
-            ask(s, n, h, x, v);
-            if (!(turns->demand[n].change > 0))
-                turns->pair[n] = turns->now;
+            update_demand(s, n, h, x, v);
+            if (!(history->demand[n].change > 0))
+                history->pair[n] = history->now;
         }
     }
 }
@@ -144,34 +146,35 @@ static void look_through(self_collision *s, double h, const double (*x)[3], cons
 /* Returns the change of the normal velocity, m/s; 0: none. */
 static double push_pair(self_collision *s, const movable *of, int n, double h, const double (*x)[3],
                         double (*v)[3], double *work) {
-    const self_demand *asks = &s->turns.demand[n];
+    const self_demand *demand = &s->history.demand[n];
     feature both = {.count = 4};
-    if (!is_unchanged(s, n, s->turns.looked))
-        ask(s, n, h, x, (const double(*)[3])v);
-    if (!(asks->change > 0)) {
-        s->turns.pair[n] = s->turns.now;
+    if (!is_unchanged(s, n, s->history.round_start))
+        update_demand(s, n, h, x, (const double(*)[3])v);
+    if (!(demand->change > 0)) {
+        s->history.pair[n] = s->history.now;
         return 0;
     }
     for (int k = 0; k < 4; k++) {
         both.vertex[k] = s->pair[n].vertex[k];
-        both.weight[k] = asks->contact.weight[k];
+        both.weight[k] = demand->contact.weight[k];
     }
-    if (!impulse_give(of, &both, asks->contact.normal, asks->change, s->friction, NULL, v, work))
+    if (!impulse_give(of, &both, demand->contact.normal, demand->change, s->friction, NULL, v,
+                      work))
         return 0;
-    s->turns.now++;
+    s->history.now++;
     for (int k = 0; k < 4; k++)
-        s->turns.vertex[both.vertex[k]] = s->turns.now;
-    return asks->change;
+        s->history.vertex[both.vertex[k]] = s->history.now;
+    return demand->change;
 }
 
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work) {
     double largest = 0;
-    look_through(s, h, x, (const double(*)[3])v);
+    evaluate_pairs(s, h, x, (const double(*)[3])v);
     for (int n = 0; n < s->pair_count; n++)
         if (!is_quiet(s, n))
             largest = fmax(largest, push_pair(s, of, n, h, x, v, work));
-    memcpy(s->turns.v, v, sizeof *v * (size_t)s->mesh->vertex_count);
+    memcpy(s->history.v, v, sizeof *v * (size_t)s->mesh->vertex_count);
     return largest;
 }
 
@@ -179,22 +182,22 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                           const double (*x)[3], const double (*v)[3]) {
     double start[4][3], end[4][3];
     self_contact found;
-    if (self_pair_stays_apart(pair->vertex, pair->is_edges, s->gap, h, x, v))
+    if (self_pair_keeps_distance(pair->vertex, pair->is_edges, s->gap, h, x, v))
         return 0;
     self_pair_gather(pair, h, x, v, start, end);
     return self_pair_passes(pair->is_edges, (const double(*)[3])start, (const double(*)[3])end,
                             &found);
 }
 
-/* For pairs that were just found. 0, or -1: out of memory. */
-static int forget_turns(self_turns *turns, int vertices, int pairs) {
-    if (array_grow(&turns->pair, &turns->pair_room, pairs, sizeof *turns->pair) != 0 ||
-        array_grow(&turns->demand, &turns->demand_room, pairs, sizeof *turns->demand) != 0)
+/* Resets the history for a new list of pairs. 0, or -1: out of memory. */
+static int reset_history(self_history *history, int vertices, int pairs) {
+    if (array_grow(&history->pair, &history->pair_room, pairs, sizeof *history->pair) != 0 ||
+        array_grow(&history->demand, &history->demand_room, pairs, sizeof *history->demand) != 0)
         return -1;
-    turns->now = 0;
-    memset(turns->vertex, 0, (size_t)vertices * sizeof *turns->vertex);
+    history->now = 0;
+    memset(history->vertex, 0, (size_t)vertices * sizeof *history->vertex);
     for (int n = 0; n < pairs; n++)
-        turns->pair[n] = -1;
+        history->pair[n] = -1;
     return 0;
 }
 
@@ -212,10 +215,10 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
 
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     s->left = 0;
-    /* What impulses move a vertex by in a step is less than a gap, as a rule; what comes near all
-     * the same is found when the step is looked through at its end. */
+    /* Impulses usually move a vertex by less than a gap in a step. Pairs that come near
+     * nevertheless are found by self_collision_check at the end of the step. */
     if (self_grid_find(s, h, x, v, 2 * s->gap) != 0)
         return -1;
     s->visits += s->pair_count;
-    return forget_turns(&s->turns, s->mesh->vertex_count, s->pair_count);
+    return reset_history(&s->history, s->mesh->vertex_count, s->pair_count);
 }

@@ -6,8 +6,8 @@
  * after the other in a fixed order. impact.h has the number of rounds and the treatment of pairs
  * that still pass.
  *
- * Candidate pairs come from a grid of the triangles' swept boxes; each vertex and edge is tested
- * with one of its triangles only (Curtis, Tamstorf and Manocha 2008).
+ * Candidate pairs come from a grid of the triangles' swept boxes. So that no pair is found twice,
+ * each vertex and edge is assigned to one of its triangles (Curtis, Tamstorf and Manocha 2008).
  */
 #ifndef FABRIC_SELF_COLLISION_H
 #define FABRIC_SELF_COLLISION_H
@@ -20,15 +20,15 @@
 typedef struct self_pair {
     int vertex[4];
     int is_edges;
-    int is_far;       /* of no interest to the barrier (barrier_pairs.c) */
+    int is_far;       /* scratch of barrier_pairs.c: the candidate is to be removed */
     int near_at_rest; /* nearer than the gap in the flat cloth: only kept from passing */
 } self_pair;
 
-/** Searches have this number of parts, for any number of threads; the results are joined in
- *  order. */
+/** A search has this number of parts, whatever the number of threads; the parts' results are
+ *  concatenated in order. */
 enum { SELF_PARTS = 64 };
 
-/** The root of i's tree in a forest (union-find), whose paths it shortens. */
+/** The root of i's tree (union-find with path halving). */
 static inline int forest_root(int *parent, int i) {
     while (parent[i] != i)
         i = parent[i] = parent[parent[i]];
@@ -40,7 +40,7 @@ static inline int self_part_start(int count, int part) {
     return (int)((long)count * part / SELF_PARTS);
 }
 
-/** A list that grows. */
+/** A growing list of pairs. */
 typedef struct self_pairs {
     self_pair *pair; /* [count] */
     int count, room;
@@ -49,9 +49,9 @@ typedef struct self_pairs {
 /** Boxes that triangles sweep, sorted into the cells of a grid; see self_grid.c. */
 typedef struct self_grid {
     double (*box)[2][3];      /* [triangles] low and high, m */
-    double cloth[2][3];       /* m, box of the cloth's triangles, if there are bodies */
+    double cloth[2][3];       /* m, box around all that the cloth sweeps; set if there are bodies */
     int *owned;               /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
-    int *first;               /* [triangles + 1] a triangle's first entry in */
+    int *first;               /* [triangles + 1] a triangle's first entry in `loose` */
     struct self_entry *loose; /* entries sorted by triangle */
     struct self_entry *entry; /* entries sorted by bucket */
     int *start;               /* [buckets + 2] a bucket's first entry */
@@ -73,16 +73,16 @@ typedef struct self_demand {
     self_contact contact;
 } self_demand;
 
-/** Pairs that can be skipped: a pair that needed no impulse needs none while its vertices keep
- *  their velocities. Times count the impulses since the search. */
-typedef struct self_turns {
-    int now, looked;     /* the current time; the time when the current round began */
-    int *vertex;         /* [vertices] when its velocity changed last */
-    double (*v)[3];      /* [vertices] m/s, at the end of the last round */
-    int *pair;           /* [pairs] when it needed no impulse; -1: never */
-    self_demand *demand; /* [pairs] of those that are not skipped, when the round began */
+/** Finds pairs that can be skipped: a pair that needed no impulse needs none while its vertices
+ * keep their velocities. Time stamps count the impulses since the search. */
+typedef struct self_history {
+    int now, round_start; /* the current time; the time at which the current round began */
+    int *vertex;          /* [vertices] time of the last change of its velocity */
+    double (*v)[3];       /* [vertices] m/s, at the end of the last round */
+    int *pair;            /* [pairs] last time at which it needed no impulse; -1: never */
+    self_demand *demand;  /* [pairs] for pairs that are not skipped: at the round's beginning */
     int pair_room, demand_room;
-} self_turns;
+} self_history;
 
 typedef struct self_collision {
     const mesh *mesh;
@@ -92,22 +92,23 @@ typedef struct self_collision {
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
-    self_turns turns;
-    int left; /* pairs that still pass through each other, of the step treated last */
+    self_history history;
+    int left; /* pairs that still pass through each other in the current step */
     long visits;
-    arrays own; /* of those above, [triangles] and [vertices] */
+    arrays own; /* the arrays above whose size is [triangles] or [vertices] */
 } self_collision;
 
-/** The mesh by reference. 0, or -1: out of memory. */
+/** Keeps a reference to the mesh. 0, or -1: out of memory. */
 int self_collision_init(self_collision *s, const mesh *m, double gap, double friction, double step);
 void self_collision_free(self_collision *s);
 
 /** Finds the pairs that may come near in a step of h s from positions x (m) with velocities v
- * (m/s). 0, or -1: out of memory, or not all is finite. */
+ *  (m/s). 0, or -1: out of memory, or a number is not finite. */
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** One round of impulses over the pairs found last, for this h and x, in order: changes v, adds the
- *  energy of the impulses to *work (J); returns the largest change of a normal velocity, m/s. */
+/** One round of impulses, in order, over the pairs that self_collision_find found for this h and x.
+ *  Changes v and adds the energy of the impulses to *work (J); returns the largest change of a
+ *  normal velocity, m/s. */
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);
 
@@ -119,29 +120,31 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
 int self_collision_passes(const self_collision *s, const self_pair *pair, double h,
                           const double (*x)[3], const double (*v)[3]);
 
-/** Finds the pairs that may meet in the step; without those whose swept boxes stay further apart
- *  than `within` (m), if that is finite. 0, or -1: out of memory, or not all is finite. */
+/** Finds the pairs that may meet in the step, except, if `within` is finite, those whose swept
+ * boxes are farther than `within` (m) from each other. 0, or -1: out of memory, or a number is not
+ * finite.
+ */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3],
                    double within);
 
-/** The positions of the pair's vertices at the begin and the end of a step of h s. */
+/** The positions of the pair's vertices at the beginning and the end of a step of h s. */
 void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], const double (*v)[3],
                       double start[4][3], double end[4][3]);
 
-/** Do the boxes that the two features sweep keep more than this distance? For most pairs they do.
- */
-int self_pair_stays_apart(const int vertex[4], int is_edges, double apart, double h,
-                          const double (*x)[3], const double (*v)[3]);
+/** Is the distance between the boxes that the two features sweep greater than this? It is for most
+ *  pairs, so this test comes first. */
+int self_pair_keeps_distance(const int vertex[4], int is_edges, double separation, double h,
+                             const double (*x)[3], const double (*v)[3]);
 
-/** Do the pair's features pass through each other on the way from x to y, all [4]? */
+/** Do the pair's features pass through each other while they move from x to y, both [4]? */
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);
 
-/** Do they end at y nearer than the gap? The normal and the distance are those at x, of the points
+/** Are the features nearer than the gap at y? *found gets normal and distance at x of the points
  * that are nearest at y. */
 int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
                         self_contact *found);
 
-/** Are they nearer than the gap at x? */
+/** Are the features nearer than the gap at x? */
 int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which triangles may meet: the boxes they sweep, in the cells of a grid. */
+/* Finds the triangles that may meet: their swept boxes are sorted into the cells of a grid. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,15 +8,15 @@
 #include "base/vector.h"
 #include "self_collision.h"
 
-/** A triangle in a cell. Cells share buckets. */
+/** A triangle in a cell. Several cells may hash to one bucket. */
 typedef struct self_entry {
     int cell[3];
     int triangle, bucket;
 } self_entry;
 
-enum { MOST_CELLS_EACH = 16 }; /* of a triangle, on average: else cells are made larger */
+enum { MOST_CELLS_EACH = 16 }; /* average per triangle; beyond it cells are made larger */
 
-/* fmin and fmax, for numbers, without a call. */
+/* fmin and fmax for arguments that are not NaN, without a call. */
 static inline double least(double a, double b) {
     return b < a ? b : a;
 }
@@ -51,7 +51,7 @@ static double mean_extent(const self_collision *s) {
     return sum / (3.0 * s->bodies_from);
 }
 
-/* The box of all that the cloth sweeps: bodies' triangles outside are in no cell. */
+/* The box around all that the cloth sweeps: bodies' triangles outside of it get no cell. */
 static void bound_cloth(self_collision *s) {
     for (int a = 0; a < 3; a++) {
         s->grid.cloth[0][a] = INFINITY;
@@ -72,7 +72,7 @@ static int is_far(const self_collision *s, int t) {
     return 0;
 }
 
-/* The box' cells in one direction; far away they all are one. */
+/* The index of the cell that contains a coordinate; all coordinates far away share one cell. */
 static int cell_of(double at, double size) {
     const double cell = floor(at / size);
     return cell > 1e9 ? 1000000000 : (cell < -1e9 ? -1000000000 : (int)cell);
@@ -97,7 +97,7 @@ static double cells_of(const self_collision *s, int t, double size, int low[3], 
     return cells;
 }
 
-/* The entries of all triangles. Whole numbers: their sum does not depend on the order. */
+/* The number of entries of all triangles. Sums of whole numbers do not depend on the order. */
 static double count_entries(const self_collision *s, double size) {
     double count = 0;
 #pragma omp parallel for schedule(static) reduction(+ : count)
@@ -118,7 +118,7 @@ static int make_room(self_grid *g, int triangles, int entries, int buckets) {
                : -1;
 }
 
-/* The entries, triangle by triangle. */
+/* Fills g->loose, triangle by triangle. */
 static void list_entries(self_collision *s, double size, unsigned buckets) {
     self_grid *g = &s->grid;
     const int triangles = s->mesh->triangle_count;
@@ -143,8 +143,8 @@ static void list_entries(self_collision *s, double size, unsigned buckets) {
     }
 }
 
-/* By bucket, of each bucket in the order of triangles. start[b + 1] moves from the begin of bucket
- * b to its end. */
+/* Sorts the entries by bucket, stable in the order of triangles (counting sort). start[b + 1] moves
+ * from the beginning of bucket b to its end. */
 static void sort_entries(self_grid *g, int entries, int buckets) {
     int *restrict start = g->start;
     const self_entry *restrict loose = g->loose;
@@ -187,7 +187,7 @@ static int add_pair(self_pairs *to, const self_pair *added) {
     return 0;
 }
 
-/* The square of two vertices' distance in the rest shape. */
+/* The squared distance of two vertices in the rest shape. */
 static double rest_square(const mesh *m, int i, int j) {
     if (m->rest_in_space) {
         double apart[3];
@@ -199,7 +199,7 @@ static double rest_square(const mesh *m, int i, int j) {
     return u * u + v * v;
 }
 
-/* Is a corner of the first feature within two gaps of one of the second in the flat cloth? */
+/* Is a corner of the first feature within two gaps of a corner of the second in the flat cloth? */
 static int near_at_rest(const self_collision *s, const int vertex[4], int firsts) {
     for (int p = 0; p < firsts; p++)
         for (int q = firsts; q < 4; q++) {
@@ -209,14 +209,14 @@ static int near_at_rest(const self_collision *s, const int vertex[4], int firsts
     return 0;
 }
 
-/** A search: the step, and the distance of interest. */
+/** Arguments of a search: the step, and the distance as in self_grid_find. */
 typedef struct self_search {
     double h, within;
     const double (*x)[3], (*v)[3];
 } self_search;
 
-static int add_if_apart(const self_collision *s, const self_search *by, const int vertex[4],
-                        int is_edges, self_pairs *to) {
+static int add_if_separate(const self_collision *s, const self_search *by, const int vertex[4],
+                           int is_edges, self_pairs *to) {
     const int firsts = is_edges ? 2 : 1;
     for (int p = 0; p < firsts; p++)
         for (int q = firsts; q < 4; q++)
@@ -224,19 +224,19 @@ static int add_if_apart(const self_collision *s, const self_search *by, const in
                 return 0;
     self_pair pair = {{vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, 0, 0};
     if (by->within < INFINITY &&
-        self_pair_stays_apart(vertex, is_edges, by->within, by->h, by->x, by->v))
+        self_pair_keeps_distance(vertex, is_edges, by->within, by->h, by->x, by->v))
         return 0;
     pair.near_at_rest = near_at_rest(s, vertex, firsts);
     return add_pair(to, &pair);
 }
 
-/* The vertices of t against u, those that t owns. */
+/* Adds the pairs of t's own vertices (see self_collision.h) with triangle u. */
 static int add_vertices(const self_collision *s, const self_search *by, int t, int u,
                         self_pairs *to) {
     const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
     for (int p = 0; p < 3; p++) {
         const int vertex[4] = {a[p], b[0], b[1], b[2]};
-        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_apart(s, by, vertex, 0, to) != 0)
+        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_separate(s, by, vertex, 0, to) != 0)
             return -1;
     }
     return 0;
@@ -248,15 +248,16 @@ static int add_edges(const self_collision *s, const self_search *by, int t, int 
         for (int q = 0; q < 3; q++) {
             const int vertex[4] = {a[p], a[(p + 1) % 3], b[q], b[(q + 1) % 3]};
             if ((s->grid.owned[t] >> (3 + p) & 1) != 0 && (s->grid.owned[u] >> (3 + q) & 1) != 0 &&
-                add_if_apart(s, by, vertex, 1, to) != 0)
+                add_if_separate(s, by, vertex, 1, to) != 0)
                 return -1;
         }
     return 0;
 }
 
-/* The boxes meet, and this is the cell where their common part begins: each pair is met once. */
-static int meet_here(const self_collision *s, const self_entry *a, const self_entry *b,
-                     double size) {
+/* Do the boxes meet, and does their intersection begin in this cell? (So each pair is found once.)
+ */
+static int meets_in_cell(const self_collision *s, const self_entry *a, const self_entry *b,
+                         double size) {
     const double(*one)[3] = (const double(*)[3])s->grid.box[a->triangle];
     const double(*other)[3] = (const double(*)[3])s->grid.box[b->triangle];
     for (int k = 0; k < 3; k++)
@@ -277,7 +278,7 @@ static int add_buckets(const self_collision *s, const self_search *by, int bucke
                 const self_entry *a = &s->grid.entry[i], *b = &s->grid.entry[j];
                 const int t = a->triangle, u = b->triangle;
                 if (t == u || (t >= s->bodies_from && u >= s->bodies_from) ||
-                    !meet_here(s, a, b, size))
+                    !meets_in_cell(s, a, b, size))
                     continue;
                 if (add_vertices(s, by, t, u, to) != 0 || add_vertices(s, by, u, t, to) != 0 ||
                     add_edges(s, by, t, u, to) != 0)
@@ -286,8 +287,8 @@ static int add_buckets(const self_collision *s, const self_search *by, int bucke
     return 0;
 }
 
-/* The pairs of a part's buckets. The thread fills a list of its own: neighbours in the array share
- * cache lines. 0, or -1: out of memory. */
+/* Finds the pairs of a part's buckets. Fills a local copy of the list's head, because neighbours in
+ * the array share cache lines. 0, or -1: out of memory. */
 static int find_part(self_collision *s, const self_search *by, int part, int buckets, double size) {
     self_pairs own = s->grid.part[part];
     own.count = 0;
@@ -297,7 +298,7 @@ static int find_part(self_collision *s, const self_search *by, int part, int buc
     return status;
 }
 
-/* Joins the parts' pairs, in order. 0, or -1: out of memory. */
+/* Concatenates the parts' pairs in order. 0, or -1: out of memory. */
 static int join(self_collision *s) {
     long first[SELF_PARTS + 1] = {0};
     for (int part = 0; part < SELF_PARTS; part++)

@@ -13,8 +13,8 @@ void self_pair_gather(const self_pair *pair, double h, const double (*x)[3], con
         }
 }
 
-int self_pair_stays_apart(const int vertex[4], int is_edges, double apart, double h,
-                          const double (*x)[3], const double (*v)[3]) {
+int self_pair_keeps_distance(const int vertex[4], int is_edges, double separation, double h,
+                             const double (*x)[3], const double (*v)[3]) {
     const int firsts = is_edges ? 2 : 1;
     for (int a = 0; a < 3; a++) {
         double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -25,7 +25,7 @@ int self_pair_stays_apart(const int vertex[4], int is_edges, double apart, doubl
             low[side] = least < low[side] ? least : low[side];
             high[side] = most > high[side] ? most : high[side];
         }
-        if (low[0] > high[1] + apart || low[1] > high[0] + apart)
+        if (low[0] > high[1] + separation || low[1] > high[0] + separation)
             return 1;
     }
     return 0;
@@ -55,8 +55,8 @@ static void nearest_on_edges(const double x[4][3], double weight[4]) {
     weight[3] = -t;
 }
 
-/* Weights of the vertex and of its foot in the triangle's plane; how far outside the triangle the
- * foot is, as the least of its barycentric coordinates. */
+/* Projects the vertex onto the triangle's plane: weights of the vertex and of the projection.
+ * Returns the projection's least barycentric coordinate: below 0, it is outside of the triangle. */
 static double foot_in_plane(const double x[4][3], double weight[4]) {
     double one[3], other[3], from[3];
     vector_subtract(x[2], x[1], one);
@@ -76,24 +76,24 @@ static double foot_in_plane(const double x[4][3], double weight[4]) {
     return v < u ? (v < w ? v : w) : (u < w ? u : w);
 }
 
-/* The features' distance, and the weights of their nearest points; infinite where the vertex' foot
- * lies outside of the triangle by more than `outside`. */
+/* The features' distance, and the weights of their nearest points; infinite if the vertex'
+ * projection lies outside of the triangle by more than `outside`. */
 static double distance_between(int is_edges, const double x[4][3], double outside,
                                double weight[4]) {
-    double apart[3];
+    double separation[3];
     if (is_edges)
         nearest_on_edges(x, weight);
     else if (foot_in_plane(x, weight) < -outside)
         return INFINITY;
-    nearest_combine(x, weight, apart);
-    return vector_length(apart);
+    nearest_combine(x, weight, separation);
+    return vector_length(separation);
 }
 
-/* From the second feature to the first, as they lie at the start. */
+/* The normal from the second feature to the first at the start. */
 static int set_normal(const double x[4][3], self_contact *found) {
-    double apart[3];
-    nearest_combine(x, found->weight, apart);
-    found->distance = vector_unit(apart, found->normal);
+    double separation[3];
+    nearest_combine(x, found->weight, separation);
+    found->distance = vector_unit(separation, found->normal);
     return found->distance > 0;
 }
 
@@ -102,7 +102,7 @@ int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_conta
     return distance < gap && distance > 1e-6 * gap && set_normal(x, found);
 }
 
-/* Six times the volume of the four points at time t: 0 where they lie in a plane. */
+/* Six times the volume of the four points at time t: 0 if they are coplanar. */
 static double volume_at(const double x[4][3], const double y[4][3], double t) {
     double at[3][3], cross[3];
     for (int k = 0; k < 3; k++)
@@ -112,7 +112,8 @@ static double volume_at(const double x[4][3], const double y[4][3], double t) {
     return vector_dot(cross, at[2]);
 }
 
-/* The cubic's coefficients, by its values at four times; value: those at the ends. */
+/* The coefficients of the volume as a cubic in t, from its values at four times; value: those at
+ * the two ends. */
 static void fit(const double x[4][3], const double y[4][3], double c[4], double value[2]) {
     const double f0 = volume_at(x, y, 0), f1 = volume_at(x, y, 1.0 / 3);
     const double f2 = volume_at(x, y, 2.0 / 3), f3 = volume_at(x, y, 1);
@@ -124,7 +125,7 @@ static void fit(const double x[4][3], const double y[4][3], double c[4], double 
     c[3] = 9 * (-f0 + 3 * f1 - 3 * f2 + f3) / 2;
 }
 
-/* Where the cubic may turn, within (0, 1), ascending; returns how many. */
+/* The cubic's extrema within (0, 1), ascending; returns how many. */
 static int turning_points(const double c[4], double at[2]) {
     const double a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
     int count = 0;
@@ -147,7 +148,7 @@ static int turning_points(const double c[4], double at[2]) {
     return count;
 }
 
-/* Do the features touch where the four points lie in a plane, at time t? */
+/* Do the features touch at time t, at which the four points are coplanar? */
 static int touch_at(int is_edges, const double x[4][3], const double y[4][3], double t,
                     self_contact *found) {
     double at[4][3], size = 0;

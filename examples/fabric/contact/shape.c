@@ -13,7 +13,7 @@ static double sphere_distance(double radius, const double p[3], double normal[3]
     return length - radius;
 }
 
-/* On a cylinder's axis: any direction at right angles to it. */
+/* The normal of a point on a cylinder's axis: any direction perpendicular to the axis. */
 static void set_across(const double axis[3], double normal[3]) {
     const double other[3] = {fabs(axis[0]) < 0.5 ? 1 : 0, fabs(axis[0]) < 0.5 ? 0 : 1, 0};
     vector_cross(axis, other, normal);
@@ -40,8 +40,8 @@ static double box_distance(const double half[3], const double p[3], double norma
     return depth > 0 ? length : depth;
 }
 
-/* In the plane through the axis and the point, a cylinder with flat ends is a rectangle: a box
- * without a third side. */
+/* In the plane through the axis and the point, a cylinder with flat ends is a rectangle: a
+ * two-dimensional box. */
 static double cylinder_distance(const collider *k, const double p[3], double normal[3]) {
     const double along = vector_dot(p, k->axis);
     double radial[3];
@@ -80,21 +80,21 @@ double shape_distance(const collider *k, const double p[3], double normal[3]) {
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found) {
     const double length = vector_length(u);
     const double near_enough = 1e-3 * k->gap + 1e-9;
-    enum { most_steps = 64 }; /* more only along a surface: taken for a touch */
+    enum { most_steps = 64 }; /* only a path along a surface needs more: treated as a contact */
     double at[3] = {p[0], p[1], p[2]};
-    double way = 0;
+    double path_done = 0;
     double left = shape_distance(k, p, found->normal) - k->gap;
     if (left > length + near_enough)
         return 0;
     if (left > near_enough) {
         for (int n = 0; left > near_enough && n < most_steps; n++) {
-            way += left;
-            if (way >= length)
+            path_done += left;
+            if (path_done >= length)
                 return 0;
-            vector_add_scaled(p, way / length, u, at);
+            vector_add_scaled(p, path_done / length, u, at);
             left = shape_distance(k, at, found->normal) - k->gap;
         }
-        /* `at` is on the plane that the point must stay outside of. */
+        /* `at` lies on the plane that the point must not cross. */
         vector_subtract(p, at, at);
         found->room = vector_dot(found->normal, at);
     } else {

@@ -6,15 +6,15 @@
 
 #include "scene/scene.h"
 
-/** Signed distance (m, negative inside) of point p, given from the collider's position, and the
- *  unit direction in which it grows. */
+/** Signed distance (m, negative inside) of point p, relative to the collider's position, and the
+ *  unit direction in which the distance grows. */
 double shape_distance(const collider *k, const double p[3], double normal[3]);
 
 typedef struct approach {
     double normal[3];  /* unit, out of the collider */
     double room;       /* m, how far the point may still move against the normal; < 0: it must be
                         * pushed out */
-    double beyond;     /* m, how far its path would go beyond that; < 0: it ends before */
+    double beyond;     /* m, how far the path's end is beyond that; < 0: it ends before */
     double carried[3]; /* m/s, velocity of the collider's material there; filled in by motion.h */
 } approach;
 
@@ -23,8 +23,8 @@ typedef struct approach {
  * moving collider. Returns 1, with the first place at which the distance falls to the collider's
  * gap in *found; 0 if the distance stays above the gap. Each advance is as long as the distance
  * allows (sphere tracing, Hart 1996), so neither thin colliders nor long paths are missed. A point
- * on the outer side of the plane through that place is outside a convex shape; in the hollow of a
- * mesh it may meet another side, which the next step finds.
+ * on the outer side of the plane through that place is outside a convex shape. In the hollow of a
+ * mesh it may meet another face; the next step finds that.
  */
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found);
 

@@ -5,8 +5,8 @@
 
 #include "base/vector.h"
 
-/* Depth of subdivision and number of parts: more would not pay for a triangle of many thousand
- * times the gap. */
+/* Limits of the subdivision's depth and number of parts, reached only by triangles many thousand
+ * times as large as the gap. */
 enum { deepest = 12, most_parts = 2000 };
 
 /** The search for the nearest point. */
@@ -14,12 +14,11 @@ typedef struct search {
     const collider *k;
     const double (*p)[3]; /* [3] the triangle */
     int is_convex;
-    int looked;   /* parts looked at */
-    double slack; /* m: a point that is nearer by less than this need not be found */
-    double part;  /* nor one that is nearer by less than this fraction of the distance above
-                   * `kept` */
+    int visited;  /* number of parts visited */
+    double slack; /* m, absolute tolerance of the result; */
+    double part;  /* relative tolerance, of the distance's excess over `kept`; they add up */
     double kept;
-    double distance;  /* m, the least so far, or a sufficient distance */
+    double distance;  /* m, the least so far; initially the distance of interest */
     double weight[3]; /* of the nearest point */
     double normal[3];
 } search;
@@ -29,13 +28,13 @@ static void mix(const double (*p)[3], const double weight[3], double at[3]) {
         at[a] = weight[0] * p[0][a] + weight[1] * p[1][a] + weight[2] * p[2][a];
 }
 
-/* Tolerance of the search: a nearer point may exist by this much. */
+/* Tolerance of the search: the result may be greater than the least distance by this much. */
 static double allowed(const search *s) {
     const double left = s->distance - s->kept;
     return s->slack + (left > 0 ? s->part * left : 0);
 }
 
-/* No point of the part is nearer than this. */
+/* A lower bound on the distance of the part's points. */
 static double lower_bound(const search *s, const double (*corner)[3], const double middle[3],
                           double distance, const double normal[3]) {
     double least = INFINITY;
@@ -49,8 +48,8 @@ static double lower_bound(const search *s, const double (*corner)[3], const doub
     return least;
 }
 
-/* Looks through the part with these corners, as weights of the triangle's. */
-static void look_through(search *s, const double (*corner)[3], int depth) {
+/* Searches the part with these corners, given as weights of the triangle's corners. */
+static void search_part(search *s, const double (*corner)[3], int depth) {
     double weight[3], middle[3], normal[3], half[3][3];
     for (int a = 0; a < 3; a++)
         weight[a] = (corner[0][a] + corner[1][a] + corner[2][a]) / 3;
@@ -61,13 +60,13 @@ static void look_through(search *s, const double (*corner)[3], int depth) {
         memcpy(s->weight, weight, sizeof weight);
         memcpy(s->normal, normal, sizeof normal);
     }
-    if (depth == deepest || ++s->looked > most_parts ||
+    if (depth == deepest || ++s->visited > most_parts ||
         !(lower_bound(s, corner, middle, distance, normal) < s->distance - allowed(s)))
         return;
     for (int n = 0; n < 3; n++)
         for (int a = 0; a < 3; a++)
             half[n][a] = (corner[n][a] + corner[(n + 1) % 3][a]) / 2;
-    look_through(s, (const double(*)[3])half, depth + 1);
+    search_part(s, (const double(*)[3])half, depth + 1);
     for (int n = 0; n < 3; n++) {
         double part[3][3];
         for (int a = 0; a < 3; a++) {
@@ -75,17 +74,17 @@ static void look_through(search *s, const double (*corner)[3], int depth) {
             part[1][a] = half[n][a];
             part[2][a] = half[(n + 2) % 3][a];
         }
-        look_through(s, (const double(*)[3])part, depth + 1);
+        search_part(s, (const double(*)[3])part, depth + 1);
     }
 }
 
-/* The nearest point, if it is nearer than `far`. */
+/* Finds the nearest point, if it is nearer than `far`. */
 static void find_nearest(search *s, const double (*p)[3], double far) {
     static const double whole[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     s->p = p;
     s->distance = far;
-    s->looked = 0;
-    look_through(s, whole, 0);
+    s->visited = 0;
+    search_part(s, whole, 0);
 }
 
 double shape_inner_radius(const collider *k) {
@@ -103,14 +102,14 @@ double shape_inner_radius(const collider *k) {
     return k->gap;
 }
 
-static double longest_way(const double u[3][3]) {
+static double longest_displacement(const double u[3][3]) {
     return fmax(vector_length(u[0]), fmax(vector_length(u[1]), vector_length(u[2])));
 }
 
 int shape_meets_triangle(const collider *k, const double p[3][3], const double u[3][3],
                          double weight[3], approach *found) {
     enum { most_steps = 64 };
-    const double radius = shape_inner_radius(k), way = longest_way(u);
+    const double radius = shape_inner_radius(k), way = longest_displacement(u);
     const double kept = -TRIANGLE_DEPTH_PART * radius;
     const int is_convex = k->kind != COLLIDER_MESH;
     search s = {.k = k,

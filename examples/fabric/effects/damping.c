@@ -4,7 +4,8 @@
 #include "hinge_gradient.h"
 #include "triangle.h"
 
-/* Direction of w; `axis` where the triangle has collapsed, as in triangle.c. */
+/* Direction of w; the coordinate axis `axis` if the triangle has collapsed, as in triangle_terms.h.
+ */
 static inline void direction(const double w[3], int axis, double n[3]) {
     const double length = vector_length(w);
     const int usable = length > 1e-8;

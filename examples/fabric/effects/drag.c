@@ -5,8 +5,9 @@
 #include "base/vector.h"
 #include "outer_force.h"
 
-/* d = h drag (a / 3) n n' is the triangle's part of each of its diagonal blocks, and
- * f[p] = -d (v_p - wind) of b. cross: 2 a n, `length` long. Both are 0 for a collapsed triangle. */
+/* Computes d = h drag (a / 3) n n', which the triangle adds to each of its diagonal blocks, and
+ * f[p] = -d (v_p - wind), which it adds to b. cross: 2 a n, `length` long. d and f are 0 for a
+ * collapsed triangle. */
 static void across(const double cross[3], double length, const double wind[3], double factor,
                    const double v_i[3], const double v_j[3], const double v_k[3], double f[3][3],
                    double d[3][3]) {
@@ -26,7 +27,7 @@ static void across(const double cross[3], double length, const double wind[3], d
             d[r][c] = scale * (cross[r] * cross[c]);
 }
 
-/* The same with I - n n' in the place of n n'. */
+/* The same with I - n n' in place of n n'. */
 static void along(const double cross[3], double length, const double wind[3], double factor,
                   const double v_i[3], const double v_j[3], const double v_k[3], double f[3][3],
                   double d[3][3]) {

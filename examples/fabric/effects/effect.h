@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The effects, EFFECT_DRAG and so on, and which of them this build has. */
+/** The effects as an enumeration (EFFECT_DRAG, ...), and which of them this build contains. */
 #ifndef FABRIC_EFFECT_H
 #define FABRIC_EFFECT_H
 
@@ -9,7 +9,7 @@ enum {
     EFFECT_COUNT
 };
 
-/* Bits of the effects that a build is to leave out, for measuring what their presence costs. */
+/* Bits of the effects that a build leaves out, to measure what their presence costs. */
 #ifndef FABRIC_WITHOUT
 #define FABRIC_WITHOUT 0
 #endif

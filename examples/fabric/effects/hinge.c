@@ -6,7 +6,7 @@
 #include "hinge_gradient.h"
 
 /*
- * f = the hinge's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l)
+ * f: the hinge's terms of b; df: those of A, blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l)
  * (k,k) (k,l) (l,l) of the ascending vertices. Gauss-Newton: h^2 K + h D = d d' with
  * d = sqrt(h^2 k + h kd) g; the term in theta's second derivative, which may be indefinite, is left
  * out.
@@ -53,7 +53,7 @@ void hinge_forces(const hinge_elements *e, const hinge_material *material, doubl
         for (p = 0; p < 4; p++)
             for (c = 0; c < 3; c++)
                 s->b[e->vertex[t][p]][c] += f[p][c];
-        /* In two loops: ten blocks at once are more addresses than there are registers. */
+        /* Two loops, because ten blocks at once need more addresses than there are registers. */
         for (r = 0; r < 3; r++)
             for (c = 0; c < 3; c++) {
                 s->A.value[e->block[t][0]][r][c] += df[0][r][c];

@@ -5,8 +5,8 @@
  * With the edge x0 x1, wings x2 and x3 and the angle theta between the triangles (0: flat)
  *     C = sqrt(weight) theta,   E = k C^2 / 2   k N m,   weight = 3 |e|^2 / a  (no unit)
  * where |e| is the edge's rest length and a the rest area of the two triangles together (discrete
- * shells, Grinspun et al. 2003). Cloth is flat at rest; where the mesh is bent at rest, theta is
- * counted from the angle it has where the cloth starts. Damping: f = -kd dC (dC . v), kd N m s.
+ * shells, Grinspun et al. 2003). Cloth is flat at rest; if the mesh is bent at rest, theta is
+ * relative to the angle at the cloth's start. Damping: f = -kd dC (dC . v), kd N m s.
  */
 #ifndef FABRIC_HINGE_H
 #define FABRIC_HINGE_H
@@ -20,16 +20,16 @@ typedef struct hinge_elements {
     int (*corner)[4]; /* [count] the edge's two vertices, then the wings' */
     int (*vertex)[4]; /* [count] the same ascending, for A's stored half */
     int (*role)[4];   /* [count] which corner each of `vertex` is */
-    int (*block)[10]; /* [count] where A keeps (i,i) (i,j) (i,k) (i,l) (j,j) ... (l,l) */
+    int (*block)[10]; /* [count] indices in A of (i,i) (i,j) (i,k) (i,l) (j,j) ... (l,l) */
     double *weight;   /* [count] */
-    double *at_rest;  /* [count] rad, what angles are counted from; NULL: from 0 */
+    double *at_rest;  /* [count] rad, rest angles; NULL: all 0 */
     double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
-    /* Angles that hinge_energy_at found last: the angles at a step's end are those at the next
-     * one's beginning. NULL until hinge_elements_look_ahead. */
-    double *ahead;        /* [count] rad */
-    double (*ahead_x)[3]; /* [vertices] m, at these positions */
-    int vertices;         /* one above the hinges' greatest number */
-    int has_ahead;        /* and `angle` has not changed since */
+    /* Cache of the angles that hinge_energy_at found last: the angles at a step's end are those at
+     * the next step's beginning. NULL until hinge_elements_cache_angles. */
+    double *cached;        /* [count] rad, the angles */
+    double (*cached_x)[3]; /* [vertices] m, their positions */
+    int vertices;          /* the hinges' greatest vertex number, plus 1 */
+    int has_cached;        /* the cache is filled, and `angle` has not changed since */
     arrays own;
 } hinge_elements;
 
@@ -41,18 +41,19 @@ typedef struct hinge_material {
 /** The mesh's hinges; those whose triangles have no rest area are left out. 0, or -1: out of
  *  memory. */
 int hinge_elements_init(hinge_elements *e, const mesh *m);
-/** Lets hinge_energy_at remember the angles it finds. 0, or -1: out of memory. */
-int hinge_elements_look_ahead(hinge_elements *e);
-/** Notes where A keeps each hinge's blocks. 0, or -1: out of memory. */
+/** Makes hinge_energy_at cache the angles that it finds. 0, or -1: out of memory. */
+int hinge_elements_cache_angles(hinge_elements *e);
+/** Finds the indices of each hinge's blocks in A. 0, or -1: out of memory. */
 int hinge_elements_place(hinge_elements *e, const block_matrix *A);
 void hinge_elements_free(hinge_elements *e);
 
-/** Brings e->angle to positions x: the angle nearest to the one remembered that differs from
- *  atan2's, less the one at rest, by whole turns. Doing it twice changes nothing. */
+/** Updates e->angle to positions x. Of the angles that equal atan2's minus the rest angle up to
+ * whole rotations, it takes the one nearest to the stored angle. Idempotent. */
 void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 
-/** Adds the hinges' part of A and b at positions x (m) and velocities v (m/s), both [vertices], for
- *  a step of h seconds; e->angle belongs to x. Every hinge's part of A is positive semidefinite. */
+/** Adds the hinges' terms to A and b at positions x (m) and velocities v (m/s), both [vertices],
+ * for a step of h seconds; e->angle must be that at x. Each hinge's matrix is positive
+ * semidefinite. */
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
@@ -61,8 +62,8 @@ void hinge_damping_forces(const hinge_elements *e, const hinge_material *materia
                           const double (*restrict x)[3], const double (*restrict v)[3],
                           double (*restrict b)[3]);
 
-/** Energy at positions x, in J. Chooses the angles nearest to the stored ones, which it keeps. A
- *  hinge_update_angles at the same positions then costs nothing, if angles are precomputed. */
+/** Energy at positions x, in J, with the angles nearest to the stored ones, which do not change. If
+ *  angles are cached, hinge_update_angles at the same positions then costs nothing. */
 double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]);
 
 #endif

@@ -16,7 +16,7 @@ static double rest_area(const double uv[3][2], double *square) {
     return fabs(uv[1][0] * uv[2][1] - uv[2][0] * uv[1][1]) / 2;
 }
 
-/* 3 |e|^2 / a, or 0 where a triangle has no rest shape. */
+/* 3 |e|^2 / a, or 0 if a triangle has no rest shape. */
 static double rest_weight(const mesh *m, const int corner[4]) {
     double left[3][2], right[3][2], square, same;
     if (mesh_rest_triangle(m, corner[0], corner[1], corner[2], left) == MESH_REST_NONE ||
@@ -40,7 +40,7 @@ static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
     }
 }
 
-/* In (-pi, pi]. atan2 is accurate near 0; an arc cosine would lose half the digits. */
+/* The angle in (-pi, pi]. atan2 is accurate near 0; an arc cosine would lose half the digits. */
 static double hinge_angle(const double (*x)[3], const int corner[4]) {
     double e[3], a[3], b[3], n1[3], n2[3], across[3];
     vector_subtract(x[corner[1]], x[corner[0]], e);
@@ -82,9 +82,9 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
     return 0;
 }
 
-int hinge_elements_look_ahead(hinge_elements *e) {
-    e->ahead = arrays_add(&e->own, (size_t)e->count + 1, sizeof *e->ahead);
-    e->ahead_x = arrays_add(&e->own, (size_t)e->vertices + 1, sizeof *e->ahead_x);
+int hinge_elements_cache_angles(hinge_elements *e) {
+    e->cached = arrays_add(&e->own, (size_t)e->count + 1, sizeof *e->cached);
+    e->cached_x = arrays_add(&e->own, (size_t)e->vertices + 1, sizeof *e->cached_x);
     return e->own.failed ? -1 : 0;
 }
 
@@ -102,7 +102,7 @@ void hinge_elements_free(hinge_elements *e) {
     *e = (hinge_elements){0};
 }
 
-/* The angle at x nearest to the one remembered. */
+/* The angle at x, of those that differ by whole rotations the one nearest to the stored angle. */
 static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
     const double angle = hinge_angle(x, e->corner[t]) - (e->at_rest ? e->at_rest[t] : 0);
     const double change = e->angle[t] - angle;
@@ -112,10 +112,10 @@ static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
 
 void hinge_update_angles(hinge_elements *e, const double (*x)[3]) {
     const int known =
-        e->has_ahead && memcmp(e->ahead_x, x, sizeof *e->ahead_x * (size_t)e->vertices) == 0;
-    e->has_ahead = 0;
+        e->has_cached && memcmp(e->cached_x, x, sizeof *e->cached_x * (size_t)e->vertices) == 0;
+    e->has_cached = 0;
     if (known) {
-        memcpy(e->angle, e->ahead, sizeof *e->angle * (size_t)e->count);
+        memcpy(e->angle, e->cached, sizeof *e->angle * (size_t)e->count);
         return;
     }
 #pragma omp parallel for schedule(static)
@@ -129,12 +129,12 @@ double hinge_energy_at(hinge_elements *e, const hinge_material *material, const 
     for (int chunk = 0; chunk < chunk_sum_chunks(e->count); chunk++)
         for (int t = chunk * chunk_sum_length(e->count); t < chunk_sum_end(e->count, chunk); t++) {
             const double angle = angle_at(e, t, x);
-            if (e->ahead)
-                e->ahead[t] = angle;
+            if (e->cached)
+                e->cached[t] = angle;
             sum[chunk] += e->weight[t] * angle * angle;
         }
-    if (e->ahead && e->count > 0)
-        memcpy(e->ahead_x, x, sizeof *e->ahead_x * (size_t)e->vertices);
-    e->has_ahead = e->ahead != NULL;
+    if (e->cached && e->count > 0)
+        memcpy(e->cached_x, x, sizeof *e->cached_x * (size_t)e->vertices);
+    e->has_cached = e->cached != NULL;
     return material->bend * chunk_sum_all(e->count, sum) / 2;
 }

@@ -1,21 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How the angle of a hinge changes with its corners. */
+/** The derivative of a hinge's angle with respect to its corners. */
 #ifndef FABRIC_HINGE_GRADIENT_H
 #define FABRIC_HINGE_GRADIENT_H
 
 #include "base/vector.h"
 
 /**
- * The gradient of theta in the four corners. With e = x1 - x0, normals n1 = e x (x2 - x0) and
- * n2 = (x3 - x0) x e, and t2, t3 how far along e the wings' feet are:
- *     g2 = -|e| n1 / |n1|^2,   g3 = -|e| n2 / |n2|^2,
- *     g0 = -(1 - t2) g2 - (1 - t3) g3,   g1 = -t2 g2 - t3 g3
- * (Bridson, Marino and Fedkiw 2003; the sum is 0: no net force).
+ * The gradient of theta with respect to the four corners. With e = x1 - x0, normals
+ * n1 = e x (x2 - x0) and n2 = (x3 - x0) x e, and t2, t3 the wings' projections onto e (0 at x0, 1
+ * at x1): g2 = -|e| n1 / |n1|^2,   g3 = -|e| n2 / |n2|^2, g0 = -(1 - t2) g2 - (1 - t3) g3,   g1 =
+ * -t2 g2 - t3 g3 (Bridson, Marino and Fedkiw 2003; the sum is 0: no net force).
  */
 static inline void hinge_gradient(const double x0[3], const double x1[3], const double x2[3],
                                   const double x3[3], double g[4][3]) {
-    const double lowest_wing = 1e-3;    /* of the edge: gradients grow as 1/height */
-    const double shortest_edge = 1e-12; /* m; a shorter one bends nothing */
+    const double lowest_wing = 1e-3;    /* least height / edge: gradients grow as 1/height */
+    const double shortest_edge = 1e-12; /* m; a shorter edge has gradient 0 */
     double e[3], a[3], b[3], n1[3], n2[3];
     double ee, length, least, usable, s1, s2, t2, t3;
     int c;

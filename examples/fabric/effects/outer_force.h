@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Forces that depend on where the cloth is, how it moves and what surrounds it, and that keep
- * nothing of their own. effects.def names them.
+ * Forces that depend only on the cloth's positions and velocities and on its surroundings: they
+ * store no state. effects.def lists them.
  */
 #ifndef FABRIC_OUTER_FORCE_H
 #define FABRIC_OUTER_FORCE_H
@@ -10,12 +10,12 @@
 #include "system/system.h"
 #include "triangle.h"
 
-/** What forces are expanded about, all [vertices]. With the unknown dv, the change of velocity, a
- *  step of h ends at positions x + h (lag + dv) and velocities v + dv. */
+/** The point about which forces are expanded; arrays are [vertices]. With the unknown dv, the
+ * change of velocity, a step of h s ends at positions x + h (lag + dv) and velocities v + dv. */
 typedef struct expansion {
     double h;               /* s */
     const double (*x)[3];   /* m, positions of forces and derivatives */
-    const double (*lag)[3]; /* m/s; v where x is where the step starts */
+    const double (*lag)[3]; /* m/s; equal to v if x is the step's start */
     const double (*v)[3];   /* m/s, at the start of the step */
 } expansion;
 
@@ -23,15 +23,14 @@ typedef struct expansion {
 typedef struct force_target {
     const scene_surroundings *surroundings;
     const triangle_elements *triangles;
-    const double *wind; /* [3] m/s, at present */
+    const double *wind; /* [3] m/s, at the current time */
 } force_target;
 
 typedef struct outer_force {
-    /** Adds its part of A and b, as forces_assemble says. Called only where the effect is on. */
+    /** Adds its terms to A and b (see forces_assemble). Called only if the effect is on. */
     void (*add)(const force_target *on, const expansion *at, linear_system *s);
-    /** The work in J that it did in a step of h s that began at positions x and ended with
-     * velocities v, by the same formula; 0 where it is absent, and may be 0 where it only takes
-     * energy. */
+    /** Its work in J in a step of h s that began at positions x and ended with velocities v, by the
+     * same formula; 0 if the force is absent. May be 0 if the force only takes energy. */
     double (*work)(const force_target *on, double h, const double (*x)[3], const double (*v)[3]);
 } outer_force;
 

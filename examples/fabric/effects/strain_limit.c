@@ -5,9 +5,9 @@
 #include "base/vector.h"
 
 /*
- * One direction. With n = w / |w|, b = 1 + limit: gradient h dE/dw = h k a (|w| - b) n, second
- * derivative k a (n n' + g (I - n n')), g = 1 - b/|w| but not below 0. `on` is 0 where this
- * direction is not limited.
+ * The terms of one direction. With n = w / |w| and b = 1 + limit, the gradient is
+ * h dE/dw = h k a (|w| - b) n and the second derivative k a (n n' + g (I - n n')),
+ * g = max(0, 1 - b / |w|). `on` is 1 if this direction is limited, otherwise 0.
  */
 static inline void limit_terms(const double w[3], double on, double rest_length, double area,
                                double stiffness, double h, double gradient[3],
@@ -26,7 +26,8 @@ static inline void limit_terms(const double w[3], double on, double rest_length,
     }
 }
 
-/* f and df: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k), as in triangle.c but without shear. */
+/* f and df: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k), as in triangle_terms.h but without shear.
+ */
 static void limit_force(const triangle_rest *rest, unsigned over, double rest_length,
                         double stiffness, double h, const double (*x)[3], const double (*v)[3],
                         int i, int j, int k, double f[3][3], double df[6][3][3]) {

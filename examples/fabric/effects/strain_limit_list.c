@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which triangles are limited, and their energy. */
+/* The list of limited triangles, and their energy. */
 #include "base/chunk_sum.h"
 #include "base/vector.h"
 #include "strain_limit.h"

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Stretch and shear: a loop for each combination of effects. The loops differ in a constant
- * argument of triangle_force, by which the compiler removes unused terms.
+ * Stretch and shear: one loop for each combination of effects. The loops differ in a constant
+ * argument of triangle_force, so that the compiler removes unused terms.
  */
 #include "effect.h"
 #include "triangle_terms.h"
 
-/* The effects that this build has: FABRIC_WITHOUT leaves some out. */
+/* The effects that this build contains: FABRIC_WITHOUT leaves some out. */
 enum {
     built_effects = (BUILT_WITH(EFFECT_STRETCH) ? TRIANGLE_STRETCH : 0) |
                     (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)
 };
 
-/* Adds f and df of triangle t: one statement each, the same in every loop. (A parallel loop must
- * contain its updates.) */
+/* Adds f and df of triangle t: the same statements in every loop. A macro, because redcc
+ * parallelises only loops that contain their updates themselves. */
 #define ADD_FORCE                                                                                  \
     for (p = 0; p < 3; p++)                                                                        \
         for (c = 0; c < 3; c++)                                                                    \

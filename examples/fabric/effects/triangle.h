@@ -7,8 +7,9 @@
  * where sum cu_p = sum cv_p = 0. With the rest area a the conditions and energies are
  *     stretch  C = sqrt(a) (|w_u| - 1), and the same in v    E = k C^2 / 2    k N/m
  *     shear    C = sqrt(a) w_u . w_v                         E = k C^2 / 2    k N/m
- * (Baraff and Witkin 1998, section 4, with sqrt(a) for a: so the energy grows with the area and the
- * stiffness does not depend on the mesh). Damping: f = -kd dC (dC . v), kd N s/m.
+ * (Baraff and Witkin 1998, section 4, but with sqrt(a) instead of a: so the energy is proportional
+ * to the area, and the stiffness does not depend on the mesh). Damping: f = -kd dC (dC . v), kd N
+ * s/m.
  */
 #ifndef FABRIC_TRIANGLE_H
 #define FABRIC_TRIANGLE_H
@@ -25,7 +26,8 @@ typedef struct triangle_rest {
 typedef struct triangle_elements {
     int count;
     int (*vertex)[3];    /* [count] ascending, so that the blocks below lie in A's stored half */
-    int (*block)[6];     /* [count] in A: (i,i) (i,j) (i,k) (j,j) (j,k) (k,k); NULL until placed */
+    int (*block)[6];     /* [count] indices in A of (i,i) (i,j) (i,k) (j,j) (j,k) (k,k); NULL until
+                          * triangle_elements_place */
     triangle_rest *rest; /* [count] */
     arrays own;
 } triangle_elements;
@@ -42,15 +44,16 @@ int triangle_elements_init(triangle_elements *e, const mesh *m);
 int triangle_elements_place(triangle_elements *e, const block_matrix *A);
 void triangle_elements_free(triangle_elements *e);
 
-/** Adds the triangles' part of A and b at positions x (m) and velocities v (m/s), both [vertices],
- *  for a step of h seconds. Every triangle's part of A is positive semidefinite. */
+/** Adds the triangles' terms to A and b at positions x (m) and velocities v (m/s), both [vertices],
+ *  for a step of h seconds. Each triangle's matrix is positive semidefinite. */
 void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
                      const double (*restrict x)[3], const double (*restrict v)[3],
                      linear_system *s);
 
-/** b += h f, f the damping of stretch and shear alone, without its derivatives, at positions x (m)
- *  and velocities v (m/s): triangle_forces linearises damping together with stiffness; an iteration
- *  of Newton's method, with independent positions and velocities, needs -h D(x) v separately. */
+/** b += h f, f being only the damping force of stretch and shear, without its derivatives, at
+ *  positions x (m) and velocities v (m/s). triangle_forces linearises damping together with
+ *  stiffness; an iteration of Newton's method, with independent positions and velocities, needs
+ *  -h D(x) v separately. */
 void triangle_damping_forces(const triangle_elements *e, const triangle_material *material,
                              double h, const double (*restrict x)[3], const double (*restrict v)[3],
                              double (*restrict b)[3]);
@@ -59,11 +62,11 @@ void triangle_damping_forces(const triangle_elements *e, const triangle_material
 void triangle_energies(const triangle_elements *e, const triangle_material *material,
                        const double (*x)[3], double *stretch, double *shear);
 
-/** The largest |w_u| - 1 or |w_v| - 1; not a number if a position is not finite. */
+/** The largest |w_u| - 1 or |w_v| - 1; NaN if a position is not finite. */
 double triangle_greatest_strain(const triangle_elements *e, const double (*x)[3]);
 
-/** w_u and w_v of the triangle with vertices i, j, k; from differences of positions, so that a
- *  cloth far from the origin loses no digits. */
+/** w_u and w_v of the triangle with vertices i, j, k, computed from differences of positions so
+ * that a cloth far from the origin loses no digits. */
 static inline void triangle_derivatives(const triangle_rest *rest, const double (*x)[3], int i,
                                         int j, int k, double wu[3], double wv[3]) {
     int c;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The triangles' rest shape, their places in A, energies and strain. */
+/* The triangles' rest shape, their block indices in A, energies and strain. */
 #include "triangle.h"
 
 #include "base/chunk_sum.h"
@@ -14,7 +14,7 @@ static void sort_three(const int in[3], int out[3]) {
     out[1] = in[2] < low ? low : (in[2] > high ? high : in[2]);
 }
 
-/* cu, cv invert the flat triangle's edges. 0 if it has no rest shape. */
+/* Computes cu and cv, the inverse of the flat triangle's edge matrix. 0 if it has no rest shape. */
 static int rest_shape(const mesh *m, const int vertex[3], triangle_rest *rest) {
     double uv[3][2];
     if (mesh_rest_triangle(m, vertex[0], vertex[1], vertex[2], uv) == MESH_REST_NONE)

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * One triangle's stretch and shear: the force and its derivatives (triangle.h has the energies).
- * `effects` is a constant at each call, so that the loop of a combination of effects contains only
- * its terms.
+ * `effects` is a constant at each call, so that each loop contains only the terms of its effects.
  */
 #ifndef FABRIC_TRIANGLE_TERMS_H
 #define FABRIC_TRIANGLE_TERMS_H
@@ -19,13 +18,14 @@ enum { TRIANGLE_STRETCH = 1, TRIANGLE_SHEAR = 2 };
 #define TRIANGLE_INLINE static inline
 #endif
 
-/* Below this |w| a direction is not to be had from w: the triangle has collapsed. */
+/* Below this |w| the triangle has collapsed, and w has no usable direction. */
 static const double collapsed = 1e-8;
 
 /*
- * One direction's stretch. With n = w / |w|: E's gradient in w is k a (|w| - 1) n and its second
- * derivative k a (n n' + g (I - n n')), g = 1 - 1/|w|. Under compression g < 0 and the matrix
- * would be indefinite: g is held at 0 or more. A collapsed triangle is pushed along `axis`.
+ * Stretch in one direction. With n = w / |w|, the gradient of E with respect to w is
+ * k a (|w| - 1) n, and the second derivative k a (n n' + g (I - n n')), g = 1 - 1/|w|. Under
+ * compression g < 0 would make the matrix indefinite, so negative g is replaced by 0. A collapsed
+ * triangle is pushed along `axis`.
  * gradient = h dE/dw; hessian = h^2 d2E/dw2 + h kd a n n'.
  */
 TRIANGLE_INLINE void stretch_terms(const double w[3], int axis, double area, double stiffness,
@@ -49,9 +49,9 @@ TRIANGLE_INLINE void stretch_terms(const double w[3], int axis, double area, dou
 }
 
 /*
- * Shear keeps the Gauss-Newton part of its second derivative, which is positive semidefinite: C's
- * gradient is (w_v; w_u). Adds to h dE/dw_u, h dE/dw_v and to the blocks uu and vv, or with `alone`
- * sets them; sets uv.
+ * Shear uses only the Gauss-Newton part of its second derivative, which is positive semidefinite;
+ * the gradient of C is (w_v; w_u). Adds to h dE/dw_u, h dE/dw_v and the blocks uu and vv, or sets
+ * them if `alone`; sets uv.
  */
 TRIANGLE_INLINE void shear_terms(int alone, const double wu[3], const double wv[3], double shear,
                                  double slant, double force_u[3], double force_v[3],
@@ -70,11 +70,12 @@ TRIANGLE_INLINE void shear_terms(int alone, const double wu[3], const double wv[
 }
 
 /*
- * f = the triangle's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k).
- * Both come from derivatives in (w_u, w_v): with Q = [uu uv; uv' vv] the element's matrix is
- * A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. Its rows of blocks sum to 0,
- * as the coefficients do: from (j,j), (j,k) and (k,k) follow the others. Without shear uv is 0.
- * Since b = h f_elastic - (h^2 K + h D) v, damping needs no term of its own in f.
+ * f: the triangle's terms of b; df: those of A, blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k).
+ * Both come from derivatives with respect to (w_u, w_v): with Q = [uu uv; uv' vv] the element's
+ * matrix is A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. The coefficients cu
+ * and cv sum to 0, and so does each row of blocks: the blocks of i follow from (j,j), (j,k) and
+ * (k,k). Without shear, uv is 0. Since b = h f_elastic - (h^2 K + h D) v, damping needs no separate
+ * term in f.
  */
 TRIANGLE_INLINE void triangle_force(int effects, const triangle_rest *rest,
                                     const triangle_material *material, double h,

@@ -34,7 +34,7 @@ void mesh_free(mesh *m) {
     *m = (mesh){0};
 }
 
-/** One edge from the `count` sides that coincide in it, and its hinge if it has one. */
+/** Appends the edge in which `count` sides coincide, and its hinge if it has one. */
 static void add_edge(mesh *m, const mesh_side *sides, int count) {
     assert(count >= 1 && sides[0].low < sides[0].high && sides[0].high < m->vertex_count);
     int *edge = m->edge[m->edge_count++];
@@ -42,7 +42,8 @@ static void add_edge(mesh *m, const mesh_side *sides, int count) {
     edge[1] = sides[0].high;
     if (count < 2)
         return;
-    /* Wing 2 is left of the edge, wing 3 right, if the triangles have the same orientation. */
+    /* Wing 2 is on the left of the edge, wing 3 on its right, if both triangles have the same
+     * orientation. */
     int *hinge = m->hinge[m->hinge_count++];
     const int left = mesh_side_ascends(m, &sides[0]) || !mesh_side_ascends(m, &sides[1]) ? 0 : 1;
     hinge[0] = edge[0];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The cloth's triangle mesh and what follows from it. SI units throughout. */
+/** The cloth's triangle mesh with its edges and hinges. SI units throughout. */
 #ifndef FABRIC_MESH_H
 #define FABRIC_MESH_H
 
@@ -11,14 +11,14 @@ typedef struct mesh {
     double (*position)[3]; /* [vertex_count] m, initial positions */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
     int rest_in_space;     /* the rest shape of each triangle follows from `position` instead */
-    int bent_at_rest;      /* the hinges' angles in `position` are at rest; else the angle 0 is */
-    int *number;           /* [vertex_count] of each vertex before mesh_reorder; NULL: not kept */
+    int bent_at_rest;      /* hinges' rest angles are those in `position`; otherwise 0 */
+    int *number;        /* [vertex_count] each vertex' number before mesh_reorder; NULL: unknown */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */
-    int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings' */
+    int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings */
 } mesh;
 
-/** Order of vertices; triangles, edges and hinges then follow their vertices' order. */
+/** Order of vertices; triangles, edges and hinges are then sorted by their vertices. */
 typedef enum mesh_order {
     MESH_ORDER_GENERATED,
     MESH_ORDER_SORTED,   /* reverse Cuthill-McKee */
@@ -29,25 +29,25 @@ typedef enum mesh_order {
 
 /**
  * A Delaunay mesh of a square of the given side (m) in the plane z = 0, centred at the origin, with
- * `boundary` of its `vertices` points on the border and the others inside, spread irregularly but
- * evenly (libqhull; reproducible from the seed on any machine). It has 2 * vertices - 2 - boundary
+ * `boundary` of its `vertices` points on the border and the others inside, irregular but of even
+ * density (libqhull; reproducible from the seed on any machine). It has 2 * vertices - 2 - boundary
  * triangles. Returns 0, or -1 with a message in error[256].
  */
 int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned seed, char *error);
 
-/** Edges and hinges from the triangles; at an edge of three triangles or more the first two make
- *  the hinge. Counts such edges in *non_manifold. */
+/** Makes edges and hinges from the triangles; at an edge of three triangles or more the first two
+ *  make the hinge. Counts such edges in *non_manifold. */
 int mesh_connect(mesh *m, int *non_manifold, char *error);
 
-/** Renumbers the vertices (`seed`: of what is random); triangles, edges and hinges then follow
- * theirs, but for the shuffled order, which mixes them too. new_of_old, if not NULL, [vertex_count]
- * receives the permutation, so that results in different orders can be compared. Returns 0, or -1
- * with a message in error[256]: the mesh is as it was. */
+/** Renumbers the vertices (`seed`: for random orders). Triangles, edges and hinges are then sorted
+ * by their vertices, except that the shuffled order shuffles them too. new_of_old, if not NULL,
+ *  [vertex_count] receives the permutation, so that results in different orders can be compared.
+ *  Returns 0, or -1 with a message in error[256]: the mesh is unchanged. */
 int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error);
 
-/** Renumbers the vertices by a permutation, and sorts triangles, edges and hinges by theirs; with
- *  `back` by its inverse, which undoes mesh_reorder. Returns 0; -1 with a message in error[256]
- * where it is no permutation of the vertices or memory is out. */
+/** Renumbers the vertices by a permutation (`back`: by its inverse, which undoes mesh_reorder), and
+ *  sorts triangles, edges and hinges by their vertices. Returns 0, or -1 with a message in
+ * error[256]: new_of_old is no permutation, or out of memory. */
 int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
 /** The mean length of the triangles' sides in `position`, m; infinite if there are none. */

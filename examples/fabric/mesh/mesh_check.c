@@ -48,7 +48,7 @@ int mesh_check_numbers(const mesh *m, char *error) {
     return 0;
 }
 
-/** A triangle's vertices ascending, and its number. */
+/** A triangle's vertices, ascending, and its index. */
 typedef struct sorted_triangle {
     int vertex[3];
     int number;
@@ -124,8 +124,8 @@ static void doubled_area(const mesh *m, int t, double area[3]) {
     vector_normal(m->position[v[0]], m->position[v[1]], m->position[v[2]], area);
 }
 
-/* A triangle is folded over its neighbours if it faces away from all others at its corners, taken
- * together. around: [vertices], 0. */
+/* A triangle is folded over its neighbours if its normal points away from the sum, over its three
+ * corners, of the other triangles' normals. around: [vertices], zeroed. */
 static void check_folds(const mesh *m, mesh_problem *found, double (*around)[3]) {
     for (int t = 0; t < m->triangle_count; t++) {
         double area[3];
@@ -159,7 +159,7 @@ static void check_triangles(const mesh *m, mesh_problem *found, unsigned char *u
             note(found, MESH_LONE_VERTEX, v);
 }
 
-/** A vertex' place and number. */
+/** A vertex' position and index. */
 typedef struct place {
     double at[3];
     int vertex;
@@ -173,8 +173,8 @@ static int compare_places(const void *left, const void *right) {
     return a->vertex < b->vertex ? -1 : 1;
 }
 
-/* Programs that write one vertex per triangle or texture coordinate leave unjoined seams, at
- * which cloth separates. places, twin: [vertices]. */
+/* Counts vertices at the same position. Programs that write one vertex per triangle or texture
+ * coordinate leave such unjoined seams, at which cloth separates. places, twin: [vertices]. */
 static void check_seams(const mesh *m, mesh_problem *found, place *places, unsigned char *twin) {
     for (int v = 0; v < m->vertex_count; v++) {
         memcpy(places[v].at, m->position[v], sizeof places[v].at);

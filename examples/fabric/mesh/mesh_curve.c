@@ -10,12 +10,12 @@
 enum { BITS = 16 }; /* of a coordinate: the curve goes through 2^16 * 2^16 cells */
 
 typedef struct stop {
-    uint32_t along; /* cells of the curve before it */
+    uint32_t along; /* number of cells before it on the curve */
     int vertex;
 } stop;
 
-/** How many cells the curve passes before cell (x, y). In each of the four quarters, from the whole
- *  to the cell, the curve is the same but mirrored or turned. */
+/** The number of cells that the curve passes before cell (x, y). The curve is recursive: in each
+ *  quarter of a square it is the same, mirrored or rotated. */
 static uint32_t along_curve(uint32_t x, uint32_t y) {
     uint32_t along = 0;
     for (uint32_t half = 1u << (BITS - 1); half > 0; half /= 2) {
@@ -36,7 +36,7 @@ static uint32_t along_curve(uint32_t x, uint32_t y) {
 
 static uint32_t cell(double value, double least, double width) {
     const double cells = 1u << BITS, at = width > 0.0 ? (value - least) / width * cells : 0.0;
-    return at > 0.0 ? (uint32_t)fmin(at, cells - 1.0) : 0; /* no number: the first one */
+    return at > 0.0 ? (uint32_t)fmin(at, cells - 1.0) : 0; /* NaN gives the first cell */
 }
 
 static int compare_stops(const void *a, const void *b) {

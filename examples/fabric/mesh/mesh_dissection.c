@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Nested dissection (George, Nested dissection of a regular finite element mesh, 1973) by METIS,
- * where it is built in: two halves of the mesh, each numbered in the same way, then what separates
- * them. */
+ * if the build has it: the two halves of the mesh come first, each numbered recursively, then the
+ * vertices that separate them. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ static int compare_numbers(const void *a, const void *b) {
     return (p > q) - (p < q);
 }
 
-/** The graph as METIS takes it: each neighbour once. */
+/** Copies the graph for METIS, which requires each neighbour exactly once. */
 static void take_neighbours_once(const mesh_graph *g, idx_t *start, idx_t *neighbour) {
     idx_t count = 0;
     for (int v = 0; v < g->vertex_count; v++) {

@@ -17,7 +17,7 @@ static double doubled_area(double (*p)[2], const int t[3]) {
            (p[t[2]][0] - p[t[0]][0]) * (p[t[1]][1] - p[t[0]][1]);
 }
 
-/** One triangle of qhull's, counter-clockwise. 0, or -1 when it is degenerate. */
+/** Converts a facet of qhull to a counter-clockwise triangle. 0, or -1 when it is degenerate. */
 static int take_facet(qhT *qh, const facetT *facet, double (*points)[2], int triangle[3]) {
     vertexT *vertex, **vertexp;
     int corners = 0;
@@ -37,7 +37,8 @@ static int take_facet(qhT *qh, const facetT *facet, double (*points)[2], int tri
     return area == 0.0 ? -1 : 0;
 }
 
-/** The lower side of the hull of the points lifted to a paraboloid. */
+/** The Delaunay triangles: the lower side of the convex hull of the points lifted to a paraboloid.
+ */
 static int take_facets(qhT *qh, double (*points)[2], mesh *m, char *error) {
     facetT *facet;
     int found = 0;
@@ -116,7 +117,7 @@ int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned see
         m->position[i][1] = m->material[i][1];
         m->position[i][2] = 0.0;
     }
-    mesh_sort_triangles(m); /* whatever order qhull found them in */
+    mesh_sort_triangles(m); /* makes the result independent of qhull's order */
     free(points);
     return 0;
 failed:

@@ -63,7 +63,8 @@ static void sort_edges(mesh *m) {
             m->edge[e][1] = swap;
         }
     for (int h = 0; h < m->hinge_count; h++)
-        if (m->hinge[h][0] > m->hinge[h][1]) { /* half a turn: the same hinge, the same angle */
+        if (m->hinge[h][0] >
+            m->hinge[h][1]) { /* rotated by 180 degrees: the hinge and its angle stay */
             const int turned[4] = {m->hinge[h][1], m->hinge[h][0], m->hinge[h][3], m->hinge[h][2]};
             memcpy(m->hinge[h], turned, sizeof turned);
         }
@@ -117,8 +118,8 @@ static void sort_by_degree(const mesh_graph *g, int *vertices, int count) {
     }
 }
 
-/** Breadth first from the root, neighbours by degree: order[0 ..] of the part it lies in.
- *  Returns how many vertices that part has. */
+/** Breadth-first search from the root, neighbours in ascending order of degree. Fills order[0 ..]
+ *  with the root's connected component; returns its number of vertices. */
 static int cuthill_mckee(const mesh_graph *g, search *s, int *order, int root) {
     int reached = 1;
     s->searches++;
@@ -141,8 +142,8 @@ static int cuthill_mckee(const mesh_graph *g, search *s, int *order, int root) {
     return reached;
 }
 
-/** Leaves in order[0 ..] the part in which `start` lies, from a root at (nearly) its far end: the
- *  root moves to the last vertex reached until the part gets no longer. */
+/** Fills order[0 ..] with the connected component of `start`, from a pseudo-peripheral root: the
+ *  search is repeated from the last vertex reached until the number of levels does not grow. */
 static int order_part(const mesh_graph *g, search *s, int *order, int start) {
     int count = cuthill_mckee(g, s, order, start), length = -1;
     while (s->level[order[count - 1]] > length) {
@@ -165,9 +166,10 @@ static int sorted_order(const mesh *m, int *new_of_old) {
         for (int v = 0; v < m->vertex_count; v++)
             if (s.mark[v] == 0)
                 done += order_part(&g, &s, s.order + done, v);
-        assert(done == m->vertex_count); /* each vertex is in one part */
+        assert(done == m->vertex_count); /* each vertex is in one component */
         for (int i = 0; i < m->vertex_count; i++)
-            new_of_old[s.order[i]] = m->vertex_count - 1 - i; /* reversed: less fill, George 1971 */
+            new_of_old[s.order[i]] =
+                m->vertex_count - 1 - i; /* reversed: less fill-in, George 1971 */
         status = 0;
     }
     mesh_graph_free(&g);
@@ -276,7 +278,7 @@ int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char
         return 0;
     }
     int *permutation = new_of_old;
-    snprintf(error, ERROR_SIZE, "out of memory"); /* unless another message follows */
+    snprintf(error, ERROR_SIZE, "out of memory"); /* overwritten by other messages */
     if (!permutation)
         permutation = malloc((size_t)m->vertex_count * sizeof *permutation);
     const int status = permutation ? reorder(m, order, seed, permutation, error) : -1;

@@ -8,7 +8,7 @@
 #include "base/random.h"
 
 enum { RELAXATIONS = 16 };
-static const double BORDER_JITTER = 0.2; /* of the border's spacing, to either side */
+static const double BORDER_JITTER = 0.2; /* of the border's spacing, in either direction */
 static const double ROW_JITTER = 0.45;   /* of the spacing inside, before the points repel */
 static const double REACH = 1.3;         /* of the spacing: how far points repel one another */
 static const double REPULSION = 0.25;    /* above 0.6 or so the relaxation would oscillate */
@@ -40,7 +40,8 @@ static double clamp(double value, double limit) {
     return value < -limit ? -limit : value > limit ? limit : value;
 }
 
-/** Rows of a triangular lattice, every second one shifted by half a spacing, then jittered. */
+/** Places the inner points on a triangular lattice (every second row shifted by half a spacing),
+ * then jitters them. */
 static void place_inside(double (*points)[2], int count, double spacing, random_source *source) {
     const double width = 1.0 - spacing;
     const int wished = (int)(sqrt((double)count * 1.1547005383792515) + 0.5); /* 2 / sqrt(3) */
@@ -79,8 +80,8 @@ static void fill_grid(cell_grid *grid, double (*points)[2], int count) {
     }
 }
 
-/** Adds to `push` the repulsion by the points of one row of cells around `point`: 1 - d / reach
- *  at a distance d below `reach`. */
+/** Adds to `push` the repulsion of `point` by the points in one row of neighbouring cells: 1 - d /
+ *  reach at a distance d below `reach`. */
 static void repel(const cell_grid *grid, double (*points)[2], int point, int row, double reach,
                   double push[2]) {
     const int column = cell_of(grid, points[point][0]);
@@ -118,7 +119,7 @@ static void relax(cell_grid *grid, double (*points)[2], double (*moved)[2], int 
 int mesh_points(double (*points)[2], int count, int boundary, unsigned seed) {
     random_source source = {seed};
     arrays own = {0};
-    /* A border point has half of the area of one inside. */
+    /* A border point occupies half the area of an inner one. */
     const double area = 1.0 / (count - boundary + 0.5 * boundary - 1.0);
     const double spacing = sqrt(1.1547005383792515 * area); /* triangular lattice: 2 / sqrt(3) */
     cell_grid grid = {(int)(1.0 / (REACH * spacing)), NULL, NULL};

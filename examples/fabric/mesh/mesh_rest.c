@@ -17,7 +17,7 @@ static double longest_square(const double uv[3][2]) {
     return longest;
 }
 
-/* Height by longest edge is 2 a / l^2. */
+/* With area a and longest edge l, height / longest edge is 2 a / l^2. */
 static int is_flat(const double uv[3][2]) {
     return !(2 * area_of(uv) > MESH_LEAST_HEIGHT * longest_square(uv));
 }
@@ -28,7 +28,7 @@ static void from_material(const mesh *m, const int corner[3], double uv[3][2]) {
             uv[p][a] = m->material[corner[p]][a] - m->material[corner[0]][a];
 }
 
-/* The first edge along u: lengths and angles are those in space. */
+/* Flattens the triangle with its first edge along u; lengths and angles are those in space. */
 static void from_position(const mesh *m, const int corner[3], double uv[3][2]) {
     double one[3], other[3], cross[3];
     vector_subtract(m->position[corner[1]], m->position[corner[0]], one);

@@ -5,18 +5,18 @@
 
 #include "mesh.h"
 
-/** A triangle lower than this fraction of its longest edge carries no force: a step moves its
- *  corners by many times its height. */
+/** A triangle whose height is below this fraction of its longest edge carries no force: a step
+ * would move its corners by many times its height. */
 #define MESH_LEAST_HEIGHT 1e-3
 
 typedef enum mesh_rest_kind {
     MESH_REST_MATERIAL, /* from the material coordinates */
-    MESH_REST_POSITION, /* those have no area, or rest_in_space: from where the cloth starts */
-    MESH_REST_NONE      /* nor have the positions: no rest shape */
+    MESH_REST_POSITION, /* from the initial positions: rest_in_space, or material without area */
+    MESH_REST_NONE      /* no rest shape: the positions have no area either */
 } mesh_rest_kind;
 
-/** The triangle i, j, k flat: uv[0] = (0, 0). Material coordinates that lie in a line, or have less
- *  than 1e-9 of the area that the positions have, are not used. */
+/** Flattens the triangle i, j, k; uv[0] = (0, 0). Collinear material coordinates, and those with
+ *  less than 1e-9 of the positions' area, are not used. */
 mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[3][2]);
 
 /** The area of all rest shapes together, m^2. */
@@ -24,13 +24,13 @@ double mesh_rest_area(const mesh *m);
 
 /** Defects of a mesh, with the number of the first triangle, edge or vertex of each kind. */
 enum {
-    MESH_FLAT_TRIANGLE,   /* no rest shape: no force */
-    MESH_NO_MATERIAL,     /* rest shape from positions */
-    MESH_FLIPPED,         /* triangles folded over all their neighbours */
-    MESH_SEAM,            /* vertices in the place of another one: not joined there */
-    MESH_LONE_VERTEX,     /* of no triangle: held in place */
-    MESH_NON_MANIFOLD,    /* edges of more than two triangles: bend at the first two */
-    MESH_DUPLICATE,       /* triangles with the vertices of another one: removed by mesh_clean */
+    MESH_FLAT_TRIANGLE, /* no rest shape: no force */
+    MESH_NO_MATERIAL,   /* rest shape from positions */
+    MESH_FLIPPED,       /* triangles folded over all their neighbours */
+    MESH_SEAM,          /* vertices at the position of another one: the mesh is not joined there */
+    MESH_LONE_VERTEX,   /* of no triangle: held in place */
+    MESH_NON_MANIFOLD,  /* edges of more than two triangles: only the first two make a hinge */
+    MESH_DUPLICATE,     /* triangles with the vertices of another one: removed by mesh_clean */
     MESH_REPEATED_VERTEX, /* triangles with a vertex twice: removed by mesh_clean */
     MESH_PROBLEM_COUNT
 };
@@ -49,7 +49,7 @@ int mesh_check_numbers(const mesh *m, char *error);
  *  vertex does not exist, or no triangle is left. */
 int mesh_clean(mesh *m, mesh_problem *found, char *error);
 
-/** Adds the other problems but MESH_NON_MANIFOLD, which mesh_connect counts. 0, or -1: out of
+/** Finds all other problems except MESH_NON_MANIFOLD, which mesh_connect counts. 0, or -1: out of
  *  memory. */
 int mesh_check(const mesh *m, mesh_problem *found);
 

@@ -11,8 +11,8 @@ typedef struct mesh_side {
     int number; /* 0 to 2: from the triangle's corner of that number to the next */
 } mesh_side;
 
-/** All [3 * triangle_count], by their vertices, then by triangle; to be freed. Needs no edges
- *  (mesh_connect). NULL: out of memory. */
+/** All sides, [3 * triangle_count], sorted by their vertices, then by triangle; to be freed. Does
+ * not use the mesh's edges, which mesh_connect makes. NULL: out of memory. */
 mesh_side *mesh_sides_new(const mesh *m);
 
 /** The triangle's third vertex. */
@@ -20,12 +20,12 @@ static inline int mesh_side_wing(const mesh *m, const mesh_side *side) {
     return m->triangle[side->triangle][(side->number + 2) % 3];
 }
 
-/** Does the triangle go along the side from its lower vertex to its higher? */
+/** Does the triangle traverse the side from the lower vertex to the higher? */
 static inline int mesh_side_ascends(const mesh *m, const mesh_side *side) {
     return m->triangle[side->triangle][side->number] == side->low;
 }
 
-/** How many of the `count` >= 1 sides from the first on lie in one edge. */
+/** How many of the `count` >= 1 sides, from the first on, share the first one's edge. */
 int mesh_sides_together(const mesh_side *first, int count);
 
 #endif

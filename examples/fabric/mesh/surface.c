@@ -11,8 +11,8 @@
 
 enum { ERROR_SIZE = 256, LEAF_SIZE = 4, DEEPEST = 64 };
 
-/** A box of the tree: a leaf holds triangles order[first] .. order[first + count - 1], another has
- *  children at `first` and `first + 1` and count 0. */
+/** A box of the tree: a leaf has the triangles order[first] .. order[first + count - 1]; an inner
+ *  node has count 0 and the children `first` and `first + 1`. */
 typedef struct tree_node {
     double low[3], high[3];
     int first, count;
@@ -22,7 +22,7 @@ struct surface {
     mesh mesh;
     int count; /* of triangles with area */
     int node_count;
-    int *order;           /* [count] triangles, as the leaves hold them */
+    int *order;           /* [count] triangles in the leaves' order */
     tree_node *node;      /* [2 * count] */
     double (*face)[3];    /* [triangles] unit normals */
     double (*edge)[3][3]; /* [triangles] pseudonormals of corners 0-1, 1-2, 2-0 */
@@ -59,7 +59,7 @@ static const double *corner(const surface *s, int t, int p) {
     return s->mesh.position[s->mesh.triangle[t][p % 3]];
 }
 
-/* The unit normal, and the triangles that have one. */
+/* Computes the unit normals, and lists the triangles that have one. */
 static void find_faces(surface *s) {
     for (int t = 0; t < s->mesh.triangle_count; t++) {
         double cross[3];
@@ -87,7 +87,7 @@ static void find_vertex_normals(surface *s) {
     }
 }
 
-/* A triangle without area has no face, and adds nothing. */
+/* A triangle without area has no normal and contributes nothing. */
 static int find_edge_normals(surface *s) {
     const int count = 3 * s->mesh.triangle_count;
     mesh_side *sides = mesh_sides_new(&s->mesh);
@@ -122,7 +122,7 @@ static void bound(const surface *s, tree_node *node, int first, int count) {
     }
 }
 
-/* Halves the triangles along the box' longest edge, at its middle; 0 if all are on one side. */
+/* Splits the triangles at the middle of the box' longest edge; 0 if all are on one side. */
 static int split(surface *s, const tree_node *node, int first, int count) {
     int axis = 0, at = first;
     for (int a = 1; a < 3; a++)
@@ -192,8 +192,9 @@ typedef struct nearest {
     const double *normal; /* pseudonormal there */
 } nearest;
 
-/* The nearest point of a triangle and which face, edge or vertex it is on, by the region of the
- * plane that p is above (Ericson 2005, Real-Time Collision Detection, 5.1.5). */
+/* Updates *best by the triangle's nearest point. The region of the plane above which p lies tells
+ * whether that is on the face, an edge or a vertex (Ericson 2005, Real-Time Collision Detection,
+ * 5.1.5). */
 static void take_triangle(const surface *s, int t, const double p[3], nearest *best) {
     const double *a = corner(s, t, 0), *b = corner(s, t, 1), *c = corner(s, t, 2);
     const int *v = s->mesh.triangle[t];
@@ -273,7 +274,7 @@ double surface_distance(const surface *s, const double p[3], double normal[3]) {
     vector_subtract(p, best.point, away);
     const double distance = sqrt(best.square), length = vector_length(best.normal);
     const double sign = vector_dot(away, best.normal) < 0 ? -1 : 1;
-    /* On the surface itself the direction is the pseudonormal's. */
+    /* On the surface itself the direction is that of the pseudonormal. */
     const int far = distance > 1e-12 * (1 + vector_length(p));
     for (int a = 0; a < 3; a++)
         normal[a] = far ? sign * away[a] / distance : best.normal[a] / (length > 0 ? length : 1);

@@ -3,8 +3,8 @@
  * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
  * in a tree of boxes; the pseudonormal of the nearest face, edge or vertex shows whether the point
  * is inside (Baerentzen and Aanaes 2005: a vertex' normals weighted by their angles). The triangles
- * must be counter-clockwise seen from outside; without a closed surface the sign is that of the
- * side on which the point is.
+ * must be counter-clockwise seen from outside. If the surface is open, the sign is that of the side
+ * on which the point is.
  */
 #ifndef FABRIC_SURFACE_H
 #define FABRIC_SURFACE_H
@@ -13,8 +13,8 @@
 
 typedef struct surface surface;
 
-/** Takes the mesh over, and leaves *m empty. Triangles without area are left out. NULL with a
- *  message in error[256], and *m as it was: none is left, or out of memory. */
+/** Takes ownership of the mesh, and leaves *m empty. Triangles without area are ignored. NULL with
+ * a message in error[256], and *m unchanged: no triangle has area, or out of memory. */
 surface *surface_new(mesh *m, char *error);
 void surface_free(surface *s);
 
@@ -30,10 +30,10 @@ const double *surface_normal(const surface *s, int vertex);
 /** The mesh it was made of. */
 const mesh *surface_mesh(const surface *s);
 
-/** The defect and its triangles; -1: all, or no second one. */
+/** A defect and its triangles. */
 typedef struct surface_fault {
-    const char *what; /* and the expected state; NULL: no defect */
-    int triangle, other;
+    const char *what;    /* the defect and the expected state; NULL: no defect */
+    int triangle, other; /* triangle -1: all; other -1: no second one */
 } surface_fault;
 
 /**

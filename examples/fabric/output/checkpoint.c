@@ -30,7 +30,7 @@ static uint64_t hash_mesh(uint64_t hash, const mesh *m) {
     return fnv_1a(hash, m->triangle, sizeof *m->triangle * triangles);
 }
 
-/* Hinges go by their order. */
+/* Includes the hinges: a checkpoint stores their angles in this order. */
 static uint64_t hash_cloth(const mesh *m) {
     const uint64_t hash = hash_mesh(FNV_1A_BEGIN, m);
     return fnv_1a(hash, m->hinge, sizeof *m->hinge * (size_t)m->hinge_count);

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A run between two steps in a file, from which it continues with the same bits.
+ * A file with the state of a run between two steps, from which it continues with the same bits.
  *
- * The file is a sealed one (sealed_file.h) of kind "FABRICCP", version 1, without parts. Payload:
+ * It is a sealed file (sealed_file.h) of kind "FABRICCP", version 1, without parts. Payload:
  *
  *   0  uint64   FNV-1a of the cloth's mesh
  *   8  uint64   FNV-1a of the meshes of colliders
  *  16  uint64   bytes of the scene's text
- *  24  uint64   bytes of the simulation
- *  32  int64    frames: as --frames
- *  40  int64    steps between checkpoints: as --checkpoint-every; 0: none
- *  48  double   s, wall, that the steps so far took
+ *  24  uint64   bytes of the simulation's state
+ *  32  int64    frames, as for --frames
+ *  40  int64    steps between checkpoints, as for --checkpoint-every; 0: none
+ *  48  double   wall time of the steps so far, s
  *  56  uint64   0
- *  64  the scene as a scene file has it, with the count of steps that the run is to have
- *      the simulation as simulation_save has it
+ *  64  the scene in the format of scene files, with the run's total number of steps
+ *      the simulation's state as simulation_save writes it
  */
 #ifndef FABRIC_OUTPUT_CHECKPOINT_H
 #define FABRIC_OUTPUT_CHECKPOINT_H
@@ -24,10 +24,10 @@
 
 /** State of a run, except its simulation. */
 typedef struct run_record {
-    long step;      /* steps of the scene done */
+    long step;      /* completed steps of the scene */
     long frames;    /* how many states are kept for pictures */
     long every;     /* steps from one checkpoint to the next; 0: none */
-    double seconds; /* wall, that the steps took */
+    double seconds; /* wall time of the steps */
 } run_record;
 
 typedef struct checkpoint {
@@ -35,24 +35,24 @@ typedef struct checkpoint {
     scene of;
     uint64_t cloth_hash, collider_hash;
     int vertex_count, triangle_count;
-    char *text; /* [text_size] the scene's */
+    char *text; /* [text_size] the scene */
     size_t text_size;
     unsigned char *saved; /* [saved_size] for simulation_restore */
     size_t saved_size;
-    void *memory; /* what checkpoint_read allocated: checkpoint_free's */
+    void *memory; /* allocated by checkpoint_read, freed by checkpoint_free */
 } checkpoint;
 
 /** Writes a temporary file and renames it. 0, or -1 after a message: an older file is unchanged. */
 int checkpoint_write(const run_record *record, const scene *s, const mesh *cloth, simulation *sim,
                      const char *path);
 
-/** Reads and checks all data that do not need the mesh; checkpoint_free frees it. 0, or -1 after
- *  a message about the defect. */
+/** Reads the file and checks all that can be checked without the mesh; checkpoint_free frees it. 0,
+ *  or -1 after a message about the defect. */
 int checkpoint_read(checkpoint *c, const char *path);
 void checkpoint_free(checkpoint *c);
 
-/** Brings a simulation that has just been made, of this mesh and scene, to where the run was. 0, or
- *  -1 after a message: another mesh, another collider, or bytes that make no sense. */
+/** Restores the run's state in a new simulation of this mesh and scene. 0, or -1 after a message:
+ *  the mesh or a collider differs, or the bytes are invalid. */
 int checkpoint_restore(checkpoint *c, const scene *s, const mesh *cloth, simulation *sim,
                        const char *path);
 

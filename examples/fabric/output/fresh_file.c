@@ -13,14 +13,14 @@ static int complain(const char *path) {
 int fresh_file_open(fresh_file *f, const char *path) {
     f->path = path;
     errno = ENAMETOOLONG;
-    if (snprintf(f->beside, FILE_PATH_SIZE, "%s.partial", path) >= FILE_PATH_SIZE)
+    if (snprintf(f->temporary, FILE_PATH_SIZE, "%s.partial", path) >= FILE_PATH_SIZE)
         return complain(path);
-    f->file = fopen(f->beside, "wb");
+    f->file = fopen(f->temporary, "wb");
     return f->file ? 0 : complain(path);
 }
 
 int fresh_file_sync(fresh_file *f) {
-    /* EINVAL: not a regular file */
+    /* fsync fails with EINVAL if the file is not a regular one. */
     if (!ferror(f->file) && fflush(f->file) == 0 &&
         (fsync(fileno(f->file)) == 0 || errno == EINVAL))
         return 0;
@@ -34,9 +34,9 @@ int fresh_file_close(fresh_file *f, int status) {
         failed = 1;
         errno = reason;
     }
-    if (status == 0 && (failed || rename(f->beside, f->path) != 0))
+    if (status == 0 && (failed || rename(f->temporary, f->path) != 0))
         status = complain(f->path);
     if (status != 0)
-        remove(f->beside);
+        remove(f->temporary);
     return status;
 }

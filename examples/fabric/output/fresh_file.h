@@ -9,15 +9,15 @@
 
 typedef struct fresh_file {
     const char *path; /* by reference */
-    char beside[FILE_PATH_SIZE];
-    FILE *file; /* to be written to */
+    char temporary[FILE_PATH_SIZE];
+    FILE *file; /* the temporary file, for the caller to write */
 } fresh_file;
 
-/** Begins one. 0, or -1 after a message: then there is nothing to close. */
+/** Opens a temporary file next to `path`. 0, or -1 after a message: then there is nothing to close.
+ */
 int fresh_file_open(fresh_file *f, const char *path);
 
-/** Waits until the data is on the disk. 0, or -1 after a message; fresh_file_close in either
- *  case. */
+/** Flushes the data to the disk. 0, or -1 after a message; call fresh_file_close in either case. */
 int fresh_file_sync(fresh_file *f);
 
 /** Renames the file if `status`, the result of writing so far, is 0; else removes it. Returns the

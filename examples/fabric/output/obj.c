@@ -29,15 +29,15 @@ int obj_write(const mesh *m, const char *path) {
     return fresh_file_close(&f, 0);
 }
 
-/** A file being read, line by line; first counted, then filled into the mesh. */
+/** A file that is read line by line, twice: first to count, then to fill the mesh. */
 typedef struct obj_reader {
     const char *path;
     long line;
     int vertices, materials, triangles;
     double (*material)[2]; /* [materials] of the vt lines */
     mesh *into;            /* NULL: only count */
-    int wanted;            /* the triangle whose line is wanted */
-    long wanted_line;      /* that line; 0: not read yet */
+    int wanted;            /* index of the triangle to find */
+    long wanted_line;      /* the line of that triangle; 0: not read yet */
 } obj_reader;
 
 static int complain(const obj_reader *r, const char *format, ...)
@@ -64,14 +64,16 @@ static int read_numbers(const obj_reader *r, const char *text, double *number, i
     return 0;
 }
 
-/** A reference as a number from 0; negative ones count from the last one read. -1 when wrong. */
+/** Converts a reference to an index from 0; negative references count back from the last item read.
+ *  -1: invalid. */
 static int resolve(long reference, int count) {
     if (reference < 0)
         reference += count + 1;
     return reference >= 1 && reference <= count ? (int)(reference - 1) : -1;
 }
 
-/** One corner: "vertex", "vertex/material" or with "/normal" after it. NULL after a message. */
+/** Reads one corner: "vertex" or "vertex/material", optionally followed by "/normal". NULL after a
+ *  message. */
 static const char *read_corner(const obj_reader *r, const char *text, int *vertex, int *material) {
     char *end;
     *vertex = resolve(strtol(text, &end, 10), r->vertices);
@@ -108,7 +110,7 @@ static int add_triangle(obj_reader *r, const int corner[3], const int material[3
     return 0;
 }
 
-/** A polygon is a fan of triangles around its first corner. */
+/** Reads a polygon as a fan of triangles around its first corner. */
 static int read_face(obj_reader *r, const char *text) {
     int corner[3], material[3], count = 0;
     while (text[strspn(text, " \t\r\n")] != '\0' || count < 3) {

@@ -11,12 +11,12 @@ int obj_write(const mesh *m, const char *path);
 
 /**
  * Reads vertices, material coordinates and faces, polygons as fans of triangles; no edges or hinges
- * yet (mesh_connect). A file without vt gives each vertex its x and y. Lines of other kinds are
- * passed over. 0, or -1 after "file:line: ..." on standard error. mesh_free frees it.
+ * yet (mesh_connect). Without vt lines, x and y are a vertex' material coordinates. Lines of other
+ * kinds are ignored. 0, or -1 after "file:line: ..." on standard error. mesh_free frees it.
  */
 int obj_read(mesh *m, const char *path);
 
-/** The line of triangle 0 <= triangle in such a file; 0: it cannot be read again. */
+/** The line of a triangle, counted from 0, in such a file; 0: the file cannot be read again. */
 long obj_triangle_line(const char *path, int triangle);
 
 #endif

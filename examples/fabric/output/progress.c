@@ -8,16 +8,15 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-/* The pace is an exponential mean with this time constant in steps: contact makes later steps
- * slower than the first. */
+/* The pace is an exponential moving average with this time constant in steps, because contact makes
+ * later steps slower than the first. */
 enum { STEPS_REMEMBERED = 10 };
 /* Seconds between signs of life. */
 enum { BAR_BEAT = 1, LINES_BEAT = 60 };
 
 const char *const progress_styles[] = {"auto", "bar", "lines", "json", "none", NULL};
 
-/* What the alarm's handler needs. A line or bar is written at once, by write(), and so is a beat.
- */
+/* State of the alarm's handler. Lines, bars and beats are written unbuffered, by write(). */
 static volatile sig_atomic_t beats;
 static char beat_begin[200]; /* text before the seconds */
 static volatile sig_atomic_t beat_ready;
@@ -55,7 +54,7 @@ static void set_alarm(int seconds) {
     setitimer(ITIMER_REAL, &every, NULL);
 }
 
-/* From now on the step after `step` is under way; text: what a sign of life begins with. */
+/* Starts the signs of life of the next step; `text`: the beginning of each. */
 static void start_beating(const progress *p, const char *text) {
     beat_ready = 0;
     atomic_signal_fence(memory_order_seq_cst); /* the handler sees these in this order */
@@ -94,7 +93,7 @@ void progress_end(progress *p) {
 }
 
 /* "1:02:03 left", "2:03 left" or "4.5 s left" */
-static void tell_left(char text[40], double seconds) {
+static void format_left(char text[40], double seconds) {
     const long whole = (long)(seconds + 0.5);
     if (seconds < 60)
         snprintf(text, 40, "%.1f s left", seconds);
@@ -105,7 +104,7 @@ static void tell_left(char text[40], double seconds) {
 }
 
 /* Short, for a terminal of 80 columns. */
-static void tell_bar(const progress *p, long step, double seconds, const char *left) {
+static void print_bar(const progress *p, long step, double seconds, const char *left) {
     enum { WIDTH = 24 };
     char bar[WIDTH + 1], text[160];
     const int done = (int)(step * WIDTH / p->steps);
@@ -120,7 +119,7 @@ static void tell_bar(const progress *p, long step, double seconds, const char *l
         start_beating(p, text);
 }
 
-static void tell_line(const progress *p, long step, const char *said) {
+static void print_line(const progress *p, long step, const char *said) {
     char text[64];
     if (step * 10 / p->steps != (step - 1) * 10 / p->steps || beats > 0)
         fprintf(stderr, "%s\n", said);
@@ -129,21 +128,21 @@ static void tell_line(const progress *p, long step, const char *said) {
         start_beating(p, text);
 }
 
-void progress_tell(progress *p, long step, double time, long iterations, double seconds) {
+void progress_report(progress *p, long step, double time, long iterations, double seconds) {
     char said[160], left[40];
     const long taken = step - p->first;
     const double weight = taken < STEPS_REMEMBERED ? (double)taken : (double)STEPS_REMEMBERED;
     p->pace += (seconds - p->last - p->pace) / weight;
     p->last = seconds;
-    tell_left(left, p->pace * (double)(p->steps - step));
+    format_left(left, p->pace * (double)(p->steps - step));
     snprintf(said, sizeof said, "step %ld of %ld, t = %.3f s, %ld iterations, %.1f s, %s", step,
              p->steps, time, iterations, seconds, left);
     if (shows_life(p))
-        beat_ready = 0; /* no sign of life into the midst of it */
+        beat_ready = 0; /* no sign of life may interrupt the output */
     if (p->style == PROGRESS_BAR)
-        tell_bar(p, step, seconds, left);
+        print_bar(p, step, seconds, left);
     else if (p->style == PROGRESS_LINES)
-        tell_line(p, step, said);
+        print_line(p, step, said);
     else if (p->style == PROGRESS_JSON) {
         printf("{\"step\": %ld, \"steps\": %ld, \"time\": %.9g, \"cg_iterations\": %ld, "
                "\"seconds\": %.6f, \"seconds_left\": %.6f}\n",

@@ -74,8 +74,8 @@ static int read_header(const sealed_kind *kind, sealed_header *header, FILE *fil
     return 0;
 }
 
-/* Whether the file has no fewer bytes than the header claims, as far as a file of its sort can
- * tell: asked before memory is taken for them. */
+/* Checks, before memory is allocated, that a regular file is at least as long as the header claims.
+ */
 static int check_size(const sealed_header *header, FILE *file, const char *path) {
     struct stat status;
     if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode))

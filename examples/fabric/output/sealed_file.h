@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Files of a header, a payload and a checksum over both, all numbers as the writing machine has
- * them: files that are incomplete, damaged, of another kind, version or byte order are refused.
+ * Files with a header, a payload and a checksum over both, in the writing machine's number formats.
+ * Files that are incomplete, damaged, or of another kind, version or byte order are rejected.
  *
  *   0  char[8]  which kind of file it is
- *   8  uint32   0x01020304, to tell the byte order
+ *   8  uint32   0x01020304, to detect the byte order
  *  12  uint32   version of the kind's format
- *  16  uint32   which parts the payload has, as the kind defines them
+ *  16  uint32   bits of the parts that the payload has; each kind defines its own
  *  20  int32    vertices
  *  24  int32    triangles
  *  28  uint32   0
@@ -38,10 +38,10 @@ typedef struct sealed_header {
 
 typedef struct sealed_kind {
     char magic[9];    /* 8 characters */
-    uint32_t version; /* the one that this program writes and reads */
-    const char *name; /* "a state": the kind of file, in messages */
-    int durable; /* it is on the disk before it gets its name, whatever happens to the machine */
-    int (*check)(const sealed_header *); /* does the rest of the header make sense? 0, or -1 */
+    uint32_t version; /* the version that this program writes and reads */
+    const char *name; /* the kind of file in messages: "a state" */
+    int durable;      /* flushed to the disk before it is renamed, so that it survives a crash */
+    int (*check)(const sealed_header *); /* 0 if the rest of the header is valid, or -1 */
 } sealed_kind;
 
 /** Writes a temporary file and renames it, so that a file of that name is always complete. The
@@ -50,15 +50,15 @@ typedef struct sealed_kind {
 int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void *payload,
                       const char *path);
 
-/** Reads and checks the file. Its payload, [header->payload_size], to be freed; NULL after a
- * message about the defect. */
+/** Reads and checks the file. Returns its payload, [header->payload_size], to be freed; NULL after
+ * a message about the defect. */
 void *sealed_file_read(const sealed_kind *kind, sealed_header *header, const char *path);
 
 /** "path: what" on standard error. Returns -1. */
 int sealed_file_complain(const char *path, const char *what);
 
-/** FNV-1a (Fowler, Noll, Vo), 64 bits: of the bytes, continued from `hash`; begin with
- *  FNV_1A_BEGIN. */
+/** The 64-bit FNV-1a hash (Fowler, Noll, Vo) of the bytes, continued from `hash`, which is
+ *  FNV_1A_BEGIN at first. */
 uint64_t fnv_1a(uint64_t hash, const void *bytes, size_t size);
 #define FNV_1A_BEGIN UINT64_C(0xcbf29ce484222325)
 

@@ -7,7 +7,9 @@
 #include "output/sealed_file.h"
 
 enum { KNOWN_PARTS = STATE_VELOCITIES | STATE_TRIANGLES | STATE_ORIGINAL | STATE_SINGLE };
-enum { SINGLE_WITH_VELOCITIES = STATE_SINGLE | STATE_VELOCITIES }; /* would not be aligned */
+enum {
+    SINGLE_WITH_VELOCITIES = STATE_SINGLE | STATE_VELOCITIES
+}; /* velocities would be unaligned */
 
 /** Sizes of the payload's parts, in their order. */
 typedef struct layout {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A cloth's state in a file: final.state with every bit of it, frames with what a picture needs.
+ * A file with a cloth's state: final.state with all bits, frames with what a picture needs.
  *
- * The file is a sealed one (sealed_file.h) of kind "FABRICST", version 1; its parts are the bits of
+ * It is a sealed file (sealed_file.h) of kind "FABRICST", version 1; its parts are the bits of
  * state_part.
  *
- * Payload, in this order, each part where its bit is set (positions always): positions
+ * Payload, in this order, each part if its bit is set (positions always): positions
  * [vertices][3] (m; float with STATE_SINGLE, else double), velocities [vertices][3] (double, m/s),
- * triangles [triangles][3] (int32, vertices), original numbers [vertices] (int32: of each vertex in
- * the mesh as generated, by which states of one cloth in two orders are compared).
+ * triangles [triangles][3] (int32, vertices), original numbers [vertices] (int32: each vertex'
+ * number in the mesh as generated, to compare states of one cloth in two orders).
  */
 #ifndef FABRIC_OUTPUT_STATE_H
 #define FABRIC_OUTPUT_STATE_H
@@ -30,7 +30,7 @@ typedef struct state {
     const double *velocity; /* [3 * vertex_count] m/s; NULL without STATE_VELOCITIES */
     const int *triangle;    /* [3 * triangle_count]; NULL without STATE_TRIANGLES */
     const int *original;    /* [vertex_count]; NULL without STATE_ORIGINAL */
-    void *memory;           /* what state_read allocated: state_free's, not for others */
+    void *memory;           /* allocated by state_read, freed by state_free */
 } state;
 
 /** Writes a temporary file and renames it, so that a file of that name is always complete. 0, or

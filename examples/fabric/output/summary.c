@@ -45,7 +45,7 @@ static json_t *effects_of(const simulation *sim, int active) {
     return list;
 }
 
-/** The steps that were taken again, each with why. */
+/** The rejected steps, each with the reason. */
 static json_t *rejections_of(const simulation *sim) {
     int count;
     json_t *list = json_array();
@@ -77,7 +77,7 @@ static json_t *faults_of(const simulation *sim) {
     return faults;
 }
 
-/* Of the last step. */
+/* The number of threads in the last step. */
 static int threads_at_last(const run_account *run) {
     const int chosen = simulation_threads(run->sim);
     return chosen > 0 ? chosen : run->threads;

@@ -10,7 +10,8 @@
 #include "input/mesh_file.h"
 #include "scene_value.h"
 
-/** The node at `path` (names and item numbers with dots between), or the nearest above it. */
+/** The node at `path` (names and item numbers separated by dots), or its nearest existing ancestor.
+ */
 static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     const yaml_node_t *node = yaml_document_get_root_node(from->document);
     while (*path) {
@@ -29,7 +30,7 @@ static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     return node;
 }
 
-/** The node at `path` for a message; NULL where there are no lines. */
+/** The node at `path` whose line a message names; NULL if the document has no lines. */
 static const yaml_node_t *line_of(const scene_source *from, const char *path) {
     return from->has_lines ? node_at(from, path) : NULL;
 }
@@ -50,7 +51,7 @@ static int read_surfaces(const scene_source *from, scene *s) {
     return 0;
 }
 
-/** Reads the cloth's mesh, if it is from a file and was not read yet. */
+/** Reads the cloth's mesh if it comes from a file and has not been read yet. */
 static int read_sheet(const scene_source *from, scene *s) {
     char error[256] = "it cannot be read";
     if (s->mesh.from != SHEET_FILE)
@@ -102,7 +103,7 @@ static int check_motions(const scene_source *from, const scene *s) {
     return 0;
 }
 
-/** Checks that concern several keys, for a document whose keys are all valid. */
+/** The checks that concern several keys, for a document whose keys are all valid. */
 static int check_whole(const scene_source *from, scene *s) {
     if (s->mesh.from == SHEET_GENERATED && s->mesh.boundary >= s->mesh.vertices)
         return scene_complain(from, line_of(from, "mesh.boundary"),
@@ -117,7 +118,7 @@ static int check_whole(const scene_source *from, scene *s) {
     return read_surfaces(from, s);
 }
 
-/** Frees data from files, to be read again. */
+/** Frees meshes from files, so that they are read again. */
 static void free_meshes(scene *s) {
     for (int n = 0; n < s->collider_count; n++) {
         surface_free(s->colliders[n].surface);
@@ -173,7 +174,7 @@ static int read_document(scene *s, scene_source *from, FILE *file) {
     return status;
 }
 
-/** `file` NULL: it cannot be read, as `wrong` says. */
+/** Reads a scene. `file` NULL: it cannot be opened; `wrong` is the reason. */
 static int read_from(scene *s, const char *name, FILE *file, const char *wrong) {
     scene_source from = {name, 1, NULL};
     *s = scene_defaults;
@@ -209,7 +210,7 @@ void scene_free(scene *s) {
     *s = (scene){0};
 }
 
-/** The address of item `number` of a list, NULL after a message. */
+/** The address of item `number` of a list; NULL after a message. */
 static void *find_item(const scene_source *from, const scene_key *key, char *target,
                        const char *number) {
     char *end;
@@ -226,8 +227,8 @@ static void *find_item(const scene_source *from, const scene_key *key, char *tar
     return NULL;
 }
 
-/** Follows the dots of `path`, which it cuts up: to the key, the struct it is in, and its parent's
- *  path. */
+/** Finds the key at `path`, which it splits at the dots; *target: the struct that contains the
+ * key's value. NULL after a message. */
 static const scene_key *find_target(const scene_source *from, scene *s, char *path, void **target) {
     const scene_key *keys = scene_keys;
     char *word = path, parent[PATH_SIZE] = "";

@@ -17,7 +17,7 @@ typedef enum collider_kind {
 
 enum { SCENE_FILE_SIZE = 1024 };
 
-/** Where a collider is at a time (see motion.h). */
+/** The pose of a collider at a time (see motion.h). */
 typedef struct keyframe {
     double time;    /* s, ascending */
     double move[3]; /* m, displacement from the collider's position */
@@ -26,18 +26,18 @@ typedef struct keyframe {
 
 typedef struct collider {
     collider_kind kind;
-    double position[3]; /* m, centre (a point of the plane) at time 0 */
+    double position[3]; /* m, centre (for a plane: a point of it) at time 0 */
     double velocity[3]; /* m/s */
     double axis[3];     /* unit: plane's normal, cylinder's axis */
     double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
     double friction;    /* Coulomb coefficient */
     double gap;         /* m, cloth rests at this distance */
-    char file[SCENE_FILE_SIZE]; /* mesh: of input/mesh_file.h, with its whole path */
+    char file[SCENE_FILE_SIZE]; /* mesh: full path of a file for input/mesh_file.h */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
     double from, until;         /* s, interval in which it exists; until 0: no end */
-    double turn_axis[3];        /* unit, which it turns about by its keyframes: */
-    int keyframe_count;         /* none: it moves by its velocity alone */
-    keyframe *keyframes;        /* [keyframe_count]; the scene's */
+    double turn_axis[3];        /* unit, the axis of its keyframes' rotations */
+    int keyframe_count;         /* 0: it moves with its constant velocity */
+    keyframe *keyframes;        /* [keyframe_count]; owned by the scene */
 } collider;
 
 /** How a pin selects its vertices. */
@@ -46,9 +46,9 @@ typedef enum pin_kind { PIN_RECTANGLE, PIN_BOX, PIN_NEAREST, PIN_VERTICES } pin_
 typedef struct pin {
     int by;                       /* pin_kind */
     double low[2], high[2];       /* m, rectangle of material coordinates */
-    double box_low[3];            /* m, a box in space, in which */
-    double box_high[3];           /* selected vertices start */
-    double nearest[3];            /* m, the vertex nearest to it where the cloth starts */
+    double box_low[3];            /* m, a box in space that contains the initial positions of */
+    double box_high[3];           /* the selected vertices */
+    double nearest[3];            /* m, a point: selects the vertex that starts nearest to it */
     int vertex_count;             /* length of `vertices` */
     int *vertices;                /* [vertex_count] numbers before reordering, from 1; owned by the
                                    * scene */
@@ -57,22 +57,22 @@ typedef struct pin {
     double until;                 /* s, time at which it releases the cloth; 0: never */
 } pin;
 
-/** Limits of a step; beyond them it is repeated with half the length (see monitor.h). */
+/** Limits of a step; a step that exceeds one is repeated with half the length (see monitor.h). */
 typedef struct monitor_limits {
-    double energy;      /* gain in a step, as a fraction of the present and added energy */
+    double energy;      /* gain in a step, as a fraction of the current and the added energy */
     double growth;      /* limit for the growth of a triangle's strain in a step, */
     double strain;      /* for triangles whose strain ends above this */
     double penetration; /* m, of a vertex into a collider */
-    int off;            /* ignores these; checks only for non-finite and unsolved steps */
+    int off;            /* ignores these limits; detects only non-finite and unsolved steps */
 } monitor_limits;
 
-/** The origin of the cloth. */
+/** The source of the cloth's mesh. */
 typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
 
 /** The rest shape of a cloth from a file. */
 typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
 
-/** The state without bending: the flat cloth, or its start. */
+/** The shape in which bending is at rest: the flat cloth, or the cloth's start. */
 typedef enum sheet_angles { ANGLES_FLAT, ANGLES_OF_MESH } sheet_angles;
 
 /** A section `mesh`. */
@@ -82,7 +82,7 @@ typedef struct scene_cloth {
     double scale;               /* SHEET_FILE: metres in a unit of the file */
     int rest;                   /* sheet_rest */
     int rest_angles;            /* sheet_angles */
-    struct mesh *sheet;         /* as the file has it; freed by scene_free */
+    struct mesh *sheet;         /* SHEET_FILE: the mesh as read; freed by scene_free */
     int vertices, boundary;     /* SHEET_FILE: the file's number of vertices, and 0 */
     double side;                /* m; SHEET_FILE: the square root of the area */
     unsigned seed;
@@ -141,16 +141,16 @@ typedef struct scene_solution {
     int precision;           /* solver_precision of solver.h */
     double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
     int newton_iterations;   /* at most, in a step */
-    double sleep;            /* m/s, a cloth that is slower for some steps sleeps; 0: never */
+    double sleep;            /* m/s, a cloth slower than this for some steps sleeps; 0: never */
 } scene_solution;
 
-/** What a scene's file calls the values of mesh.order, time.integrator, solution.method, ...: in
- * the order of their enumerations, NULL after the last. */
+/** The names in scene files of the values of mesh.order, time.integrator, solution.method, ..., in
+ *  the order of their enumerations, NULL after the last. */
 extern const char *const scene_orders[], *const scene_integrators[],
                                              *const scene_methods[], *const scene_preconditioners[],
                                                                          *const scene_precisions[];
 
-/** Members are called as the sections of the file. */
+/** Members have the names of the file's sections. */
 typedef struct scene {
     char name[64];
     scene_cloth mesh;
@@ -170,7 +170,8 @@ typedef struct scene {
 /** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints
  *  "file:line: ..., expected ..." with the nearest valid name to standard error. */
 int scene_read(scene *s, const char *path);
-/** --set material.bend=0.01: the same keys with dots. -1 with a message on a wrong one. */
+/** Applies an assignment like material.bend=0.01 (--set): the file's keys, joined by dots. 0, or -1
+ *  after a message. */
 int scene_set(scene *s, const char *assignment);
 void scene_free(scene *s);
 
@@ -179,7 +180,7 @@ void scene_free(scene *s);
  *  message on standard error. */
 int scene_mesh(const scene *s, mesh *m, int *new_of_old);
 
-/** Does moving air act on the cloth at some time? */
+/** Does wind ever act on the cloth? */
 static inline int scene_has_wind(const scene *s) {
     return (s->surroundings.drag > 0 || s->surroundings.tangential_drag > 0) &&
            (s->surroundings.wind[0] != 0 || s->surroundings.wind[1] != 0 ||
@@ -189,14 +190,14 @@ static inline int scene_has_wind(const scene *s) {
 /** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
 int scene_write(const scene *s, const char *path);
 
-/** What scene_write would write, [*size], to be freed; NULL: out of memory. */
+/** The text that scene_write writes, [*size], to be freed; NULL: out of memory. */
 char *scene_text(const scene *s, size_t *size);
-/** As scene_read, of a text in memory, which is not changed; `name` replaces the file's name in
- *  messages. */
+/** As scene_read, from a text in memory, which is not changed; messages begin with `name` instead
+ * of the file's name. */
 int scene_read_text(scene *s, char *text, size_t size, const char *name);
 
 /** Whether two scenes differ in anything but the count of steps and the names of colliders' files;
- *  then the first difference is in said[256]: "'material.bend' is 0.01, there 0". */
-int scene_differ(const scene *a, const scene *b, char *said);
+ *  then the first difference is in text[256]: "'material.bend' is 0.01, there 0". */
+int scene_differ(const scene *a, const scene *b, char *text);
 
 #endif

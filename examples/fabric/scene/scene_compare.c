@@ -7,16 +7,16 @@
 #include "scene.h"
 #include "scene_value.h"
 
-/** Two structs with the same keys, and where what differs is to be said. */
+/** Two structs with the same keys, and the buffer for a message about their difference. */
 typedef struct comparison {
     const char *a, *b;
-    char *said; /* [256] */
+    char *text; /* [256] */
     int failed; /* out of memory */
 } comparison;
 
 static int compare_keys(comparison *of, const scene_key *keys, const char *path);
 
-/** A value as a scene file has it; to be freed. NULL: out of memory. */
+/** A value in the format of scene files; to be freed. NULL: out of memory. */
 static char *value_text(const scene_key *key, const char *source) {
     char *text = NULL;
     size_t size;
@@ -35,16 +35,16 @@ static int compare_values(comparison *of, const scene_key *key, const char *path
     const int differ = !one || !other || strcmp(one, other) != 0;
     of->failed |= !one || !other;
     if (differ && !of->failed)
-        snprintf(of->said, 256, "'%.100s' is %.60s, there %.60s", path, one, other);
+        snprintf(of->text, 256, "'%.100s' is %.60s, there %.60s", path, one, other);
     free(one);
     free(other);
     return differ;
 }
 
-/** Compares two sections or items by their structs. */
+/** Compares the structs of two sections or list items. */
 static int compare_within(comparison *of, const char *a, const char *b, const scene_key *keys,
                           const char *path) {
-    comparison within = {a, b, of->said, of->failed};
+    comparison within = {a, b, of->text, of->failed};
     const int differ = compare_keys(&within, keys, path);
     of->failed = within.failed;
     return differ;
@@ -56,7 +56,7 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
     const char *one = scene_items(key, of->a, &count);
     const char *other = scene_items(key, of->b, &other_count);
     if (count != other_count) {
-        snprintf(of->said, 256, "'%.100s' has %d items, there %d", path, count, other_count);
+        snprintf(of->text, 256, "'%.100s' has %d items, there %d", path, count, other_count);
         return 1;
     }
     for (int k = 0; k < count; k++) {
@@ -68,11 +68,11 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
     return 0;
 }
 
-/** Stops at the first difference: after another collider's kind other keys would follow. */
+/** Stops at the first difference, because if kinds differ, so do the keys that follow. */
 static int compare_keys(comparison *of, const scene_key *keys, const char *path) {
     const int kind = scene_kind(keys, of->a);
     if (keys->name[0] == '\0' && kind != scene_kind(keys, of->b)) {
-        snprintf(of->said, 256, "'%.100s' is given by other keys there", path);
+        snprintf(of->text, 256, "'%.100s' is given by other keys there", path);
         return 1;
     }
     for (const scene_key *key = keys; key->name; key++) {
@@ -93,10 +93,10 @@ static int compare_keys(comparison *of, const scene_key *keys, const char *path)
     return 0;
 }
 
-int scene_differ(const scene *a, const scene *b, char *said) {
-    comparison whole = {(const char *)a, (const char *)b, said, 0};
+int scene_differ(const scene *a, const scene *b, char *text) {
+    comparison whole = {(const char *)a, (const char *)b, text, 0};
     const int differ = compare_keys(&whole, scene_keys, "");
     if (whole.failed)
-        snprintf(said, 256, "out of memory");
+        snprintf(text, 256, "out of memory");
     return differ;
 }

@@ -18,7 +18,7 @@ static const value_range positive = {0.0, 1e300, 1};
 static const value_range not_negative = {0.0, 1e300, 0};
 #define BETWEEN(low, high) (&(const value_range){low, high, 0})
 
-/* A key called like its field; `of`: bits of the kinds that have it, 0: all. */
+/* A key with the name of its field; `of`: bits of the kinds that have it, 0: all. */
 #define KEY(struct_, field, kind, required, components, range, of)                                 \
     { #field, kind, offsetof(struct_, field), required, components, range, of, NULL, NULL, NULL }
 #define WHOLE(struct_, field, required, range)                                                     \
@@ -51,7 +51,7 @@ const char *const scene_preconditioners[] = {"gauss-seidel", "block-jacobi",    
                                              "jacobi",       "incomplete-cholesky", NULL};
 const char *const scene_precisions[] = {"double", "float", "mixed", NULL};
 
-/* Before all others: which kind the keys that were read make of it. */
+/* A pseudo-key that comes first: the field for the kind, which follows from the keys present. */
 #define KIND_BY_KEYS(struct_, field)                                                               \
     { "", VALUE_WHOLE, offsetof(struct_, field), 0, 1, &any, 0, NULL, NULL, NULL }
 
@@ -75,7 +75,7 @@ static const scene_key mesh_keys[] = {
     DIRECTION(scene_cloth, normal, 0),
     END};
 
-/* Parameters of effects: as effects.def has them. */
+/* The parameters of effects, from effects.def. */
 static const scene_key material_keys[] = {NUMBER(scene_material, density, 1, &positive),
 #define MATERIAL(name, required) NUMBER(scene_material, name, required, &not_negative),
 #include "effects/effects.def"

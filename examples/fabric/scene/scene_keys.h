@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The keys of a scene file: one table that reading, setting and writing go by. */
+/** The keys of a scene file: one table for reading, setting and writing. */
 #ifndef FABRIC_SCENE_KEYS_H
 #define FABRIC_SCENE_KEYS_H
 
@@ -10,15 +10,15 @@
 
 typedef enum value_kind {
     VALUE_TEXT,      /* char[64] */
-    VALUE_FILE,      /* char[1024], found from the scene's folder */
+    VALUE_FILE,      /* char[1024]; a relative path starts at the scene's folder */
     VALUE_WHOLE,     /* int */
     VALUE_SEED,      /* unsigned */
     VALUE_NUMBER,    /* double */
     VALUE_VECTOR,    /* double[components] */
     VALUE_DIRECTION, /* double[3], made a unit vector when read */
-    VALUE_CHOICE,    /* enum, or int: the number of the word in choices */
+    VALUE_CHOICE,    /* enum, or int: the word's index in `choices` */
     VALUE_SECTION, /* nested keys; a single word is a value of the first key, if that is a choice */
-    VALUE_NUMBERS, /* int[], allocated; list: counts and frees them */
+    VALUE_NUMBERS, /* int[], allocated; `list` has the offset of their count, and frees them */
     VALUE_LIST     /* items with keys of their own, in an allocated array */
 } value_kind;
 
@@ -31,7 +31,7 @@ typedef struct value_range {
     int above;        /* low itself is out of range */
 } value_range;
 
-/** A list's items and where the struct keeps them. */
+/** A list's items and their location in the struct. */
 typedef struct scene_list {
     size_t count_offset; /* of the int that counts the items */
     size_t item_size;
@@ -52,17 +52,17 @@ struct scene_key {
     const scene_list *list;
 };
 
-/** Which of its kinds, by which `of_kinds` goes, the section or item in `struct_` is of; -1: it has
- *  no kinds. The first key tells: `kind`, or one that is not in files. */
+/** The kind of the section or item in `struct_`, for `of_kinds`; -1: it has no kinds. The first key
+ *  holds it: `kind`, or one that is not in files. */
 int scene_kind(const scene_key *keys, const void *struct_);
 
-/** Has a section or item of this kind the key, in files? */
+/** Does a section or item of this kind have the key in files? */
 static inline int scene_has_key(const scene_key *key, int kind) {
     return key->name[0] != '\0' &&
            (key->of_kinds == 0 || (kind >= 0 && (key->of_kinds >> kind & 1u) != 0));
 }
 
-/** The items of the list `key` of the struct at `source`: *count of them. */
+/** The items of the list `key` in the struct at `source`; *count: their number. */
 char *scene_items(const scene_key *key, const char *source, int *count);
 /** Frees some items of such a list. */
 void scene_free_items(const scene_list *list, char *items, long count);

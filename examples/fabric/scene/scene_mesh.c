@@ -11,7 +11,7 @@
 
 enum { ERROR_SIZE = 256 };
 
-/** Unit vectors of the sheet's plane: `right` horizontal, `up` as far up as the plane allows; in a
+/** Unit vectors of the sheet's plane: `right` is horizontal, `up` the steepest direction; in a
  *  horizontal plane `right` is x. right x up = normal. */
 static void plane_axes(const double normal[3], double right[3], double up[3]) {
     const double horizontal = sqrt(normal[0] * normal[0] + normal[1] * normal[1]);
@@ -33,7 +33,7 @@ static void place(const scene *s, mesh *m) {
                 s->mesh.origin[k] + m->material[v][0] * right[k] + m->material[v][1] * up[k];
 }
 
-/** The same for a cloth that need not be flat: its z axis becomes the normal. */
+/** Places a cloth that need not be flat: its z axis becomes the normal. */
 static void place_in_space(const scene *s, mesh *m) {
     double right[3], up[3];
     plane_axes(s->mesh.normal, right, up);
@@ -45,7 +45,7 @@ static void place_in_space(const scene *s, mesh *m) {
     }
 }
 
-/** All in one plane of z: x and y are then the flat cloth's own coordinates. */
+/** Do all vertices have the same z? Then x and y are the cloth's material coordinates. */
 static int is_level(const mesh *m) {
     for (int v = 1; v < m->vertex_count; v++)
         if (m->position[v][2] < m->position[0][2] || m->position[v][2] > m->position[0][2])
@@ -66,7 +66,7 @@ mesh *scene_sheet_read(const char *path, int rest, char *error) {
         free(m);
         return NULL;
     }
-    m->rest_in_space = rest == REST_POSITIONS; /* as for the checks; vt is kept */
+    m->rest_in_space = rest == REST_POSITIONS; /* the checks need it; vt is kept */
     if (mesh_file_prepare(m, path, found, error) == 0)
         return m;
     mesh_free(m);
@@ -74,8 +74,8 @@ mesh *scene_sheet_read(const char *path, int rest, char *error) {
     return NULL;
 }
 
-/** A copy of the scene's sheet in metres, with the rest shape that the scene asks for; positions
- *  are still those of the file. 0, or -1: out of memory. */
+/** Copies the scene's sheet in metres, with the rest shape that the scene requests, at the file's
+ *  positions. 0, or -1: out of memory. */
 static int copy_sheet(const scene *s, mesh *m) {
     const mesh *from = s->mesh.sheet;
     if (mesh_allocate(m, from->vertex_count, from->triangle_count) != 0)

@@ -150,7 +150,7 @@ static int read_vector(const scene_source *from, const yaml_node_t *node, const 
                                   "'%s' has no direction, expected a vector other "
                                   "than 0",
                                   path);
-        /* A unit vector that was written is read with the same bits. */
+        /* A written unit vector must be read back with the same bits. */
         for (int k = 0; k < 3 && !(fabs(length - 1.0) < 4 * DBL_EPSILON); k++)
             value[k] /= length;
     }
@@ -182,7 +182,7 @@ static int read_text(const scene_source *from, const yaml_node_t *node, const sc
     return 0;
 }
 
-/** Relative names start from the scene's folder. */
+/** Reads a path; relative paths start at the scene's folder. */
 static int read_file_name(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                           char *target, const char *path) {
     const char *text = scalar(node), *slash = strrchr(from->source, '/');
@@ -201,7 +201,7 @@ static int read_file_name(const scene_source *from, const yaml_node_t *node, con
     return found ? 0 : scene_complain(from, node, "'%s' is '%s': no such file", path, text);
 }
 
-/** Whole numbers, in a new array that replaces the old one. */
+/** Reads whole numbers into a new array, which replaces the old one. */
 static int read_numbers(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                         char *target, const char *path) {
     if (node->type != YAML_SEQUENCE_NODE)
@@ -285,7 +285,7 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
     return -1;
 }
 
-/** " in 'section'"; nothing outermost. */
+/** " in 'section'" for messages; empty for the outermost section. */
 static const char *within(char text[PATH_SIZE + 8], const char *path) {
     snprintf(text, PATH_SIZE + 8, path[0] != '\0' ? " in '%s'" : "%s", path);
     return text;
@@ -334,7 +334,8 @@ const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *m
     return NULL;
 }
 
-/** The first kind that has the first of the keys that not all kinds have; 0 where there is none. */
+/** The kind that follows from the keys present: the first kind that has the first key that not all
+ *  kinds have; 0 without such a key. */
 static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const scene_key *keys) {
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
          pair < node->data.mapping.pairs.top; pair++) {
@@ -348,8 +349,7 @@ static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const
     return 0;
 }
 
-/** The item's kind, on which its other keys depend; -1 where keys have no kind. -2: after a
- *  message. */
+/** The item's kind, on which its other keys depend; -1 if keys have no kind; -2 after a message. */
 static int read_kind(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                      const char *path) {
     if (keys->name[0] == '\0')

@@ -9,15 +9,15 @@
 
 enum { PATH_SIZE = 128 };
 
-/** A document being read. Messages begin with "file:line: ", or without a file with `source` and
- *  ": ". */
+/** A document that is read. Messages begin with "source:line: ", or without lines with "source: ".
+ */
 typedef struct scene_source {
     const char *source;
     int has_lines;
     yaml_document_t *document;
 } scene_source;
 
-/** Prints a message about the node (NULL: about no line) to standard error. Returns -1. */
+/** Prints a message about the node (NULL: without a line number) to standard error. Returns -1. */
 int scene_complain(const scene_source *from, const yaml_node_t *node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -27,7 +27,8 @@ const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *nod
                                 const scene_key *keys, int kind, const char *name,
                                 const char *path);
 
-/** The value of the key called as the first `length` bytes of `name`; NULL: the mapping has none.
+/** The value of the key whose name is the first `length` bytes of `name`; NULL: the mapping has
+ * none.
  */
 const yaml_node_t *scene_value_of(const scene_source *from, const yaml_node_t *mapping,
                                   const char *name, size_t length);

@@ -11,7 +11,7 @@
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent);
 
-/** In YAML's single-quoted style, with quotes doubled. */
+/** Writes a text in YAML's single-quoted style, with quotes doubled. */
 static void write_text(FILE *file, const char *text) {
     fputc('\'', file);
     for (; *text; text++)
@@ -19,7 +19,7 @@ static void write_text(FILE *file, const char *text) {
     fputc('\'', file);
 }
 
-/** The shortest decimal that is read as the same bits. */
+/** Writes the shortest decimal that is read back with the same bits. */
 static void write_number(FILE *file, double value) {
     char text[32];
     for (int digits = 15; digits <= 17; digits++) {
@@ -101,7 +101,7 @@ static void write_key(FILE *file, const scene_key *key, const char *source, int 
     }
 }
 
-/** Key by key, a line each; the last line is left open. */
+/** Writes one line per key; the last line is not terminated. */
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent) {
     const int kind = scene_kind(keys, source);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The parallel method, and the choice among all. An iteration is two parallel sweeps: the product A
- * p, and everything else. The second sweep works on chunks of vertices, three passes one after the
- * other in one parallel region; every thread sums the chunks' partial sums itself, in order, so
- * that all have the same step lengths at once.
+ * Parallel conjugate gradients with block-Jacobi, and the choice among all methods. An iteration
+ * has two parallel regions: the product A p, and everything else. The second makes three passes
+ * over chunks of vertices. Every thread adds up the chunks' partial sums itself, in order, so that
+ * all threads get the same step length without communication.
  */
 #include "solver.h"
 
@@ -161,7 +161,7 @@ static double advance(solver *s, const constraints *c, int chunk, double alpha, 
 }
 
 /* p = Pr + beta p, and product = 0 for the next iteration. */
-static void turn(solver *s, int chunk, double beta) {
+static void update_direction(solver *s, int chunk, double beta) {
     for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
         vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
         for (int c = 0; c < 3; c++)
@@ -169,8 +169,8 @@ static void turn(solver *s, int chunk, double beta) {
     }
 }
 
-/* All of an iteration but the product. *rz = r'Pr, before and after; returns p'Ap. A p'Ap that is
- * not positive changes nothing but the direction. */
+/* All of an iteration except the product A p. *rz = r'Pr, before and after; returns p'Ap. If p'Ap
+ * is not positive, only the direction changes. */
 static double iterate(solver *s, const constraints *c, double (*dv)[3], double *rz) {
     const double before = *rz;
 #pragma omp parallel
@@ -187,25 +187,25 @@ static double iterate(solver *s, const constraints *c, double (*dv)[3], double *
         after = solver_sum(s->sum_residual, s->chunks);
 #pragma omp for schedule(static)
         for (int chunk = 0; chunk < s->chunks; chunk++)
-            turn(s, chunk, after / before);
+            update_direction(s, chunk, after / before);
     }
     *rz = solver_sum(s->sum_residual, s->chunks);
     return solver_sum(s->sum_direction, s->chunks);
 }
 
 /* z of all vertices. */
-static void spread_given(const constraints *c, double (*z)[3]) {
+static void set_given_changes(const constraints *c, double (*z)[3]) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->count; i++)
         for (int a = 0; a < 3; a++)
             z[i][a] = constraint_change(c, i)[a];
 }
 
-/* |b - A z| in the preconditioner's norm, squared: the reference for the residual. */
+/* The square of |b - A z| in the preconditioner's norm, to which the tolerance is relative. */
 static double reference_square(solver *s, const linear_system *system, const constraints *c,
                                int driven) {
     if (driven) {
-        spread_given(c, s->residual);
+        set_given_changes(c, s->residual);
         half_product(&system->A, (const double(*)[3])s->residual, s->product);
     }
     return start_residual(s, c, (const double(*)[3])system->b);
@@ -231,9 +231,8 @@ static solver_status iterate_to(double goal, solver *s, const linear_system *sys
     }
 }
 
-/* residual = b - A dv, including the forces of constraints. The iteration holds only S r: along
- * given directions r may be larger by orders of magnitude, whose rounding errors would
- * dominate. */
+/* The iteration keeps only S r: along given directions r may be larger by orders of magnitude, and
+ * its rounding errors would dominate. So b - A dv is computed anew here. */
 void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]) {
     clear(s->product, s->count);
     half_product(&system->A, dv, s->product);
@@ -251,7 +250,7 @@ void solver_residual(solver *s, const linear_system *system, const constraints *
 void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
                                int which) {
     if (which == DRIVEN) {
-        spread_given(c, s->residual); /* read before it is written */
+        set_given_changes(c, s->residual); /* solver_residual reads it before it overwrites it */
         solver_residual(s, system, c, (const double(*)[3])s->residual);
         return;
     }

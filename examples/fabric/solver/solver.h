@@ -3,8 +3,8 @@
  * The linear system of a step, on the free directions of constrained vertices: conjugate gradients
  * with several preconditioners and precisions (solver_factor.h), or a direct solution
  * (solver_direct.h). Block-Jacobi and Gauss-Seidel within domains, in double, are parallel. The
- * bits of the result do not depend on the number of threads: sums are over blocks of vertices that
- * the count of vertices decides, and the blocks' sums in order.
+ * bits of the result do not depend on the number of threads: sums are computed over chunks of
+ * vertices whose size depends on the number of vertices only, and then over the chunks in order.
  */
 #ifndef FABRIC_SOLVER_H
 #define FABRIC_SOLVER_H
@@ -15,9 +15,9 @@
 
 typedef enum solver_status {
     SOLVER_CONVERGED,
-    SOLVER_TOO_MANY_ITERATIONS, /* dv is the best so far: each iteration lowers the energy */
+    SOLVER_TOO_MANY_ITERATIONS, /* dv is the last iterate, the best: each one lowers the energy */
     SOLVER_BREAKDOWN,           /* a direction p with p'Ap <= 0: A is not positive definite */
-    SOLVER_NOT_FINITE           /* an infinity or not-a-number came up: dv is unusable */
+    SOLVER_NOT_FINITE           /* an infinity or NaN occurred: dv is unusable */
 } solver_status;
 
 typedef enum preconditioner_kind { /* the order of the scene's key solution.preconditioner */
@@ -30,10 +30,10 @@ typedef enum preconditioner_kind { /* the order of the scene's key solution.prec
 
 typedef enum solver_precision { /* the order of the scene's key solution.precision */
                                 PRECISION_DOUBLE,
-                                PRECISION_FLOAT, /* iteration in float, which overestimates its
-                                                    accuracy */
-                                PRECISION_MIXED  /* the same, repeated on the residual in double
-                                                    until that is small enough */
+                                PRECISION_FLOAT, /* iterates in float; its computed residual is
+                                                    smaller than the true one */
+                                PRECISION_MIXED  /* iterates in float, repeatedly, until the
+                                                    residual in double is small enough */
 } solver_precision;
 
 typedef enum solver_method { /* the order of the scene's key solution.method */
@@ -46,14 +46,14 @@ typedef struct solver_options {
     preconditioner_kind preconditioner;
     solver_precision precision;
     solver_method method;
-    int needs_defect; /* solver_defect is called, too */
+    int needs_defect; /* solver_defect will be called */
 } solver_options;
 
 typedef struct solver {
     int count;  /* vertices */
     int chunks; /* of vertices, for sums */
-    /* b - A dv: along given directions, minus the impulse in kg m/s by which the constraint holds
-       the vertex. (While iterating, S times that.) */
+    /* b - A dv: along given directions, minus the impulse in kg m/s with which the constraint holds
+       the vertex. (During the iteration: S (b - A dv).) */
     double (*residual)[3];
     double (*preconditioned)[3];           /* P residual */
     double (*direction)[3], (*product)[3]; /* p, A p; product is 0 between iterations */
@@ -65,27 +65,27 @@ typedef struct solver {
     struct packed_solver *packed;  /* other conjugate gradients */
     struct direct_solver *direct;  /* METHOD_DIRECT */
     arrays own;                    /* residual, product */
-    arrays jacobi;                 /* the others: block-Jacobi's */
+    arrays jacobi;                 /* the other arrays, for block-Jacobi */
 } solver;
 
 typedef struct solver_limits {
-    double tolerance; /* of |r| against |b - A z|, in the preconditioner's norm sqrt(r'Pr) */
-    double floor;     /* sqrt(kg) m/s, |r| below which a solution is good whatever b is */
+    double tolerance; /* of |r| / |b - A z|, in the preconditioner's norm sqrt(r'Pr) */
+    double floor;     /* sqrt(kg) m/s, |r| below which a solution is accepted whatever b is */
     int max_iterations;
 } solver_limits;
 
-/** For block-Jacobi conjugate gradients in double. 0, or -1: out of memory. */
+/** Allocates a solver with block-Jacobi conjugate gradients in double. 0, or -1: out of memory. */
 int solver_init(solver *s, int count);
-/** Other methods, after solver_init, for matrices of A's layout; what only block-Jacobi and
- *  solver_defect need is given back where neither is called for. A is kept by reference. 0, or -1
- *  with a message in error[256]. */
+/** Selects another method, after solver_init, for matrices of A's layout. Frees the arrays for
+ *  block-Jacobi and solver_defect if neither is needed. Keeps a reference to A. 0, or -1 with a
+ *  message in error[256]. */
 int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error);
 void solver_free(solver *s);
 
 /**
- * The error of dv: |S (b - A dv)| in the preconditioner's norm, sqrt(kg) m/s, and in *reference |S
- * (b - A z)|, to which tolerances are relative. First projects dv onto the constraints. Leaves S (b
- * - A dv) in s->residual.
+ * The residual of dv: |S (b - A dv)| in the preconditioner's norm, sqrt(kg) m/s; *reference:
+ * |S (b - A z)|, to which tolerances are relative. First projects dv onto the constraints. Leaves
+ * S (b - A dv) in s->residual.
  */
 double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
                      double *reference);
@@ -94,8 +94,8 @@ double solver_defect(solver *s, const linear_system *system, const constraints *
 void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
 
 /**
- * Solves A dv = b for dv = S y + z. dv [count] m/s comes in as a guess (its free part is used) and
- * goes out as the solution; *iterations is increased by the products with A in the iteration.
+ * Solves A dv = b for dv = S y + z. dv [count] m/s is the initial guess (of which the free part is
+ * used), then the solution. Adds to *iterations the number of products with A.
  */
 solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
                            const solver_limits *limits, double (*dv)[3], long *iterations);

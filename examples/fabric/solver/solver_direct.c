@@ -11,13 +11,13 @@
 
 #include "solver_parts.h"
 
-/* If the BLAS is OpenBLAS: its threads cost more than they gain on these fronts, and their
- * number would change bits. */
+/* Present if the BLAS is OpenBLAS. Its threads cost more than they gain on these frontal matrices,
+ * and their number would change bits. */
 extern void openblas_set_num_threads(int count) __attribute__((weak));
 
 struct direct_solver {
     cholmod_common common;
-    cholmod_sparse *matrix; /* lower triangle by columns: A's rows */
+    cholmod_sparse *matrix; /* lower triangle by columns, which are the rows of A's upper half */
     cholmod_factor *factor;
     cholmod_dense *right;
 };
@@ -26,8 +26,8 @@ int direct_solver_available(void) {
     return 1;
 }
 
-/* Row i's blocks make columns 3i to 3i+2, since A is symmetric; diagonal blocks give their lower
- * half. */
+/* Row i's blocks become columns 3i to 3i+2, since A is symmetric; of diagonal blocks only the lower
+ * half is stored. */
 static void lay_out(const block_matrix *A, cholmod_sparse *to) {
     int *start = to->p, *row = to->i;
     int next = 0;
@@ -50,7 +50,7 @@ direct_solver *direct_solver_new(const block_matrix *A, char *error) {
             openblas_set_num_threads(1);
         cholmod_start(&d->common);
         d->common.print = 0;
-        d->common.final_ll = 1; /* LL', not LDL': it stops at a negative pivot */
+        d->common.final_ll = 1; /* LL', not LDL', so that it stops at a negative pivot */
         d->matrix = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_REAL, &d->common);
         d->right = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &d->common);
         if (d->matrix && d->right) {
@@ -82,7 +82,7 @@ double direct_solver_work(const direct_solver *d) {
 void direct_solver_memory(const direct_solver *d, double *held, double *more) {
     const cholmod_factor *L = d->factor;
     const double entries = (double)d->matrix->nzmax, n = (double)L->n;
-    /* The matrix permuted, and transposed on the way to that (cholmod_factorize). */
+    /* cholmod_factorize makes two copies: the permuted matrix, and an intermediate transpose. */
     const double copies = 2 * entries * (sizeof(double) + sizeof(int)) + 8 * n * sizeof(double);
     const double factor = L->is_super ? ((double)L->xsize + (double)L->maxcsize) * sizeof(double)
                                       : d->common.lnz * (sizeof(double) + sizeof(int));
@@ -136,7 +136,7 @@ solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_syst
                                ? cholmod_solve(CHOLMOD_A, d->factor, d->right, &d->common)
                                : NULL;
     if (!found)
-        return SOLVER_NOT_FINITE; /* out of memory: nothing was found */
+        return SOLVER_NOT_FINITE; /* out of memory */
     const double *change = found->x;
     int broken = 0;
     for (int i = 0; i < 3 * s->count; i++) {

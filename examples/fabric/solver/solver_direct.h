@@ -7,22 +7,23 @@
 
 typedef struct direct_solver direct_solver;
 
-/** Whether this program has it. */
+/** Was the program built with CHOLMOD? */
 int direct_solver_available(void);
 
-/** Orders and lays out the factor of matrices like A. NULL with a message in error[256]. */
+/** Symbolic analysis for matrices with A's sparsity pattern: fill-reducing order and the factor's
+ *  pattern. NULL with a message in error[256]. */
 direct_solver *direct_solver_new(const block_matrix *A, char *error);
 void direct_solver_free(direct_solver *d);
 
-/** Multiplications of one solution: the factorisation and two triangular systems. Depends on the
- *  sparsity pattern only. */
+/** The number of multiplications of one solution: the factorisation and two triangular systems.
+ *  Depends on the sparsity pattern only. */
 double direct_solver_work(const direct_solver *d);
 
-/** Memory by the sparsity pattern, bytes. *held: allocated for d; *more: allocated by its first
- *  solution (factor and workspace). */
+/** Memory, computed from the sparsity pattern, bytes. *held: allocated for d; *more: allocated by
+ * its first solution (factor and workspace). */
 void direct_solver_memory(const direct_solver *d, double *held, double *more);
 
-/** As solver_solve, which calls it, to rounding; counts a factorisation as one iteration.
+/** Implements solver_solve, up to rounding errors; counts a factorisation as one iteration.
  *  SOLVER_BREAKDOWN: A is not positive definite. */
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,
                                   const constraints *c, double (*dv)[3], long *iterations);

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * With C C' the relaxed diagonal blocks of the prefiltered matrix, the scaled matrix is
+ * Let C C' be the relaxed diagonal blocks of the prefiltered matrix. The scaled matrix is
  *     A^ = C^-1 A C^-T = D^ + U + U' + E + E'
- * Vertices are taken in another order, all even domains before all odd ones. U are the blocks above
- * the diagonal in that order, but for those between domains of the same kind, E, of which there are
- * few: where neighbours have near numbers a domain touches those before and after it. So domains
- * of a kind are swept at the same time. The preconditioner is (I + U)' (I + U), and the iteration
- * runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the image of p is (Eisenstat 1981)
- *     t + (I + U)^-T w,    w = p + (D^ - 2 I + E + E') t
- * so that each block of A is used twice an iteration, as in a product of the symmetric half.
+ * Vertices are reordered: all even domains come before all odd ones. U contains the blocks above
+ * the diagonal in that order, except those between two even or two odd domains, E. There are few of
+ * these: if neighbours have near numbers, a domain touches only the ones before and after it. So
+ * all even domains, and then all odd ones, are swept in parallel. The preconditioner is (I + U)' (I
+ * + U), and the iteration runs on (I + U)^-T A^ (I + U)^-1. With t = (I + U)^-1 p the image of p is
+ * (Eisenstat 1981) t + (I + U)^-T w,    w = p + (D^ - 2 I + E + E') t so that each stored block of
+ * A is used twice per iteration, as in half_product.
  */
 #include <math.h>
 #include <string.h>
 
 #include "solver_domains_parts.h"
 
-/* The first half of r = (I + U)^-T r; the odd domains follow. */
+/* The first half of r = (I + U)^-T r: the even domains. */
 static void sweep_even_down(domain_solver *d, double (*r)[3]) {
 #pragma omp parallel for schedule(static)
     for (int domain = 0; domain < d->count; domain += 2)
         domain_sweep_down(d, domain, r);
 }
 
-/* residual = the transformed r; returns its square, r' M^-1 r. */
+/* residual = the transformed r; returns its squared norm, r' M^-1 r. */
 static double transform(domain_solver *d, const double (*r)[3]) {
     domain_scale(d, r);
     sweep_even_down(d, d->residual);
@@ -32,7 +32,7 @@ static double transform(domain_solver *d, const double (*r)[3]) {
     return solver_sum(d->sum_residual, d->count);
 }
 
-/* dv += the correction, which is swept up first. */
+/* dv += the correction, after its upward sweep. */
 static void add_correction(domain_solver *d, double (*dv)[3]) {
 #pragma omp parallel
     for (int odd = 1; odd >= 0; odd--) {
@@ -56,9 +56,9 @@ static void begin(domain_solver *d) {
     }
 }
 
-/* All of an iteration but the product. *square = r . r, before and after; returns p . image. One
- * that is not positive changes nothing but the direction. Every thread sums the domains' sums
- * itself. */
+/* All of an iteration except the product. *square = r . r, before and after; returns p . image. If
+ * that is not positive, only the direction changes. Every thread adds up the domains' sums itself.
+ */
 static double finish_iteration(domain_solver *d, double *square) {
     const double before = *square;
 #pragma omp parallel
@@ -76,7 +76,7 @@ static double finish_iteration(domain_solver *d, double *square) {
         for (int odd = 1; odd >= 0; odd--) {
 #pragma omp for schedule(static)
             for (int domain = odd; domain < d->count; domain += 2) {
-                domain_turn(d, domain, after / before);
+                domain_update_direction(d, domain, after / before);
                 domain_sweep_direction(d, domain);
             }
         }
@@ -85,7 +85,8 @@ static double finish_iteration(domain_solver *d, double *square) {
     return solver_sum(d->sum_direction, d->count);
 }
 
-/* From the residual that transform left, of square `square`, to one of square `goal`. */
+/* Iterates from the residual that transform left, of squared norm `square`, until it is at most
+ * `goal`. */
 static solver_status iterate(domain_solver *d, double square, double goal, long most,
                              long *iterations) {
     begin(d);
@@ -123,6 +124,6 @@ solver_status domain_solver_solve(domain_solver *d, solver *s, const linear_syst
         iterate(d, square, solver_goal(limits, reference), limits->max_iterations, iterations);
     if (status != SOLVER_NOT_FINITE)
         add_correction(d, dv);
-    solver_apply(c, dv); /* rounding puts a little of the correction along given directions */
+    solver_apply(c, dv); /* removes the correction's rounding errors along given directions */
     return status;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* How the matrix is divided among the domains, and its values there. */
+/* The division of the matrix among the domains, and the domains' values. */
 #include "solver_domains_parts.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@
 #include "solver_factor.h"
 #include "solver_precondition.h"
 
-/* Part of the result's bits, so not to be tuned by machine. A sorted mesh of n vertices has a
- * bandwidth in proportion to sqrt(n), with bending some 3 sqrt(n); a domain is to be longer. */
+/* Determines the result's bits, so it must not be tuned by machine. A sorted mesh of n vertices has
+ * a bandwidth proportional to sqrt(n), with bending about 3 sqrt(n); a domain should be longer. */
 int domain_count(int vertices) {
     return 2 * (1 + (int)(sqrt((double)vertices) / 14));
 }
@@ -23,7 +23,7 @@ static int is_odd(const domain_solver *d, int vertex) {
     return d->domain[vertex] % 2;
 }
 
-/* Target of a block of A. Blocks from odd to even domains are transposed. */
+/* The matrix to which a block of A belongs. Blocks from odd to even domains are transposed. */
 static block_matrix *home_of(domain_solver *d, int row, int column) {
     if (row != column && d->domain[row] == d->domain[column])
         return &d->within;
@@ -34,7 +34,8 @@ static int is_transposed(const domain_solver *d, int row, int column) {
     return is_odd(d, row) && !is_odd(d, column);
 }
 
-/* Lays out one of the matrices: which of A's blocks go there, and where. 0, or -1. */
+/* Lays out one of the matrices: finds A's blocks that belong to it, and their indices. 0, or -1:
+ * out of memory. */
 static int lay_out(domain_solver *d, block_matrix *m) {
     const block_matrix *A = d->A;
     const size_t rows = (size_t)A->row_count;
@@ -42,7 +43,8 @@ static int lay_out(domain_solver *d, block_matrix *m) {
     m->row_start = calloc(rows + 2, sizeof *m->row_start);
     if (!m->row_start)
         return -1;
-    /* Counted one row late, so that filling in makes the starts right. */
+    /* Row i is counted at i + 2. The filling below then advances row_start[i + 1] to row i's end.
+     */
     for (int i = 0; i < A->row_count; i++)
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             if (home_of(d, i, A->column[k]) == m)
@@ -65,7 +67,7 @@ static int lay_out(domain_solver *d, block_matrix *m) {
     return 0;
 }
 
-/* The columns of `across`, for sweeps of odd domains. 0, or -1. */
+/* Lists the blocks of `across` by columns, for sweeps of odd domains. 0, or -1: out of memory. */
 static int lay_out_columns(domain_solver *d) {
     const block_matrix *m = &d->across;
     d->reached_start = arrays_add(&d->own, (size_t)m->row_count + 2, sizeof *d->reached_start);
@@ -109,7 +111,7 @@ domain_solver *domain_solver_divided(const block_matrix *A, int count, const int
                 d->domain[i] = k;
         if (lay_out(d, &d->within) == 0 && lay_out(d, &d->across) == 0 &&
             lay_out(d, &d->between) == 0 && lay_out_columns(d) == 0) {
-            /* the diagonal always exists */
+            /* `between` always has a diagonal. */
             d->has_between = d->between.block_count > A->row_count;
             return d;
         }
@@ -140,7 +142,7 @@ void domain_solver_free(domain_solver *d) {
     free(d);
 }
 
-/* out = left block right', left and right lower triangles */
+/* out = left block right', for lower triangles left and right */
 static void scale(const double left[3][3], const double block[3][3], const double right[3][3],
                   double out[3][3]) {
     double half[3][3];
@@ -156,7 +158,7 @@ static void scale(const double left[3][3], const double block[3][3], const doubl
     }
 }
 
-/* Block k, of row i, filtered and scaled. */
+/* Filters and scales block k of row i. */
 static void build_block(domain_solver *d, const constraints *c, int i, int k) {
     const int j = d->A->column[k];
     double block[3][3], out[3][3];

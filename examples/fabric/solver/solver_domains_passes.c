@@ -19,8 +19,8 @@ static inline void subtract_row(const block_matrix *U, int row, const double (*x
     t[2] = t2;
 }
 
-/* Hardware prefetchers do not predict rows in descending order with ascending blocks: a row is
- * fetched this number of rows ahead. */
+/* Hardware prefetchers do not predict descending rows with ascending blocks, so a row is prefetched
+ * this number of rows ahead. */
 enum { ROWS_AHEAD = 16 };
 
 void domain_sweep_up(const domain_solver *d, int domain, const double (*from)[3], double (*to)[3]) {
@@ -30,14 +30,14 @@ void domain_sweep_up(const domain_solver *d, int domain, const double (*from)[3]
         const int next = i > ROWS_AHEAD ? i - ROWS_AHEAD : 0;
         for (int k = within->row_start[next]; k < within->row_start[next + 1]; k++)
             __builtin_prefetch(within->value[k]);
-        subtract_row(&d->across, i, (const double(*)[3])to, t); /* of an odd domain: empty */
+        subtract_row(&d->across, i, (const double(*)[3])to, t); /* an odd domain's row is empty */
         subtract_row(within, i, (const double(*)[3])to, t);
         for (int a = 0; a < 3; a++)
             to[i][a] = t[a];
     }
 }
 
-/* r -= the column of `across` times r, of even domains swept before. */
+/* Subtracts the column of `across` times r of even domains, which are swept before. */
 static void subtract_column(const domain_solver *d, int column, double (*r)[3]) {
     double t0 = 0, t1 = 0, t2 = 0;
     for (int k = d->reached_start[column]; k < d->reached_start[column + 1]; k++) {
@@ -55,10 +55,10 @@ static void subtract_column(const domain_solver *d, int column, double (*r)[3]) 
 void domain_sweep_down(const domain_solver *d, int domain, double (*r)[3]) {
     const block_matrix *U = &d->within;
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
-        subtract_column(d, i, r); /* of an even domain: empty */
+        subtract_column(d, i, r); /* an even domain's column is empty */
         for (int k = U->row_start[i]; k < U->row_start[i + 1]; k++) {
-            /* Read here instead of once per row, because a row is too short for a parallel
-             * loop. */
+            /* r[i] is read here and not in front of the loop. Otherwise redcc would consider this
+             * loop, whose rows are too short to run in parallel. */
             const double w0 = r[i][0], w1 = r[i][1], w2 = r[i][2];
             double *y = r[U->column[k]];
             const double(*u)[3] = (const double(*)[3])U->value[k];
@@ -99,8 +99,8 @@ void domain_sweep_direction(domain_solver *d, int domain) {
         domain_sweep_down(d, domain, d->image);
 }
 
-/* The image of p at vertex i: t + (I + U)^-T w. Not kept: while odd domains are swept down, even
- * ones' w is read. */
+/* The image of p at vertex i: t + (I + U)^-T w. It is not stored: while odd domains are swept down,
+ * they read w of even ones. */
 static inline void image_at(const domain_solver *d, int i, double image[3]) {
     vector_add_scaled(d->image[i], 1, d->swept[i], image);
 }
@@ -129,7 +129,7 @@ double domain_advance(domain_solver *d, int domain, double alpha) {
     return sum;
 }
 
-void domain_turn(domain_solver *d, int domain, double beta) {
+void domain_update_direction(domain_solver *d, int domain, double beta) {
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++)
         vector_add_scaled(d->residual[i], beta, d->direction[i], d->direction[i]);
 }

@@ -8,14 +8,14 @@
 #include "base/matrix3.h"
 #include "solver_precondition.h"
 
-/* Incomplete factorisation breaks down if it reduces a pivot to less than this fraction: the
- * factor would be nearly singular. */
+/* Incomplete factorisation breaks down if it reduces a pivot to less than this fraction of the
+ * diagonal: the factor would be nearly singular. */
 static const double least_pivot = 1e-2;
 /* The first shift; each breakdown doubles it. With 0.001 and 0.01 some matrices of the scene
  * `hanging` broke down, with 0.1 none did. */
 static const double first_shift = 0.05;
 /* Over-relaxation of symmetric Gauss-Seidel. Of 0.8, 1, 1.2, 1.4 and 1.6 on the first 40 steps of
- * the paper's scenes, 1.2 and 1.4 take the fewest iterations: 6 to 19 % below 1. */
+ * the paper's scenes, 1.2 and 1.4 take the fewest iterations: 6 to 19 % fewer than 1. */
 static const double relaxation = 1.3;
 
 int factored_init(factored *f, const block_matrix *A, preconditioner_kind kind) {
@@ -46,7 +46,7 @@ static void subtract_product(const double left[3][3], const double right[3][3], 
                 left[0][r] * right[0][c] + left[1][r] * right[1][c] + left[2][r] * right[2][c];
 }
 
-/* C^-1 of a = C C'; returns whether every pivot is above `least` times a's diagonal. */
+/* inverse = C^-1 with a = C C'; returns whether every pivot is greater than `least`. */
 static int invert_root(const double a[3][3], const double least[3], double inverse[3][3]) {
     const double p0 = a[0][0];
     const double c00 = sqrt(p0), c10 = a[1][0] / c00, c20 = a[2][0] / c00;
@@ -66,15 +66,16 @@ static int invert_root(const double a[3][3], const double least[3], double inver
     return 1;
 }
 
-/* C^-1 of a block, or 0 where it is not positive: its vertex then keeps the guess. */
+/* C^-1 of a block, or 0 if the block is not positive definite: its vertex then keeps the guess. */
 static void root_of(const double block[3][3], double root[3][3]) {
     const double none[3] = {0, 0, 0};
     if (!invert_root(block, none, root))
         memset(root, 0, sizeof(double[3][3]));
 }
 
-/* As root_of, but a block that is not positive, which no force makes, gives a multiple of the
- * identity, with which conjugate gradients find out that A is not positive definite; 0 gives 0. */
+/* As root_of, but a block that is not positive definite gives a multiple of the identity, so that
+ * conjugate gradients detect that A is not positive definite. (No force makes such a block.) A
+ * block of 0 gives 0. */
 static void root_or_identity(const double block[3][3], double root[3][3]) {
     const double size = fabs(block[0][0]) + fabs(block[1][1]) + fabs(block[2][2]);
     root_of(block, root);
@@ -109,7 +110,7 @@ static void diagonal_roots(factored *f, const block_matrix *A, preconditioner_ki
     }
 }
 
-/* C^-1 of the remainder of row i's diagonal block; 0, or -1: broken down. */
+/* C^-1 of row i's reduced diagonal block. 0, or -1: breakdown. */
 static int reduced_root(factored *f, const block_matrix *A, int i) {
     double least[3], left[3][3];
     const double(*whole)[3] = (const double(*)[3])f->upper[A->row_start[i]];
@@ -123,7 +124,7 @@ static int reduced_root(factored *f, const block_matrix *A, int i) {
     return f->root[i][0][0] == 0 ? 0 : -1;
 }
 
-/* Takes G' G of row i, G its blocks divided by its root, off the blocks of later rows. */
+/* Subtracts G' G from the blocks of later rows; G: row i's blocks divided by its root. */
 static void eliminate(factored *f, const block_matrix *A, int i) {
     const int first = A->row_start[i] + 1, end = A->row_start[i + 1];
     assert(first <= end &&
@@ -147,7 +148,8 @@ static void eliminate(factored *f, const block_matrix *A, int i) {
     }
 }
 
-/* R from the filtered blocks in `upper`, diagonal blocks counted 1 + shift times. 0, or -1. */
+/* Computes R from the filtered blocks in `upper`, with diagonal blocks multiplied by 1 + shift. 0,
+ * or -1: breakdown. */
 static int factorise(factored *f, const block_matrix *A) {
     assert(f->factor && f->shift > 0);
     memcpy(f->factor, f->upper, sizeof *f->factor * (size_t)A->block_count);
@@ -163,7 +165,7 @@ static int factorise(factored *f, const block_matrix *A) {
     return 0;
 }
 
-/* left C^-T, with C^-1 from the left if requested. */
+/* block = block C^-T, also multiplied by C^-1 from the left if `both`. */
 static void scale_block(const double left_root[3][3], const double right_root[3][3], int both,
                         double block[3][3]) {
     double half[3][3];
@@ -197,7 +199,7 @@ void factored_build(factored *f, const block_matrix *A, const constraints *c,
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             prefiltered_block(A, c, i, k, f->upper[k]);
     if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) {
-        /* With a shift of 2^20 only non-finite values can break it down. */
+        /* With a shift of 2^20 only non-finite values can cause a breakdown. */
         for (f->shift = first_shift; factorise(f, A) != 0 && f->shift < 1e6;)
             f->shift *= 2;
     } else

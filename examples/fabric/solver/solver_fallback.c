@@ -23,13 +23,13 @@ static solver_status solve_directly(solver_fallback *f, solver *s, const linear_
     return status;
 }
 
-/* Multiplications of an iteration: every stored block, off-diagonal ones twice, in the product,
- * and about the same number in the preconditioner. */
+/* The number of multiplications of an iteration: about two 3x3 blocks per stored block in the
+ * product, and as many in the preconditioner. */
 static double work_of_iteration(const block_matrix *A) {
     return 2 * 9 * 2.0 * (double)A->block_count;
 }
 
-/* Whether the direct solution is far cheaper than this number of iterations. */
+/* Decides whether a direct solution is much cheaper than this number of iterations. */
 static void consider(solver_fallback *f, const linear_system *system, long iterations) {
     char error[256];
     if (iterations < SOLVER_MANY_ITERATIONS || f->costly || f->failed || !direct_solver_available())

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Conjugate gradients on the matrix as preconditioning makes it; included once a number type, with
- * REAL the type and PACKED(name) the names. The prefiltered matrix B = S A S + s (I - S) is stored
- * scaled, as A^ = C^-1 B C^-T = D^ + U + U', C C' the diagonal blocks that the preconditioner is
- * made of and U strictly upper, and the iteration runs on
- *     none, Jacobi, block-Jacobi     A^ itself: M = C C'
- *     symmetric Gauss-Seidel         (I + U)^-T A^ (I + U)^-1
- *     incomplete Cholesky            (I + F)^-T A^ (I + F)^-1
- * Gauss-Seidel needs no product with A^ (Eisenstat 1981): with t = (I + U)^-1 p the image of p is t
- * + (I + U)^-T (p + (D^ - 2 I) t), two sweeps over U.
+ * Conjugate gradients on the preconditioned matrix; included once per number type, with REAL the
+ * type and PACKED(name) the names. The prefiltered matrix B = S A S + s (I - S) is stored scaled,
+ * as A^ = C^-1 B C^-T = D^ + U + U', C C' being the preconditioner's diagonal blocks and U strictly
+ * upper. The iteration runs on
+ *  - A^ itself (M = C C') without a preconditioner, and for Jacobi and block-Jacobi
+ *  - (I + U)^-T A^ (I + U)^-1 for symmetric Gauss-Seidel
+ *  - (I + F)^-T A^ (I + F)^-1 for incomplete Cholesky
+ * Gauss-Seidel needs no product with A^ (Eisenstat 1981): with t = (I + U)^-1 p the image of p is
+ * t + (I + U)^-T (p + (D^ - 2 I) t), two sweeps over U.
  */
 
 typedef struct PACKED(system) {
-    const REAL (*diagonal)[6];  /* D^, or D^ - 2 I: xx xy xz yy yz zz */
-    const REAL (*upper)[3][3];  /* U, numbered as A's blocks; diagonal places unused */
-    const REAL (*factor)[3][3]; /* F; NULL where the preconditioner has none */
+    const REAL (*diagonal)[6]; /* D^, or D^ - 2 I: xx xy xz yy yz zz */
+    const REAL (*upper)[3][3]; /* U, indexed as A's blocks; entries of diagonal blocks are unused */
+    const REAL (*factor)[3][3]; /* F; NULL unless incomplete Cholesky */
     const REAL (*root)[3][3];   /* C^-1, lower triangles */
     REAL (*direction)[3];       /* p */
     REAL (*residual)[3];        /* of the transformed system */
@@ -23,7 +23,7 @@ typedef struct PACKED(system) {
     REAL (*image)[3];
 } PACKED(system);
 
-/* Allocates the vectors; the blocks are borrowed. */
+/* Allocates the vectors; the caller sets the pointers to blocks. */
 static void PACKED(allocate)(PACKED(system) * p, const block_matrix *A, arrays *own) {
     const size_t rows = (size_t)A->row_count + 1;
     p->direction = arrays_add(own, rows, sizeof *p->direction);
@@ -123,7 +123,7 @@ static double PACKED(image_gauss_seidel)(const PACKED(system) * s, const block_m
     return sum;
 }
 
-/* image = (I + F)^-T A^ (I + F)^-1 p; returns p . image. Product and second sweep go together. */
+/* image = (I + F)^-T A^ (I + F)^-1 p; returns p . image. Product and second sweep are one loop. */
 static double PACKED(image_factored)(const PACKED(system) * s, const block_matrix *A) {
     REAL(*restrict image)[3] = s->image;
     double sum = 0;
@@ -168,7 +168,7 @@ static double PACKED(make_image)(const PACKED(system) * s, const block_matrix *A
     }
 }
 
-/* The blocks that the sweeps before and after the iteration go over; NULL: there are none. */
+/* The blocks for the sweeps before and after the iteration; NULL: no sweeps. */
 static const REAL (*PACKED(swept_blocks)(const PACKED(system) * s,
                                          preconditioner_kind kind))[3][3] {
     if (kind == PRECONDITIONER_GAUSS_SEIDEL)
@@ -176,7 +176,7 @@ static const REAL (*PACKED(swept_blocks)(const PACKED(system) * s,
     return kind == PRECONDITIONER_INCOMPLETE_CHOLESKY ? s->factor : NULL;
 }
 
-/* residual = the transformed r; returns its square, r' M^-1 r. */
+/* residual = the transformed r; returns its squared norm, r' M^-1 r. */
 static double PACKED(transform)(const PACKED(system) * s, const block_matrix *A,
                                 preconditioner_kind kind, const double (*r)[3]) {
     const REAL(*W)[3][3] = PACKED(swept_blocks)(s, kind);
@@ -196,7 +196,7 @@ static double PACKED(transform)(const PACKED(system) * s, const block_matrix *A,
     return sum;
 }
 
-/* dv += the correction in the units of the system. */
+/* dv += the correction, transformed back to the system's variables. */
 static void PACKED(add_correction)(const PACKED(system) * s, const block_matrix *A,
                                    preconditioner_kind kind, double (*dv)[3]) {
     const REAL(*W)[3][3] = PACKED(swept_blocks)(s, kind);
@@ -211,7 +211,7 @@ static void PACKED(add_correction)(const PACKED(system) * s, const block_matrix 
     }
 }
 
-/* correction += alpha p, residual -= alpha image; returns the residual's square. */
+/* correction += alpha p, residual -= alpha image; returns the residual's squared norm. */
 static double PACKED(advance)(const PACKED(system) * s, int count, REAL alpha) {
     double sum[3] = {0, 0, 0};
     for (int i = 0; i < count; i++)
@@ -223,13 +223,14 @@ static double PACKED(advance)(const PACKED(system) * s, int count, REAL alpha) {
     return sum[0] + sum[1] + sum[2];
 }
 
-static void PACKED(turn)(const PACKED(system) * s, int count, REAL beta) {
+static void PACKED(update_direction)(const PACKED(system) * s, int count, REAL beta) {
     for (int i = 0; i < count; i++)
         for (int a = 0; a < 3; a++)
             s->direction[i][a] = s->residual[i][a] + beta * s->direction[i][a];
 }
 
-/* From the residual that transform left, of square `square`, to one of square `goal`. */
+/* Iterates from the residual that transform left, of squared norm `square`, until it is at most
+ * `goal`. */
 static solver_status PACKED(iterate)(const PACKED(system) * s, const block_matrix *A,
                                      preconditioner_kind kind, double square, double goal,
                                      long most, long *iterations) {
@@ -251,6 +252,6 @@ static solver_status PACKED(iterate)(const PACKED(system) * s, const block_matri
             return SOLVER_BREAKDOWN;
         const double before = square;
         square = PACKED(advance)(s, count, (REAL)(before / curvature));
-        PACKED(turn)(s, count, (REAL)(square / before));
+        PACKED(update_direction)(s, count, (REAL)(square / before));
     }
 }

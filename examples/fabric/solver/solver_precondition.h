@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Preconditioning with constraints: all of block-Jacobi, and the first part of the others. */
+/** Preconditioning with constraints: block-Jacobi, and the prefiltered blocks that the other
+ *  preconditioners start from. */
 #ifndef FABRIC_SOLVER_PRECONDITION_H
 #define FABRIC_SOLVER_PRECONDITION_H
 
@@ -8,10 +9,10 @@
 
 /**
  * P_i = S (S A_ii S + s (I - S))^-1 S, any s > 0: the inverse of A's diagonal block on vertex i's
- * free directions, 0 on the others, so that directions of search stay within the constraints (as in
+ * free directions, 0 on the others, so that search directions satisfy the constraints (as in
  * the prefiltered conjugate gradients of Tamstorf, Jones and McCormick 2015). A block that is not
- * positive definite, which no force makes, gives a multiple of S, so that the iteration meets what
- * is wrong with it; a block of 0 gives P_i = 0: its vertex keeps the guess.
+ * positive definite, which no force makes, gives a multiple of S, so that the iteration detects it;
+ * a block of 0 gives P_i = 0: its vertex keeps the guess.
  */
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]);
 

@@ -12,9 +12,9 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* Newton's method ends with a change of no more than this part of the least reach. */
+/* Newton's method ends when no vertex moves by more than this fraction of the least reach. */
 static const double still_part = 1e-3;
-/* Largest displacement in an iteration, in mean edges: it bounds the swept boxes. */
+/* Largest displacement in an iteration, in mean edge lengths, so that swept boxes stay small. */
 static const double most_edges = 2;
 /* Pairs are searched along this multiple of Newton's displacement. */
 static const double most_stretch = 4;
@@ -44,7 +44,7 @@ static int allocate(simulation *sim) {
     return s->own.failed ? -1 : 0;
 }
 
-/* Which vertices are driven, and where they end a step that ends at `end`. */
+/* Finds the driven vertices, and their positions at the step's end, at time `end`. */
 static void set_goals(simulation *sim, double end) {
     barrier *b = &sim->barrier->contact;
     const int vertices = sim->mesh->vertex_count;
@@ -55,7 +55,7 @@ static void set_goals(simulation *sim, double end) {
     collisions_place_pins(&sim->collisions, end, b->goal, sim->barrier->change);
 }
 
-/* The surface where the step begins. */
+/* Sets the surface's positions to those at the step's beginning. */
 static void set_begin(simulation *sim) {
     barrier *b = &sim->barrier->contact;
     memcpy(b->begin, sim->state.x, (size_t)sim->mesh->vertex_count * sizeof *b->begin);
@@ -82,8 +82,9 @@ int barrier_step_init(simulation *sim, char *error) {
     if (allocate(sim) != 0 ||
         barrier_system_init(&sim->barrier->system, &sim->system.A, b->surface.vertex_count) != 0)
         return -1;
-    sim->barrier->longest_way = most_edges * mesh_mean_edge(sim->mesh);
-    sim->barrier->still_way = still_part * fmin(least_reach(s), sim->barrier->longest_way);
+    sim->barrier->longest_displacement = most_edges * mesh_mean_edge(sim->mesh);
+    sim->barrier->still_distance =
+        still_part * fmin(least_reach(s), sim->barrier->longest_displacement);
     set_begin(sim);
     set_goals(sim, 0);
     if (s->contact.untangle) {
@@ -123,7 +124,7 @@ void barrier_step_detect(simulation *sim) {
             sim->step.out_of_memory = 1;
 }
 
-/* dv of the positions x, and C dv. */
+/* Computes the dv that leads to positions x, and C dv. */
 static void set_change(simulation *sim, const double (*x)[3]) {
     barrier_step *s = sim->barrier;
     const double h = sim->step.h;
@@ -158,7 +159,7 @@ static double potential(simulation *sim, const double (*x)[3]) {
            barrier_friction(&s->contact, sim->step.h, x);
 }
 
-/* The system for the change of dv at b->x, with driven vertices moving to their goals. */
+/* Assembles the system for the change of dv at b->x, with driven vertices moving to their goals. */
 static int assemble(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
@@ -171,14 +172,15 @@ static int assemble(simulation *sim) {
     const expansion at = {h, read_only(b->x), read_only(s->still), read_only(s->still)};
     forces_add_elastic(sim, &at);
     for (int i = 0; i < b->surface.vertex_count; i++)
-        vector_subtract(b->goal[i], b->x[i], b->way[i]);
+        vector_subtract(b->goal[i], b->x[i], b->displacement[i]);
     if (barrier_make_elements(b, h, read_only(b->x)) != 0 ||
         barrier_system_make(&s->system, b, h, &sim->system) != 0)
         return -1;
     static const double all[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < vertices; i++)
         if (b->driven[i]) {
-            const double change[3] = {b->way[i][0] / h, b->way[i][1] / h, b->way[i][2] / h};
+            const double change[3] = {b->displacement[i][0] / h, b->displacement[i][1] / h,
+                                      b->displacement[i][2] / h};
             constraint_give(&sim->constraints, i, 3, all, change);
         } else if (sim->constraints.given[i] > 0) {
             constraint_release(&sim->constraints, i);
@@ -189,8 +191,8 @@ static int assemble(simulation *sim) {
     return 0;
 }
 
-/* Displacements from the linear system; *most: m, the largest of a free vertex. */
-static solver_status find_way(simulation *sim, double *most) {
+/* Computes displacements by the linear system; *most: m, the largest of a free vertex. */
+static solver_status find_displacements(simulation *sim, double *most) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
     const int vertices = sim->mesh->vertex_count;
@@ -204,35 +206,35 @@ static solver_status find_way(simulation *sim, double *most) {
 #pragma omp parallel for schedule(static) reduction(max : longest)
     for (int i = 0; i < vertices; i++)
         if (!b->driven[i]) {
-            vector_scale(s->change[i], sim->step.h, b->way[i]);
-            const double length = vector_length(b->way[i]);
+            vector_scale(s->change[i], sim->step.h, b->displacement[i]);
+            const double length = vector_length(b->displacement[i]);
             longest = length > longest ? length : longest;
         }
     *most = longest;
-    /* A direction that is not exact goes down all the same. */
+    /* An inexact direction is still a descent direction. */
     return status == SOLVER_NOT_FINITE || !isfinite(longest) ? SOLVER_NOT_FINITE : SOLVER_CONVERGED;
 }
 
-/* The largest displacement of all vertices or of driven ones, m. */
-static double longest_way(const barrier *b, int driven_alone) {
+/* The largest displacement of all vertices, or only of driven ones, m. */
+static double longest_displacement(const barrier *b, int driven_alone) {
     double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most)
     for (int i = 0; i < b->surface.vertex_count; i++)
         if (b->driven[i] || !driven_alone) {
-            const double length = vector_length(b->way[i]);
+            const double length = vector_length(b->displacement[i]);
             most = length > most ? length : most;
         }
     return most;
 }
 
-/* x = b->x + part of the displacement; `arrives`: driven vertices are exactly at their goals. */
-static void go(const barrier *b, double part, int arrives, double (*x)[3]) {
+/* x = b->x + part * displacement; `arrives`: driven vertices are set exactly to their goals. */
+static void displace(const barrier *b, double part, int arrives, double (*x)[3]) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)
         if (b->driven[i] && arrives)
             memcpy(x[i], b->goal[i], sizeof x[i]);
         else
-            vector_add_scaled(b->x[i], part, b->way[i], x[i]);
+            vector_add_scaled(b->x[i], part, b->displacement[i], x[i]);
 }
 
 /* sum a.b over free vertices */
@@ -250,7 +252,7 @@ static double free_dot(const simulation *sim, const double (*a)[3], const double
 /* Makes Newton's direction z conjugate to the last one: z + f d, f = z.(r - r') / z'.r', with r
  * = -dE/d(dv) and ' for the previous iteration (Polak and Ribiere). The projected Hessian omits
  * negative terms and is too stiff; without conjugation three times as many systems are needed. */
-static void turn_conjugate(simulation *sim) {
+static void make_conjugate(simulation *sim) {
     barrier_step *s = sim->barrier;
     barrier_descent *d = &s->descent;
     barrier *b = &s->contact;
@@ -265,47 +267,47 @@ static void turn_conjugate(simulation *sim) {
         memcpy(d->residual[i], r[i], sizeof r[i]);
     }
     d->slope = -free_dot(sim, read_only(d->direction), r);
-    if (!(d->slope < 0)) { /* it does not go down */
+    if (!(d->slope < 0)) { /* not a descent direction */
         memcpy(d->direction, s->change, (size_t)sim->mesh->vertex_count * sizeof *d->direction);
         d->slope = -along;
     }
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < sim->mesh->vertex_count; i++)
         if (!b->driven[i])
-            vector_scale(d->direction[i], sim->step.h, b->way[i]);
+            vector_scale(d->direction[i], sim->step.h, b->displacement[i]);
 }
 
-/* Minimum of the parabola with this slope at 0 and this change after `part`. */
+/* The minimum, up to `most`, of the parabola with this slope at 0 and this change at `part`. */
 static double lowest_part(double slope, double change, double part, double most) {
     const double curvature = 2 * (change - slope * part) / (part * part);
     return curvature > 0 ? fmin(most, -slope / curvature) : most;
 }
 
-/* Goes Newton's part of the way, or half of that and so on until E does not grow; or, if that is
- * lower, as far as a parabola says. b->x is then there. 0: E grew however short the way. */
+/* Line search: moves b->x by Newton's fraction of the displacement, halved until E does not grow,
+ * or to a parabola's minimum if E is lower there. 0: E grew after all halvings. */
 static int descend(simulation *sim, double newton, double most) {
     barrier *b = &sim->barrier->contact;
     const double before = potential(sim, read_only(b->x)), slope = sim->barrier->descent.slope;
     double(*trial)[3] = sim->barrier->trial, after = INFINITY, part = 2 * fmin(newton, most);
     for (int n = 0; n < most_halvings && !(after <= before + 1e-12 * fabs(before)); n++) {
         part /= 2;
-        go(b, part, 0, trial);
+        displace(b, part, 0, trial);
         after = potential(sim, read_only(trial));
     }
     if (!(after <= before + 1e-12 * fabs(before)))
         return 0;
     const double lowest = lowest_part(slope / newton, after - before, part, most);
     if (fabs(lowest - part) > 0.1 * part) {
-        go(b, lowest, 0, trial);
+        displace(b, lowest, 0, trial);
         if (!(potential(sim, read_only(trial)) < after))
-            go(b, part, 0, trial);
+            displace(b, part, 0, trial);
     }
     memcpy(b->x, trial, (size_t)b->surface.vertex_count * sizeof *trial);
     return 1;
 }
 
-/* Energy of the barrier and work of bodies in the step: a body is held by the force that the
- * elements leave unbalanced. The work of pins follows from the constraints' residual. */
+/* Computes the barrier's energy and the work of bodies in the step: the force on a body is the
+ * elements' unbalanced force. The work of pins follows from the constraints' residual. */
 static void settle(simulation *sim) {
     barrier_step *s = sim->barrier;
     const barrier *b = &s->contact;
@@ -324,39 +326,41 @@ static void settle(simulation *sim) {
            (size_t)sim->mesh->vertex_count * sizeof *sim->solver.residual);
 }
 
-/* One iteration, which always changes something: in the shortest step, too, the cloth falls.
- * CONVERGED: the step is done; TOO_MANY_ITERATIONS: continue. */
+/* One iteration. SOLVER_CONVERGED: the step is done; SOLVER_TOO_MANY_ITERATIONS: continue. At least
+ * one iteration is made, so that the cloth falls even in the shortest step. */
 static solver_status iterate(simulation *sim, int number) {
     barrier_step *s = sim->barrier;
     barrier *b = &s->contact;
     double most;
     if (barrier_find_contacts(b, read_only(b->x)) != 0 || assemble(sim) != 0)
         return SOLVER_NOT_FINITE;
-    const double drive = longest_way(b, 1);
-    if (find_way(sim, &most) == SOLVER_NOT_FINITE)
+    const double drive = longest_displacement(b, 1);
+    if (find_displacements(sim, &most) == SOLVER_NOT_FINITE)
         return SOLVER_NOT_FINITE;
     if (drive > 0)
         s->descent.along = 0;
     else
-        turn_conjugate(sim);
-    /* Searches along a multiple of Newton's displacement, up to the largest. */
-    const double reach = fmin(drive > 0 ? 1 : most_stretch, s->longest_way / longest_way(b, 0));
+        make_conjugate(sim);
+    /* The line search covers a multiple of Newton's displacement, limited by the largest allowed.
+     */
+    const double reach =
+        fmin(drive > 0 ? 1 : most_stretch, s->longest_displacement / longest_displacement(b, 0));
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < b->surface.vertex_count; i++)
-        vector_scale(b->way[i], reach, b->way[i]);
-    if (barrier_find_pairs(b, read_only(b->x), read_only(b->way)) != 0)
+        vector_scale(b->displacement[i], reach, b->displacement[i]);
+    if (barrier_find_pairs(b, read_only(b->x), read_only(b->displacement)) != 0)
         return SOLVER_NOT_FINITE;
-    const double part = barrier_part_of_way(b, read_only(b->x), read_only(b->way));
+    const double part = barrier_allowed_part(b, read_only(b->x), read_only(b->displacement));
     s->blocked = (drive > 0 && number >= most_drives) || !(part > 0);
     if (s->blocked)
         return SOLVER_NOT_FINITE;
     if (drive > 0) {
-        go(b, part, part >= 1 && reach >= 1, b->x);
+        displace(b, part, part >= 1 && reach >= 1, b->x);
         return SOLVER_TOO_MANY_ITERATIONS;
     }
-    /* Where E grows however short the change, it is as low as rounding lets it be. */
-    return !descend(sim, 1 / reach, part) || most <= s->still_way ? SOLVER_CONVERGED
-                                                                  : SOLVER_TOO_MANY_ITERATIONS;
+    /* If E grows after any displacement, it has reached its minimum up to rounding. */
+    return !descend(sim, 1 / reach, part) || most <= s->still_distance ? SOLVER_CONVERGED
+                                                                       : SOLVER_TOO_MANY_ITERATIONS;
 }
 
 void barrier_step_solve(simulation *sim) {

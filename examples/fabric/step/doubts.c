@@ -6,7 +6,7 @@
 
 #include "contact/collision.h"
 
-/* Cloth of other sizes is possible, but not likely, m. */
+/* The usual sizes of cloth, m. */
 static const double smallest = 0.005, largest = 50;
 
 /* The longest side of the box around the cloth. */
@@ -53,8 +53,8 @@ static int doubt_gaps(const scene *s, double edge, double extent, FILE *to) {
     return count;
 }
 
-/* Finds pins that hold nothing. Each pin is tested alone, since a vertex of two pins is held by the
- * first. */
+/* Finds pins that hold nothing. Each pin is tested alone, since a vertex that two pins select is
+ * held by the first. */
 static int doubt_pins(const scene *s, const mesh *m, int *pin_of, FILE *to) {
     int count = 0;
     for (int p = 0; p < s->pin_count; p++) {

@@ -13,7 +13,7 @@ static void add_triangle_forces(simulation *sim, const triangle_material *materi
                                 const expansion *at) {
     const double start = clock_seconds();
     triangle_forces(&sim->cloth.triangles, material, at->h, at->x, at->lag, &sim->system);
-    /* One loop makes both: where both are active each is charged half. */
+    /* One loop computes both effects: if both are active, each is charged half its time. */
     const double seconds = clock_seconds() - start;
     const int stretch =
         effect_is_on(sim, EFFECT_STRETCH) || effect_is_on(sim, EFFECT_STRETCH_DAMPING);
@@ -67,7 +67,7 @@ static void add_outer_forces(simulation *sim, const expansion *at) {
         add_outer(sim, EFFECT_##NAME, &outer_force_##name, at);
 #include "effects/effects.def"
     if (effect_is_on(sim, EFFECT_DRAG))
-        visit(sim, EFFECT_WIND); /* which drag makes felt */
+        visit(sim, EFFECT_WIND); /* wind acts through drag */
 }
 
 static void add_masses(simulation *sim, double h) {

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* See integrator.h for the methods. */
 #include "integrator.h"
 
 #include <string.h>
@@ -12,11 +11,11 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* BDF2 is stable where a step is no longer than 1 + sqrt(2) times the one before (Grigorieff 1983);
- * lengths double, and grow by more only after a step that was cut. */
+/* BDF2 is stable if a step is no longer than 1 + sqrt(2) times the one before (Grigorieff 1983).
+ * Lengths grow by 2, and by more only after a step that was cut at an event. */
 static const double most_growth = 2.1;
 
-/* A contact not foreseen is added and the system solved again, this many times in a step. */
+/* Limit of solutions per step: after each one, unexpected contacts are added for the next. */
 enum { most_solutions = 3 };
 
 int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count) {
@@ -37,7 +36,7 @@ void integrator_free(integrator_memory *memory) {
     *memory = (integrator_memory){0};
 }
 
-/* X, V and tau of the step under way; BDF2 rests on two states where there are two. */
+/* Sets X, V and tau of the current step. two_states: BDF2, from the last two states. */
 static void set_stage(simulation *sim, int two_states) {
     integrator_memory *of = &sim->integrator;
     const double ratio = two_states ? sim->step.h / of->h_before : 0;
@@ -85,8 +84,8 @@ static int has_contact(const simulation *sim) {
     return 0;
 }
 
-/* A contact breaks the smoothness that BDF2 lives on, and where the two states before would put a
- * vertex may lie behind a thin collider: such a step is backward Euler's. */
+/* Makes the step a backward Euler step. A contact destroys the smoothness that BDF2 assumes, and
+ * the position extrapolated from two states may lie behind a thin collider. */
 static void leave_two_states(simulation *sim) {
     set_stage(sim, 0);
     newton_assemble_at_base(sim);
@@ -94,8 +93,9 @@ static void leave_two_states(simulation *sim) {
                             &sim->system);
 }
 
-/* x = X + tau (v + dv) as a change of the mean velocity over the step: what contacts go by. */
-static const double (*travel(simulation *sim))[3] {
+/* The change of the mean velocity over the step that leads to x = X + tau (v + dv), for contacts.
+ */
+static const double (*mean_change(simulation *sim))[3] {
     const integrator_memory *of = &sim->integrator;
     if (!of->two_states)
         return read_only(sim->step.dv);
@@ -114,7 +114,7 @@ static solver_status solve_stage(simulation *sim) {
     const double fall = vector_length(sim->scene->surroundings.gravity) * sim->step.h;
     const solver_limits limits = {
         .tolerance = sim->scene->solution.tolerance,
-        /* At rest b is nearly 0: what gravity does in a step is the scale of what matters. */
+        /* At rest b is nearly 0, so the floor is relative to the effect of gravity in a step. */
         .floor = 1e-3 * sim->scene->solution.tolerance * fall * sqrt(sim->cloth.total_mass),
         .max_iterations = sim->scene->solution.max_iterations,
     };
@@ -122,7 +122,7 @@ static solver_status solve_stage(simulation *sim) {
                                  &limits, sim->step.dv, &sim->account.iterations);
 }
 
-/* Newton's method detects such forces at the states that it visits. */
+/* Only for the linear method: Newton's method detects such forces at its iterates. */
 static int add_missed_forces(simulation *sim) {
     const expansion start = {sim->step.h, read_only(sim->state.x), read_only(sim->state.v),
                              read_only(sim->state.v)};
@@ -146,7 +146,7 @@ void solveSystem(simulation *sim) {
                                  ? 0
                                  : collisions_add_missed(&sim->collisions, simulation_time(sim),
                                                          sim->step.h, read_only(sim->state.x),
-                                                         read_only(sim->state.v), travel(sim));
+                                                         read_only(sim->state.v), mean_change(sim));
         if (add_missed_forces(sim) == 0 && contacts == 0)
             return;
         if (contacts == 0)
@@ -158,23 +158,23 @@ void solveSystem(simulation *sim) {
     }
 }
 
-/* v_next, which so far is the mean velocity over the step, becomes the one at its end. */
+/* Converts v_next from the mean velocity over the step to the velocity at its end. */
 static void end_velocity(simulation *sim, const double (*mean)[3]) {
     for (int i = 0; i < sim->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++) {
             const double pushed = sim->step.v_next[i][a] - (sim->state.v[i][a] + mean[i][a]);
             sim->step.v_next[i][a] = sim->state.v[i][a] + sim->step.dv[i][a] + pushed;
-            /* The midpoint's change doubles, but along given directions: contact does not bounce.
-             */
+            /* The midpoint's change is doubled except along given directions: contacts must not
+             * bounce. */
             if (sim->integrator.kind == INTEGRATOR_MIDPOINT)
                 sim->step.v_next[i][a] +=
                     vector_dot(constraint_projection(&sim->constraints, i)[a], sim->step.dv[i]);
         }
 }
 
-/* Changes v_next so that the cloth goes through neither itself nor a body. 0, or -1: that could not
- * be found out. */
-static int keep_apart(simulation *sim) {
+/* Changes v_next so that the cloth passes through neither itself nor a body. 0, or -1: as for
+ * impact_resolve. */
+static int resolve_contacts(simulation *sim) {
     const int itself = effect_is_on(sim, EFFECT_SELF_COLLISION);
     effect_account *account = &sim->account.effects[EFFECT_SELF_COLLISION];
     const double start = clock_seconds();
@@ -200,14 +200,14 @@ int integrator_move(simulation *sim) {
         return barrier_step_move(sim);
     const int count = sim->mesh->vertex_count;
     const double end = timing_end(sim);
-    const double(*mean)[3] = travel(sim);
+    const double(*mean)[3] = mean_change(sim);
     int broken = 0;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)
         vector_add_scaled(sim->state.v[i], 1, mean[i], sim->step.v_next[i]);
-    const int unknown =
-        sim->step.out_of_memory ||
-        ((BUILT_WITH(EFFECT_CONTACT) || BUILT_WITH(EFFECT_SELF_COLLISION)) && keep_apart(sim) != 0);
+    const int unknown = sim->step.out_of_memory ||
+                        ((BUILT_WITH(EFFECT_CONTACT) || BUILT_WITH(EFFECT_SELF_COLLISION)) &&
+                         resolve_contacts(sim) != 0);
 #pragma omp parallel for schedule(static) reduction(max : broken)
     for (int i = 0; i < count; i++) {
         vector_add_scaled(sim->state.x[i], sim->step.h, sim->step.v_next[i], sim->step.x_next[i]);

@@ -67,7 +67,7 @@ static double outside_work(const monitored_step *step, const scene *s) {
                            step->residual);
 }
 
-/* The energy of strains and angles of 1e-12, the effect of some thousand rounding errors. */
+/* The energy of strains and angles of 1e-12, which some thousand rounding errors cause. */
 static double energy_of_rounding(const struct cloth *cloth) {
     const triangle_material *t = &cloth->triangle_material;
     double area = 0, weight = 0;
@@ -100,15 +100,15 @@ static monitor_verdict complain(monitor *m, monitor_verdict verdict, double valu
     return verdict;
 }
 
-/* A step of the shortest length is accepted, and its fault is counted. */
+/* Is the fault accepted, because halving is impossible or would not help? Records the answer. */
 static int tolerates(monitor *m, const monitored_step *step, monitor_verdict verdict) {
     const int is_contact = verdict == STEP_PASSING || verdict == STEP_PENETRATION;
     m->tolerated[verdict] = step->shortest || (is_contact && step->futile);
     return m->tolerated[verdict];
 }
 
-/* Neither a step nor all steps together may gain more than this fraction of the energy that
- * existed and was added: small gains add up, especially in short steps. */
+/* Neither one step nor all steps together may gain more than this fraction of the initial and the
+ * added energy: small gains add up, especially in short steps. */
 static int keeps_energy(monitor *m, double part) {
     const double given = m->reference + fabs(m->work), most = part * given + m->noise;
     const double in_step = m->next_energy - m->energy - m->work, in_all = m->next_energy - given;
@@ -118,7 +118,7 @@ static int keeps_energy(monitor *m, double part) {
     return 0;
 }
 
-/* Whether the step keeps to the scene's limits. */
+/* Checks the step against the scene's limits. */
 static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
     const monitor_limits *limits = &m->scene->monitor;
     if (m->next_strain - m->strain >= limits->growth && m->next_strain >= limits->strain &&
@@ -157,13 +157,13 @@ monitor_verdict monitor_check(monitor *m, const monitored_step *step) {
 
 int monitor_futile_parts(const monitor *m) {
     enum { steps_let_pass = 32, most_doublings = 20 };
-    const long doublings = m->in_vain / steps_let_pass;
+    const long doublings = m->passing_in_a_row / steps_let_pass;
     return 1 << (doublings < most_doublings ? doublings : most_doublings);
 }
 
 void monitor_accept(monitor *m) {
     const int passed = m->tolerated[STEP_PASSING] || m->tolerated[STEP_PENETRATION];
-    m->in_vain = passed ? m->in_vain + 1 : 0;
+    m->passing_in_a_row = passed ? m->passing_in_a_row + 1 : 0;
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         m->let_pass[k] += m->tolerated[k];
     m->strain = m->next_strain;

@@ -2,11 +2,11 @@
 /**
  * Checks each step. A step is bad if it
  *
- *  - ends in an infinity or not-a-number, or has no converged solution;
+ *  - ends with an infinity or NaN, or has no converged solution;
  *  - stretches a triangle by more than a limit, unless the cloth stays below a harmless strain;
- *  - has gained more energy than gravity, wind, pins and colliders put in: with E kinetic and
- *    elastic energy and W their work, E' - E - W > limit (E_0 + sum |W|); or ends with more than
- *    all steps were given, E' > (1 + limit) (E_0 + sum |W|);
+ *  - gains more energy than gravity, wind, pins and colliders supply: with E kinetic and elastic
+ *    energy and W their work, E' - E - W > limit (E_0 + sum |W|); or ends with more energy than
+ *    was supplied in all steps, E' > (1 + limit) (E_0 + sum |W|);
  *  - ends with a vertex deeper in a collider than a limit, and deeper than before;
  *  - lets cloth pass through itself or through a collider.
  *
@@ -28,7 +28,7 @@ typedef enum monitor_verdict {
     STEP_ENERGY,
     STEP_PENETRATION,
     STEP_PASSING,
-    STEP_NO_ROOM, /* with `contact: barrier`: driven vertices could not reach their goals */
+    STEP_NO_ROOM, /* `contact: barrier`: driven vertices could not reach their goals */
     STEP_VERDICT_COUNT
 } monitor_verdict;
 
@@ -36,21 +36,21 @@ typedef enum monitor_verdict {
 typedef struct monitored_step {
     double h;           /* s */
     double stage_h;     /* s, of the integrator's stage */
-    double time;        /* s, at the step's begin */
-    double push_work;   /* J, that collisions_keep_out did */
-    const double *wind; /* [3] m/s, at present */
+    double time;        /* s, at the step's beginning */
+    double push_work;   /* J, work of impact_resolve or, with barriers, of bodies */
+    const double *wind; /* [3] m/s, in this step */
     const double (*x)[3], (*v)[3], (*x_next)[3], (*v_next)[3];
     const double (*residual)[3]; /* of the solver, see solver.h */
     const constraints *given;
-    struct cloth *cloth;       /* what its hinges remember of the last energy may change */
+    struct cloth *cloth;       /* not const: hinges cache the angles of the last energy */
     const strain_limit *limit; /* NULL: none */
     const collisions *collisions;
     solver_status status;
-    int passing;  /* pairs of the cloth that pass through each other in the step */
-    int watched;  /* otherwise only `finite`, `status` and `passing` are checked */
-    int finite;   /* all of x_next and v_next */
+    int passing;  /* number of pairs of the cloth that pass through each other in the step */
+    int watched;  /* 0: only `finite`, `status` and `passing` are checked */
+    int finite;   /* all of x_next and v_next are */
     int shortest; /* the step cannot be halved further */
-    int futile;   /* shorter steps did not keep cloth and bodies separate (monitor_futile_parts) */
+    int futile;   /* shorter steps would not separate cloth and bodies (monitor_futile_parts) */
 } monitored_step;
 
 typedef struct monitor {
@@ -58,39 +58,39 @@ typedef struct monitor {
     double strain, energy, depth; /* of the state accepted last: largest, J, m */
     double reference;             /* J, E_0 + sum |W| */
     double noise;                 /* J, bound on the error by rounded positions */
-    /* of the step checked last */
+    /* Of the step checked last: */
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* the value and its limit */
     int tolerated[STEP_VERDICT_COUNT]; /* faults accepted in the shortest step */
-    long in_vain;                      /* steps accepted in a row in which something passed */
-    /* of all steps accepted */
+    long passing_in_a_row;             /* consecutive accepted steps in which something passed */
+    /* Of all accepted steps: */
     long let_pass[STEP_VERDICT_COUNT];
     double greatest_strain, deepest; /* m */
-    /* where the run starts */
+    /* At the start of the run: */
     long start_inside;  /* vertices in a collider */
     double start_depth; /* m */
 } monitor;
 
-/** Looks at the state a run starts from: only mass, x, v, elements and collisions are read. */
+/** Evaluates the state from which a run starts. Reads only mass, x, v, elements and collisions. */
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 
-/** Looks at a step. At the shortest length all but energy and infinities passes, since there is
- * nothing better to be had, and in a futile one what goes through or into a body: that is
- * counted. */
+/** Checks a step. In a step of the shortest length all faults are accepted except energy and
+ *  non-finite values, since the step cannot be halved; in a futile step, passing and penetration
+ *  are accepted. Accepted faults are counted. */
 monitor_verdict monitor_check(monitor *m, const monitored_step *step);
 
 /**
- * The step length, in least parts of the scene's step, below which passing or penetration causes no
- * more halving: 1 at first, doubled after each 32 accepted faults in a row. Cloth squeezed by two
- * bodies passes in steps of any length; the shortest ones would take a thousand times as long and
- * end no better.
+ * The step length, in multiples of the shortest step, at and below which passing or penetration
+ * causes no more halving: 1 at first, doubled after every 32 consecutive accepted faults. Cloth
+ * squeezed by two bodies passes in steps of any length; with the shortest ones a run would take a
+ * thousand times as long without a better result.
  */
 int monitor_futile_parts(const monitor *m);
 
-/** The step checked last becomes the state to compare with. */
+/** Accepts the step checked last: the next one is compared with its end. */
 void monitor_accept(monitor *m);
 
-/** "energy", "strain", ...: one word, or two. */
+/** The verdict's name: "energy", "strain", ... */
 const char *monitor_verdict_name(monitor_verdict verdict);
 
 #endif

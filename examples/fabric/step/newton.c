@@ -8,13 +8,14 @@
 #include "forces.h"
 #include "simulation_state.h"
 
-/* A step that overshoots by more than this part of its first slope is cut, this often at most. */
+/* A step whose slope at the end is below minus this fraction of its first slope is cut, at most
+ * most_cuts times. */
 static const double most_overshoot = 0.9;
 enum { most_cuts = 10 };
-/* Linear systems are solved to this part of what Newton's method aims at. */
+/* Tolerance of linear systems, as a fraction of Newton's tolerance. */
 static const double inner_part = 0.1;
 
-/* b += M (V - v_n): the past of BDF2 is another velocity than the step's first. */
+/* b += M (V - v_n): BDF2's base velocity V differs from the velocity at the step's start. */
 static void add_base(simulation *sim) {
     const integrator_memory *of = &sim->integrator;
     for (int i = 0; i < sim->mesh->vertex_count; i++)
@@ -41,7 +42,7 @@ static void add_damping(simulation *sim) {
                              read_only(of->at_x), read_only(of->at_v), sim->system.b);
 }
 
-/* The system for dv, with forces expanded about the state that sim->step.dv leads to. */
+/* Assembles the system for dv, with forces expanded about the state that sim->step.dv leads to. */
 static void assemble(simulation *sim) {
     integrator_memory *of = &sim->integrator;
     const double start = clock_seconds();
@@ -64,7 +65,8 @@ static void assemble(simulation *sim) {
     sim->account.phases[PHASE_SOLVE].seconds -= seconds;
 }
 
-/* The residual's size at sim->step.dv, and what to compare it with. */
+/* The norm of the residual at sim->step.dv; *reference: the norm to which tolerances are relative.
+ */
 static double defect(simulation *sim, double *reference) {
     assemble(sim);
     return solver_defect(&sim->solver, &sim->system, &sim->constraints, sim->step.dv, reference);

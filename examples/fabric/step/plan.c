@@ -5,8 +5,8 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* The next time after `after` at which something begins or ends, a motion too; infinite if nothing
- * does. */
+/* The next time after `after` at which an effect, a pin, a collider or a motion begins or ends;
+ * infinite if there is none. */
 static double next_event(const scene *s, double after) {
     double next = INFINITY;
 #define CONSIDER(time)                                                                             \
@@ -51,7 +51,7 @@ static int has_friction(const scene *s) {
     return 0;
 }
 
-/* The effects of a step that begins at `time`. */
+/* Switches effects on or off for a step that begins at `time`. */
 static void switch_effects(simulation *sim, double time) {
     const scene *s = sim->scene;
     const int blows = time >= s->surroundings.wind_from &&

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The effects of a scene, and their times. An effect that acts at some time is active; it is on at
- * these times. An inactive effect is neither computed nor stored.
+ * The effects of a scene, and their times. An effect is active if it ever acts, and on while it
+ * acts. An inactive effect is neither computed nor stored.
  */
 #ifndef FABRIC_PLAN_H
 #define FABRIC_PLAN_H
@@ -15,12 +15,12 @@ void plan_make(simulation *sim);
 /** Updates the effects to the beginning of the next step. */
 void plan_follow(simulation *sim);
 
-/** Restores the effects of a step that began at `time`, at which plan_make or plan_follow last
- *  found a change. */
+/** Restores the effects of a step that began at `time`, the time of the last change that plan_make
+ *  or plan_follow found. */
 void plan_return_to(simulation *sim, double time);
 
-/** The times, ascending, at which something begins or ends; `time` has room for `most`. Returns how
- *  many there are. */
+/** Stores in `time` [most] the times, ascending, at which something begins or ends. Returns their
+ *  total number. */
 int plan_events(const scene *s, double *time, int most);
 
 #endif

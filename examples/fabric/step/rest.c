@@ -14,7 +14,7 @@ int rest_lasts(simulation *sim) {
     return sim->step.slow_steps >= STEPS_UNTIL_SLEEP && !timing_event_within_frame(sim);
 }
 
-/* Does wind, a pin or a collider move the cloth at present, or may it later, without an event
+/* Does wind, a pin or a collider move the cloth now, or could one start to without an event
  * (plan.h)? */
 static int is_driven(const simulation *sim) {
     const scene *s = sim->scene;
@@ -31,7 +31,7 @@ static int is_driven(const simulation *sim) {
     return 0;
 }
 
-/* The square of the fastest vertex' speed; infinite if one is not a number. */
+/* The square of the fastest vertex' speed; infinite if a speed is NaN. */
 static double greatest_square(const simulation *sim) {
     double greatest = 0;
     const double(*v)[3] = (const double(*)[3])sim->state.v;

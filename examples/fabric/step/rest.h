@@ -11,11 +11,11 @@
 
 enum { STEPS_UNTIL_SLEEP = 10 };
 
-/** Does the cloth sleep through the step of the scene that begins now? Wakes it if something
- *  begins or ends. */
+/** Does the cloth sleep through the scene's next step? Wakes it if something begins or ends. */
 int rest_lasts(simulation *sim);
 
-/** A step of the scene has ended: is the cloth at rest? What falls asleep has no velocity. */
+/** After a step of the scene: counts slow steps, and sets the velocities of cloth that falls asleep
+ * to 0. */
 void rest_watch(simulation *sim);
 
 #endif

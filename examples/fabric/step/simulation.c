@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The loop of figure 2 of the paper. A step that fails, without a solution or with torn cloth, is
- * repeated with half the length. Lengths are the scene's step over powers of two, so every frame
- * ends on the scene's time grid (timing.h).
+ * The loop of figure 2 of the paper. A step that the monitor rejects is repeated with half the
+ * length. Lengths are the scene's step divided by powers of two, so that every frame ends on the
+ * scene's time grid (timing.h).
  */
 #include "simulation.h"
 
@@ -19,7 +19,7 @@
 #include "simulation_state.h"
 #include "timing.h"
 
-/* After this many steps in a row without trouble a halved length is doubled. */
+/* A halved step length is doubled after this number of consecutive accepted steps. */
 enum { steps_before_growth = 3 };
 
 static void find_contacts(simulation *sim) {
@@ -136,10 +136,10 @@ static void run_phase(simulation *sim, int index, void (*run)(simulation *)) {
     const double end = clock_seconds();
     sim->account.phases[index].seconds += end - start;
     sim->account.phases[index].calls++;
-    team_look(&sim->team, end);
+    team_check(&sim->team, end);
 }
 
-/* The four phases, with the fastest number of threads. */
+/* Runs the four phases with the fastest number of threads. */
 static void run_round(simulation *sim) {
     const double begun = clock_seconds(), solved = sim->account.phases[PHASE_SOLVE].seconds;
     const long iterations = sim->account.iterations;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One cloth in time: the loop of figure 2 of the paper, and its accounts. */
+/** The simulation of one cloth: the loop of figure 2 of the paper, with its counts and times. */
 #ifndef FABRIC_SIMULATION_H
 #define FABRIC_SIMULATION_H
 
@@ -16,65 +16,69 @@ typedef struct phase {
 
 typedef struct effect_account {
     const char *name; /* "stretch", "shear", "bend", ... */
-    int active;       /* the scene calls for it at some time */
-    int on;           /* it acts at present */
-    long elements;    /* triangles, hinges, ... it works on each step */
-    long visited;     /* elements it worked on, all steps together */
+    int active;       /* it acts at some time in the scene */
+    int on;           /* it acts now */
+    long elements;    /* number of triangles, hinges, ... that it processes per step */
+    long visited;     /* elements processed in all steps */
     double seconds;   /* wall */
 } effect_account;
 
 typedef struct simulation simulation;
 
-/** A step that was taken again at half the length. */
+/** A step that was repeated at half the length. */
 typedef struct rejection {
     const char *reason;  /* "energy", "strain", "penetration", "not solved", "not finite" */
     double time, h;      /* s, its beginning and its length */
-    double value, limit; /* the value and its limit */
+    double value, limit; /* the value that exceeded a limit, and the limit */
 } rejection;
 
-/* The log keeps the first ones; all are counted. */
+/* The log stores this number of rejections, the first ones; all are counted. */
 enum { MOST_REJECTIONS = 1000 };
 
-/** Takes mesh and scene by reference: they must outlive it. NULL and a message in error[256]. */
+/** Keeps references to mesh and scene, which must outlive it. NULL with a message in error[256]. */
 simulation *simulation_new(const mesh *m, const scene *s, char *error);
 void simulation_free(simulation *sim);
 
 /* The four phases of a step, in this order (figure 2). updateSystem accepts the step, or rejects
- * it: then positions and velocities stay, and the next round takes half of its length. */
+ * it: then positions and velocities are unchanged, and the next round takes half its length. */
 void evaluateForces(simulation *sim);
 void collisionDetection(simulation *sim);
 void solveSystem(simulation *sim);
 void updateSystem(simulation *sim);
 
-/** Allocates the arrays of the first step, to measure them; not for a simulation that is to run. */
+/** Allocates the arrays of the first step, so that memory can be measured; the simulation must not
+ * be run afterwards. */
 void simulation_make_room(simulation *sim);
 
-/** The memory of a direct solution, bytes, beyond the present allocations; 0: not supported by
- *  this program. *only: the scene requires it (otherwise it is a fall-back). */
+/** The memory that a direct solution would allocate, bytes; 0: not supported by this program.
+ * *only: the scene requires direct solutions (otherwise they are a fall-back). */
 double simulation_direct_bytes(const simulation *sim, int *only);
 
 /** From now on each step uses the fastest number of threads, up to OpenMP's (team.h), instead of
- *  all of these. The bits are the same. */
+ *  all. The bits are the same. */
 void simulation_choose_threads(simulation *sim);
-/** The number of threads at present; 0: all. */
+/** The current number of threads; 0: all. */
 int simulation_threads(const simulation *sim);
 
 /** From now on a step with `contact: barrier`, which may take long, checks *stop in each of its
- *  iterations. If it is not 0, simulation_step returns 1 and restores the state before the step.
- *  Keeps the reference. 0, or -1: out of memory. */
+ *  iterations. If *stop is not 0, simulation_step restores the state before the step and returns 1.
+ *  Keeps the pointer. 0, or -1: out of memory. */
 int simulation_stop_when(simulation *sim, const volatile sig_atomic_t *stop);
 
-/** One step of the scene: the four phases, timed, as often as it takes. 0; 1: stopped; or -1 with a
- *  message in error[256]: no state within the scene's limits could be reached. */
+/** One step of the scene: the four phases, timed, repeated until the step's end is reached. 0; 1:
+ *  stopped; or -1 with a message in error[256]: no state within the scene's limits could be
+ * reached.
+ */
 int simulation_step(simulation *sim, char *error);
 
-/* The state between two steps of the scene, as bytes that this machine can read. A simulation of
- * the same mesh and scene continues from it with the same bits. */
+/* The size of the state between two steps of the scene, as bytes in this machine's formats. A
+ * simulation of the same mesh and scene continues from the state with the same bits. */
 size_t simulation_saved_size(simulation *sim);
-/** bytes: [size], of simulation_saved_size. Changes nothing of the simulation. */
+/** Writes the state to bytes [size], size being simulation_saved_size. Does not change the
+ *  simulation. */
 void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
-/** Restores the state of a simulation that has just been made. 0, or -1: the bytes are not of such
- *  a simulation, which must then be freed. Leaves the bytes unchanged. */
+/** Restores the state in a new simulation. 0, or -1: the bytes are invalid for it; then it must be
+ *  freed. Does not change the bytes. */
 int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
 
 /* Read access for callers; valid until simulation_free. */
@@ -84,31 +88,31 @@ double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
 const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-/** *count: of those logged, at most MOST_REJECTIONS. */
+/** *count: the number of logged rejections, at most MOST_REJECTIONS. */
 const rejection *simulation_rejections(const simulation *sim, int *count);
 
-/** What a run has counted so far. */
+/** Counts of a run so far. */
 typedef struct run_counts {
-    long iterations;        /* of conjugate gradients, all */
-    long newton_iterations; /* systems solved by Newton's method */
+    long iterations;        /* of conjugate gradients, all steps */
+    long newton_iterations; /* linear systems solved for Newton's method */
     long taken;             /* steps accepted, parts of halved ones included */
-    long rejected;          /* steps */
-    long slept;             /* steps of the scene, through which it slept */
+    long rejected;          /* steps rejected */
+    long slept;             /* steps of the scene through which the cloth slept */
     long matrix_blocks;     /* stored 3x3 blocks */
 } run_counts;
 
 run_counts simulation_counts(const simulation *sim);
 
-/** Faults of a run that ended. */
+/** Faults that a run tolerated. */
 typedef struct run_faults {
-    /* steps that the monitor let pass since they could not be halved any more */
+    /* Steps that the monitor accepted because halving would not help: */
     long not_solved, strain, penetration, passing;
-    double greatest_strain, strain_limit; /* of a triangle in all of the run; the scene's limit */
-    double deepest;                       /* m, of a vertex in a collider */
-    long start_inside;                    /* vertices that start in a collider */
+    double greatest_strain, strain_limit; /* of a triangle during the run; the scene's limit */
+    double deepest;                       /* m, greatest depth of a vertex in a collider */
+    long start_inside;                    /* number of vertices that start in a collider */
     double start_depth;                   /* m, depth of the deepest of them */
-    int watched;          /* the monitor is on: else strain and depth are not known */
-    long solved_directly; /* systems, because the conjugate gradients did not converge */
+    int watched;          /* the monitor is on; otherwise strain and depth are unknown */
+    long solved_directly; /* systems solved by the fall-back (solver_fallback.h) */
 } run_faults;
 
 run_faults simulation_faults(const simulation *sim);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The state of a simulation between two steps of the scene, except data that scene and mesh
- * determine: positions, velocities, and all that later steps depend on. Data that each step
- * computes (the system, the constraints, contacts found, limited triangles) is left out.
+ * The state of a simulation between two steps of the scene: positions, velocities, and all else
+ * that later steps depend on. Data that scene and mesh determine, and data that each step computes
+ * (the system, the constraints, contacts found, limited triangles), is left out.
  */
 #include <stdint.h>
 #include <string.h>
@@ -10,8 +10,8 @@
 #include "simulation_state.h"
 
 /**
- * Values as a row of bytes, in either direction: for each part one function lists its values in
- * order, and counts, stores or loads them. Bytes are as the machine has them.
+ * Serialisation in both directions: one function for each part passes its values in order, which
+ * counts, stores or loads them. Bytes are in the machine's formats.
  */
 typedef enum archive_mode { ARCHIVE_COUNT, ARCHIVE_STORE, ARCHIVE_LOAD } archive_mode;
 
@@ -23,8 +23,8 @@ typedef struct archive {
     int failed; /* more was requested than is left, or a value is invalid */
 } archive;
 
-/** Passes `size` bytes from or to `value`. Where there are too few, `failed` is set, and nothing is
- *  passed any more. */
+/** Copies `size` bytes from or to `value`. If there are too few, sets `failed`, and from then on
+ *  copies nothing. */
 static void archive_pass(archive *a, void *value, size_t size) {
     if (a->mode != ARCHIVE_COUNT && (a->failed || size > a->size - a->used)) {
         a->failed = 1;
@@ -41,7 +41,7 @@ static void archive_int(archive *a, int *value) {
     archive_pass(a, value, sizeof *value);
 }
 
-/** As 64 bits. */
+/** Passes a long as 64 bits. */
 static void archive_long(archive *a, long *value) {
     int64_t wide = *value;
     archive_pass(a, &wide, sizeof wide);
@@ -76,11 +76,11 @@ static void pass_motion(archive *a, simulation *sim) {
     archive_double(a, &sim->step.guess_h);
 }
 
-/* Angles are remembered over whole turns. What hinge_energy_at found ahead is found again. */
+/* Angles are stored because they count whole rotations. The cache of hinge_energy_at is not. */
 static void pass_angles(archive *a, simulation *sim) {
     archive_doubles(a, sim->cloth.hinges.angle, (size_t)sim->cloth.hinges.count);
     if (a->mode == ARCHIVE_LOAD)
-        sim->cloth.hinges.has_ahead = 0;
+        sim->cloth.hinges.has_cached = 0;
 }
 
 static void pass_integrator(archive *a, integrator_memory *of, size_t count) {
@@ -102,7 +102,7 @@ static void pass_contact(archive *a, contact *touch, int colliders) {
     archive_double(a, &touch->slip_speed);
 }
 
-/* The contacts of the last accepted step: which stick, how hard they press, how long they pull. */
+/* The contacts of the last accepted step: whether they stick, their forces, how long they pull. */
 static void pass_contacts(archive *a, collisions *c) {
     archive_long(a, &c->visits);
     archive_long(a, &c->friction_visits);
@@ -124,7 +124,7 @@ static void pass_monitor(archive *a, monitor *m) {
     archive_double(a, &m->reference);
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         archive_long(a, &m->let_pass[k]);
-    archive_long(a, &m->in_vain);
+    archive_long(a, &m->passing_in_a_row);
     archive_double(a, &m->greatest_strain);
     archive_double(a, &m->deepest);
 }
@@ -144,7 +144,7 @@ static void pass_time(archive *a, simulation *sim) {
     plan_return_to(sim, sim->in_force.plan_time);
 }
 
-/* The reason is a word of the monitor's. */
+/* The reason is one of the monitor's constant strings, so its number is stored. */
 static void pass_rejection(archive *a, rejection *r) {
     int verdict = 0;
     while (a->mode == ARCHIVE_STORE && verdict + 1 < STEP_VERDICT_COUNT &&
@@ -179,7 +179,7 @@ static void pass_counts(archive *a, simulation *sim) {
         archive_long(a, &sim->account.effects[k].visited);
 }
 
-/* Last, so that all but the end of two runs' archives is the same. */
+/* Times come last, so that archives of two equal runs differ only at the end. */
 static void pass_seconds(archive *a, simulation *sim) {
     for (int k = 0; k < PHASE_COUNT; k++)
         archive_double(a, &sim->account.phases[k].seconds);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Making, ending and looking at a simulation; simulation.c runs it. */
+/* Creates, frees and inspects a simulation; simulation.c runs it. */
 #include "simulation_state.h"
 
 #include "solver/solver_direct.h"
@@ -11,7 +11,7 @@
 #include "barrier_step.h"
 #include "base/vector.h"
 
-/* A third of each triangle's mass to each of its vertices. */
+/* Adds a third of each triangle's mass to each of its vertices. */
 static void share_mass(simulation *sim) {
     for (int t = 0; t < sim->cloth.triangles.count; t++)
         for (int p = 0; p < 3; p++)
@@ -21,7 +21,7 @@ static void share_mass(simulation *sim) {
         sim->cloth.total_mass += sim->cloth.mass[i];
 }
 
-/* Only elements with a force couple vertices in A. */
+/* Lays out A. Only elements with a force couple vertices. */
 static int lay_out_system(simulation *sim) {
     element_list lists[2];
     int count = 0;
@@ -50,7 +50,7 @@ static int allocate_state(simulation *sim) {
     return sim->own.failed ? -1 : 0;
 }
 
-/* At rest, but for moving pins; expected to fall freely in the first step. */
+/* The cloth starts at rest except for moving pins; the first guess is free fall. */
 static void set_start(simulation *sim) {
     const scene *s = sim->scene;
     memcpy(sim->state.x, sim->mesh->position,
@@ -98,8 +98,7 @@ static int build(simulation *sim, char *error) {
     solver_options options = {
         (preconditioner_kind)s->solution.preconditioner, (solver_precision)s->solution.precision,
         (solver_method)s->solution.method, integrator != INTEGRATOR_LINEAR_EULER};
-    if (by_barrier) /* its matrix has another layout in each iteration: use a solver without a
-                     * layout */
+    if (by_barrier) /* its matrix' layout changes in each iteration: use a solver that needs none */
         options = (solver_options){.preconditioner = PRECONDITIONER_BLOCK_JACOBI};
     const int vertices = sim->mesh->vertex_count;
     sim->cloth.triangle_material =
@@ -116,7 +115,7 @@ static int build(simulation *sim, char *error) {
                            s->material.strain_limit, s->material.stretch) != 0) ||
         (sim->cloth.has_hinge_forces && hinge_elements_init(&sim->cloth.hinges, sim->mesh) != 0) ||
         (s->material.bend > 0 && !s->monitor.off &&
-         hinge_elements_look_ahead(&sim->cloth.hinges) != 0))
+         hinge_elements_cache_angles(&sim->cloth.hinges) != 0))
         return -1;
     share_mass(sim);
     if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||

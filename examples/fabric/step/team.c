@@ -7,15 +7,15 @@
 #include <omp.h>
 #endif
 
-/* Limits: the fraction of the time that trials may cost; the duration of a trial relative to a
- * round of the chosen level; the gain for which a level is chosen. */
+/* share: the fraction of the time that trials may cost; margin: limit of a trial's time relative to
+ * the expected one; gain: the relative time below which a level replaces the chosen one. */
 static const double share = 0.02, margin = 1.5, gain = 0.97;
-/* Weight of a new round in the means. */
+/* Weight of a new round in the exponential moving averages. */
 static const double weight = 0.3;
-/* Rounds before the first trial: the first ones also make room and inspect loops. */
+/* Rounds before the first trial: the first rounds also allocate memory and inspect loops. */
 enum { SETTLED = 3 };
-/* Probe for busy cores: this number of regions of about 50 us, and the ratio to the expected
- * time above which cores count as busy. */
+/* Probe for busy cores: PROBES regions of PROBE_WORK operations, about 50 us each. Cores count as
+ * busy if it takes more than `delay` times the expected time. */
 enum { PROBES = 40, PROBE_WORK = 8000 };
 static const double delay = 1.5;
 
@@ -35,7 +35,7 @@ static int most_threads(void) {
 #endif
 }
 
-/* Some arithmetic that no compiler leaves out; its seconds. */
+/* Does arithmetic that compilers cannot remove; returns the seconds it took. */
 static double work(volatile double *sink) {
     const double start = clock_seconds();
     double x = 1;
@@ -45,13 +45,13 @@ static double work(volatile double *sink) {
     return clock_seconds() - start;
 }
 
-/* Whether threads often lose their core: compares some milliseconds of short regions with the
- * time that they take if no thread waits. */
+/* Do threads often lose their core? Compares the time of many short parallel regions with the time
+ * of the same work in one thread. */
 static int is_busy(void) {
     volatile double sink;
     double least = work(&sink), start = 0, seconds = 0;
     for (int k = 0; k <= PROBES && seconds <= delay * (double)(2 * PROBES) * least; k++) {
-        if (k == 1) /* the threads have been made */
+        if (k == 1) /* the threads exist from now on */
             start = clock_seconds();
 #pragma omp parallel
         {
@@ -84,7 +84,7 @@ static double predicted(const team_level *at, long iterations) {
     return at->others + at->iteration * (double)iterations;
 }
 
-/* The level that is tried next, or the one chosen where it is not time for that. */
+/* The level of the next round: that of a trial, or the chosen one if no trial is due. */
 static int next_trial(const team *t) {
     const int other = t->level + (t->upward ? -1 : 1);
     const team_level *at = &t->at[t->level];
@@ -105,7 +105,7 @@ void team_begin(team *t, double now) {
     set_threads(t->most >> t->trial);
 }
 
-void team_look(team *t, double now) {
+void team_check(team *t, double now) {
     if (t->most == 0 || t->trial == t->level || now - t->begun <= margin * t->expected)
         return;
     t->ended = 1;
@@ -116,14 +116,14 @@ static void take_in(team_level *at, const team_round *round) {
     const double iterations = round->iterations > 0 ? (double)round->iterations : 1;
     const double iteration = round->solve_seconds / iterations;
     const double others = round->seconds - round->solve_seconds;
-    const double w = at->rounds < 2 ? 1 : weight; /* the first is forgotten */
+    const double w = at->rounds < 2 ? 1 : weight; /* the second round replaces the first */
     at->others += w * (others - at->others);
     at->iteration += w * (iteration - at->iteration);
     at->rounds++;
 }
 
-/* A trial is over: its level is chosen and the way goes on, or the other way is next. */
-static void weigh(team *t, const team_round *round) {
+/* Evaluates a trial: chooses its level, or makes the next trial go in the other direction. */
+static void evaluate_trial(team *t, const team_round *round) {
     team_level *at = &t->at[t->trial];
     const double expected = predicted(&t->at[t->level], round->iterations);
     const double loss = round->seconds - expected;
@@ -149,13 +149,13 @@ void team_end(team *t, const team_round *round) {
     t->last_iterations = round->iterations;
     t->credit += share * round->seconds;
     if (t->trial != t->level) {
-        weigh(t, round);
+        evaluate_trial(t, round);
         return;
     }
     const double expected = predicted(at, round->iterations);
     if (at->rounds == SETTLED - 1)
         t->credit += (margin - 1) * round->seconds; /* for the first trial */
-    /* Far slower than before: the loss justifies a new search. */
+    /* The round was much slower than expected: the loss justifies a new search. */
     if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
         t->credit += (round->seconds - expected) / 2;
         for (int l = 0; l < t->levels; l++)

@@ -6,10 +6,10 @@
  * run with all threads takes many times as long as with one. The bits do not depend on the number
  * of threads, so it may change from round to round.
  *
- * For each number of threads the time of a round is kept in two parts, an iteration of the solver
- * and the rest. Now and then the next number up or down gets a round, and is kept if it is faster.
- * Such a trial ends between two phases once it has taken 1.5 times the expected time, and all
- * trials together may cost a fiftieth of the time (and one trial).
+ * For each number of threads, the mean times of a solver iteration and of all else in a round are
+ * recorded. Now and then a round is a trial of the next greater or smaller number, which is chosen
+ * if it is faster. A trial is abandoned between two phases once it has taken 1.5 times the expected
+ * time, and all trials together may cost a fiftieth of the time (plus one trial).
  *
  * One team per process, as OpenMP's number of threads belongs to the process. Without OpenMP none
  * of this has an effect.
@@ -19,46 +19,46 @@
 
 enum { TEAM_LEVELS = 16 };
 
-/** What rounds at one count of threads have taken. */
+/** The times of rounds with one number of threads. */
 typedef struct team_level {
-    int rounds;       /* that went into the means */
-    double others;    /* s a round, but for the solver's iterations */
-    double iteration; /* s */
-    double risk;      /* s that a trial here is expected to lose; 0: not tried since it was left */
+    int rounds;       /* number of rounds in the means */
+    double others;    /* s per round, without the solver's iterations */
+    double iteration; /* s per iteration of the solver */
+    double risk;      /* s that a trial of this level is expected to lose; 0: no trial so far */
 } team_level;
 
 typedef struct team {
-    int most;   /* threads of level 0; level l has most >> l. 0: nothing to choose */
+    int most;   /* threads of level 0; level l has most >> l threads. 0: nothing to choose */
     int levels; /* the last one has one thread */
-    int level;  /* of rounds that are no trial */
-    int trial;  /* the level of the round under way; `level` where it is no trial */
-    int upward; /* the next trial is of more threads */
-    int ended;  /* the trial under way took too long: the round goes on with the chosen count */
+    int level;  /* the chosen level */
+    int trial;  /* the current round's level; equal to `level` if it is not a trial */
+    int upward; /* the next trial uses more threads */
+    int ended;  /* the current trial took too long: the round continues at the chosen level */
     team_level at[TEAM_LEVELS];
-    double begun;    /* s, when the round under way began */
+    double begun;    /* s, time at which the current round began */
     double expected; /* s that it should take */
     double credit;   /* s that trials may lose */
     long last_iterations;
 } team;
 
-/** A round's account. */
+/** The measurements of a round. */
 typedef struct team_round {
     double seconds, solve_seconds;
     long iterations; /* of the solver */
 } team_round;
 
-/** Begins with `most` threads, or with one where cores are busy. */
+/** Begins with `most` threads, or with one if cores are busy. */
 void team_start(team *t, int most, int busy);
 /** The same with OpenMP's current number of threads, after a probe for busy cores. */
 void team_choose(team *t);
-/** A round begins: its threads are set, for this thread's parallel regions. */
+/** Begins a round: sets the number of threads of the calling thread's parallel regions. */
 void team_begin(team *t, double now);
 /** Between two phases: ends a trial that takes too long. */
-void team_look(team *t, double now);
-/** The round is over; OpenMP's count of threads is as it was. */
+void team_check(team *t, double now);
+/** Ends the round, and restores OpenMP's number of threads. */
 void team_end(team *t, const team_round *round);
 
-/** Threads of rounds that are no trial; 0: what OpenMP gives. */
+/** The chosen number of threads; 0: OpenMP's. */
 int team_threads(const team *t);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* The multiple of the step's ticks that comes next, also where a cut has left the grid. */
+/* The next multiple of the step's length in ticks, even if a cut ended off the grid. */
 static int next_on_grid(const simulation *sim) {
     return (sim->state.ticks_done / sim->step.ticks + 1) * sim->step.ticks;
 }

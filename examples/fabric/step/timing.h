@@ -11,22 +11,22 @@
 
 #include "simulation_state.h"
 
-/** Times that differ by less are the same, s: times in binary fractions of a step miss decimal ones
- *  by a rounding. */
+/** Times that differ by less than this are equal, s: binary fractions of a step differ from decimal
+ *  times by rounding. */
 static inline double timing_rounding(const simulation *sim) {
     return 1e-9 * sim->scene->time.step;
 }
 
-/** Chooses where the step that begins now ends, and sets its length step.h. */
+/** Chooses the end of the step that begins now, and sets its length step.h. */
 void timing_begin(simulation *sim);
 
-/** That time, s. */
+/** The time at which the current step ends, s. */
 double timing_end(const simulation *sim);
 
-/** The step that timing_begin chose is done. */
+/** Advances the time by the current step. */
 void timing_accept(simulation *sim);
 
-/** Does something begin or end before the scene's step that begins now ends? */
+/** Does something begin or end before the end of the scene's step that begins now? */
 bool timing_event_within_frame(const simulation *sim);
 
 #endif

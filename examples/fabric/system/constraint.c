@@ -74,6 +74,6 @@ void constraint_give(constraints *c, int i, int count, const double (*d)[3], con
             for (int b = 0; b < 3; b++)
                 of->S[a][b] -= e[m][a] * e[m][b];
     if (known == 3)
-        memset(of->S, 0, sizeof of->S); /* exactly */
+        memset(of->S, 0, sizeof of->S); /* exactly 0, without rounding errors */
     c->given[i] = (unsigned char)known;
 }

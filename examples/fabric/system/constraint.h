@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Given directions of a vertex' velocity change, and their values: Baraff and Witkin 1998, section
- * 5. For each vertex dv = S y + z with S = I - sum e e' over orthonormal given directions e, and z
- * the given change of velocity along them.
+ * Directions in which a vertex' change of velocity is given (prescribed), and its values there:
+ * Baraff and Witkin 1998, section 5. For each vertex dv = S y + z with S = I - sum e e' over
+ * orthonormal given directions e, and z the given change of velocity along them.
  */
 #ifndef FABRIC_CONSTRAINT_H
 #define FABRIC_CONSTRAINT_H
@@ -14,27 +14,28 @@ typedef struct vertex_constraint {
     double z[3];    /* m/s */
 } vertex_constraint;
 
-/** Vertices that never are constrained have no S and z: those are the identity and 0. */
+/** S and z are stored only for vertices that have been constrained; others have the identity and 0.
+ */
 typedef struct constraints {
     int count;               /* vertices */
     unsigned char *given;    /* [count] directions given: 0 (free) to 3 (all) */
-    int *place;              /* [count] in `list`; -1: none. NULL: no vertex has a place */
+    int *place;              /* [count] index in `list`; -1: none. NULL: no vertex has one */
     vertex_constraint *list; /* [used] */
     int used, room;
 } constraints;
 
-/** All free. 0, or -1: out of memory. */
+/** Makes all vertices free. 0, or -1: out of memory. */
 int constraints_init(constraints *c, int count);
 void constraints_free(constraints *c);
 
-/** Makes a place for what vertex i is given, if it has none. 0, or -1: out of memory. To be called
- *  by one thread, before constraint_give. */
+/** Adds vertex i to `list`, if it is not in it. 0, or -1: out of memory. To be called by one
+ * thread, before constraint_give. */
 int constraint_place(constraints *c, int i);
 
-/** Lets vertex i free. It keeps its place. */
+/** Frees vertex i, which stays in `list`. */
 void constraint_release(constraints *c, int i);
 
-/** What vertex i is given, which is constrained. */
+/** The entry of vertex i, which must be in `list`. */
 static inline const vertex_constraint *constraint_at(const constraints *c, int i) {
     return &c->list[c->place[i]];
 }
@@ -62,9 +63,10 @@ static inline void constraint_filter(const constraints *c, int i, double r[3]) {
 }
 
 /**
- * Demands that d[k] . dv = change[k] (m/s) for `count` directions d (of any length but 0). They are
- * made orthonormal in turn; one that depends on those before (within 1e-8 squared) is left out, so
- * earlier demands win where they conflict. The vertex has a place.
+ * Prescribes d[k] . dv = change[k] (m/s) for `count` directions d (of any length except 0). They
+ * are orthonormalised in order (Gram-Schmidt); one that depends linearly on earlier ones (its
+ * squared remainder is below 1e-8) is left out, so that earlier directions win conflicts. The
+ * vertex must be in `list`.
  */
 void constraint_give(constraints *c, int i, int count, const double (*d)[3], const double *change);
 

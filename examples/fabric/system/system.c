@@ -22,8 +22,9 @@ static int sort_unique(int *column, int count) {
     return kept;
 }
 
-/* Gives every pair (smaller, larger) of vertices that share an element, diagonals not included, to
- * the row of the smaller: counts them where column is NULL, else stores and advances next. */
+/* Adds every pair (smaller, larger) of vertices that share an element, without diagonals, to the
+ * row of the smaller: counts in `next` if column is NULL; otherwise stores at `next` and advances
+ * it. */
 static void visit_pairs(int list_count, const element_list *lists, int *next, int *column) {
     for (int l = 0; l < list_count; l++)
         for (int e = 0; e < lists[l].count; e++) {
@@ -39,7 +40,9 @@ static void visit_pairs(int list_count, const element_list *lists, int *next, in
         }
 }
 
-/* The columns of each row with repetitions, then without: *column and row_start are the result. */
+/* Computes *column and row_start: lists the columns of each row with repetitions, then removes
+ * these.
+ */
 static int find_columns(int rows, int list_count, const element_list *lists, int *row_start,
                         int **column) {
     int *first = calloc((size_t)rows + 1, sizeof *first);
@@ -52,7 +55,7 @@ static int find_columns(int rows, int list_count, const element_list *lists, int
     visit_pairs(list_count, lists, next, NULL);
     for (int i = 0; i < rows; i++) {
         first[i] = total;
-        total += next[i] + 1; /* and the diagonal */
+        total += next[i] + 1; /* 1 for the diagonal */
         next[i] = first[i] + 1;
     }
     wide = malloc(sizeof *wide * ((size_t)total + 1));
@@ -125,8 +128,8 @@ void system_reset(linear_system *s, const double *mass, const double gravity[3],
     }
 }
 
-/* Where the block (row, column) is stored: row <= column, and the two share an element. Rows are
- * short (4 blocks, 7 with bending, on average): going through them beats bisection. */
+/* The index of block (row, column), row <= column; the two vertices share an element. Rows are
+ * short (4 blocks, 7 with bending, on average), so that a linear search beats bisection. */
 static int block_find(const block_matrix *A, int row, int column) {
     int block = A->row_start[row];
     while (A->column[block] < column)

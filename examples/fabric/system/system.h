@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The linear system of a step, A dv = b: one row of 3x3 blocks a vertex.
+ * The linear system of a step, A dv = b, with one row of 3x3 blocks per vertex.
  *
  *     A = M - h df/dv - h^2 df/dx   kg
  *     b = h (f + h df/dx v)         kg m/s
@@ -33,21 +33,22 @@ typedef struct element_list {
     const int *vertex; /* [count * size] */
 } element_list;
 
-/** Lays out A for the elements in `lists`; values and b are unset until system_reset. A list that
- *  is left out costs neither memory nor time. 0, or -1: out of memory (then s is empty). */
+/** Lays out A for the elements in `lists`; values and b are unset until system_reset. Elements that
+ *  exert no force should be left out, to save memory and time. 0, or -1: out of memory (then s is
+ *  empty). */
 int system_init(linear_system *s, int vertex_count, int list_count, const element_list *lists);
 void system_free(linear_system *s);
 
 /** A = M, b = h m g. mass [vertices] kg, gravity m/s^2, h s. */
 void system_reset(linear_system *s, const double *mass, const double gravity[3], double h);
 
-/** Where A keeps the blocks of each element's pairs of vertices, which ascend in an element: block
- *  [count * size (size + 1) / 2], (i,i) (i,j) ... (j,j) ... of one element after the other. */
+/** Finds the indices in A of the blocks of each element's pairs of vertices, which ascend within an
+ *  element: block [count * size (size + 1) / 2], (i,i) (i,j) ... (j,j) ... element by element. */
 void block_matrix_locate(const block_matrix *A, const element_list *list, int *block);
 
 void block_matrix_free(block_matrix *A);
 
-/** y += A x for a symmetric A given by its half. x, y [A->row_count] must not overlap. */
+/** y += A x for a symmetric A of which half is stored. x, y [A->row_count] must not overlap. */
 void half_product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 
 #endif

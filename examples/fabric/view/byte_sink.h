@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Numbers into a file, byte by byte, the lowest first whatever the machine's order is; as they
- * are, or as base64 (RFC 4648). Errors are the file's (ferror). */
+/** Writes numbers to a file in little-endian order on any machine, either as bytes or as base64
+ * (RFC 4648). Callers check errors by ferror. */
 #ifndef FABRIC_VIEW_BYTE_SINK_H
 #define FABRIC_VIEW_BYTE_SINK_H
 
@@ -17,10 +17,10 @@ typedef struct byte_sink {
 
 void byte_sink_word(byte_sink *to, uint32_t word);
 
-/** As a float of 4 bytes. */
+/** Writes a number as a float of 4 bytes. */
 void byte_sink_float(byte_sink *to, double number);
 
-/** After the last byte: the end of base64. */
+/** To be called after the last byte: completes base64. */
 void byte_sink_end(byte_sink *to);
 
 #endif

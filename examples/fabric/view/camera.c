@@ -29,7 +29,8 @@ static void along(const camera *c, const double point[3], double out[3]) {
     out[2] = dot(c->back, point);
 }
 
-/** The least distance along `back` at which all points are in the picture around `middle`. */
+/** The least distance along `back` at which the picture, centred at `middle`, contains all points.
+ */
 static double distance_for(const camera *c, const double middle[2], double (*points)[3],
                            long count) {
     double distance = -1e300;
@@ -43,7 +44,7 @@ static double distance_for(const camera *c, const double middle[2], double (*poi
     return distance;
 }
 
-/** Moves the middle to that of what is seen from `distance`, as perspective shows it. */
+/** Moves `middle` to the centre of the points' perspective image from `distance`. */
 static void center(const camera *c, double middle[2], double distance, double (*points)[3],
                    long count) {
     double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300}, depth = 0.0;

@@ -18,7 +18,7 @@ struct film {
     frames frames;
     int width, height;
     scene of;
-    float *material; /* [2 * vertices] m, from the first frame: the cloth is flat in it */
+    float *material; /* [2 * vertices] m, from the first frame, in which the cloth is flat */
     camera from;
     stage *drawing;
 };
@@ -28,7 +28,7 @@ static int out_of_memory(void) {
     return -1;
 }
 
-/** Coordinates in the plane of the flat cloth, along two of its own directions. */
+/** Computes material coordinates along two directions in the plane of the flat cloth. */
 static int find_material(film *f) {
     const state *s = &f->frames.first;
     const double *n = f->of.mesh.normal;
@@ -52,8 +52,7 @@ static int find_material(film *f) {
     return 0;
 }
 
-/** Corners of the boxes around the solids, at the time given. */
-/** No point of the body is farther from its origin, m. */
+/** The radius of a ball around the body's origin that contains the body, m. */
 static double reach_of(const collider *c) {
     switch (c->kind) {
     case COLLIDER_BOX:
@@ -69,6 +68,7 @@ static double reach_of(const collider *c) {
     return c->size[0];
 }
 
+/** Stores the corners of boxes around the colliders at `time`; returns their number. */
 static long collider_points(const film *f, double time, double (*points)[3]) {
     long count = 0;
     for (int k = 0; k < f->of.collider_count; k++) {
@@ -77,7 +77,7 @@ static long collider_points(const film *f, double time, double (*points)[3]) {
         if (c->kind == COLLIDER_PLANE)
             continue;
         motion_pose(c, time, &pose);
-        const double all_ways = motion_turns(c) ? reach_of(c) : 0.0;
+        const double all_ways = motion_rotates(c) ? reach_of(c) : 0.0;
         for (int corner = 0; corner < 8; corner++, count++)
             for (int i = 0; i < 3; i++) {
                 double half = c->size[i];
@@ -95,7 +95,7 @@ static long collider_points(const film *f, double time, double (*points)[3]) {
     return count;
 }
 
-/** One camera for all frames. */
+/** Chooses one camera for all frames. */
 static int place_camera(film *f) {
     static const double back[3] = {0.8, -1.0, 0.5};
     const long of_solids = 8L * f->of.collider_count;
@@ -129,7 +129,7 @@ static int prepare(film *f, const char *folder) {
     if (files_join(path, folder, "scene.yaml") != 0 || scene_read(&f->of, path) != 0 ||
         frames_open(&f->frames, folder) != 0 || find_material(f) != 0 || place_camera(f) != 0)
         return -1;
-    /* Twice as large as asked for, then halved: smooth edges. */
+    /* Drawn at twice the size, then halved: anti-aliasing. */
     f->drawing = stage_new(&f->of, 2 * f->width, 2 * f->height);
     return f->drawing ? 0 : -1;
 }

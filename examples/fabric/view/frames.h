@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The states of `run` in DIR/frames; the first contains the triangles. */
+/** The states that `fabric run` wrote to DIR/frames; the first contains the triangles. */
 #ifndef FABRIC_VIEW_FRAMES_H
 #define FABRIC_VIEW_FRAMES_H
 

@@ -23,7 +23,8 @@ static void stretch_bounds(bounds *b, const double p[3]) {
     }
 }
 
-/** Vertex v of a frame in the file: the first one's place, the others' way from there. */
+/** Vertex v of a frame as in the file: a position in the first frame, in others the displacement
+ * from it. */
 static void vertex_of(const gltf *g, const state *s, int number, int v, double turned[3]) {
     double p[3];
     for (int a = 0; a < 3; a++)
@@ -42,7 +43,7 @@ void gltf_measure(const gltf *g, uint64_t size[PARTS]) {
         size[TIMES] = 4 * frames;
         size[WEIGHTS] = 4 * frames * (frames - 1);
         size[PATHS] = 12 * frames * (uint64_t)gltf_moving_before(g, g->solid_count);
-        size[TURNS] = 16 * frames * (uint64_t)gltf_turning_before(g, g->solid_count);
+        size[TURNS] = 16 * frames * (uint64_t)gltf_rotating_before(g, g->solid_count);
     }
     for (int k = 0; k < g->solid_count; k++) {
         size[SOLIDS] += 12 * (uint64_t)g->solids[k].surface.vertex_count;
@@ -143,7 +144,7 @@ static void put_solids(const gltf *g, byte_sink *to) {
             put_point(to, at);
         }
     for (int k = 0; k < g->solid_count && g->frames->count > 1; k++)
-        for (int n = 0; motion_turns(g->solids[k].of) && n < g->frames->count; n++) {
+        for (int n = 0; motion_rotates(g->solids[k].of) && n < g->frames->count; n++) {
             double quaternion[4];
             gltf_rotation(g->solids[k].of, g->frames->time[n], quaternion);
             for (int a = 0; a < 4; a++)
@@ -151,7 +152,7 @@ static void put_solids(const gltf *g, byte_sink *to) {
         }
 }
 
-/** In the order of the parts. */
+/** Writes the buffer, in the order of the parts. */
 static int put_buffer(const gltf *g, byte_sink *to) {
     if (put_frames(g, to) != 0)
         return -1;
@@ -171,8 +172,8 @@ static int write_text(const gltf *g, const char *json, FILE *file) {
     return status;
 }
 
-/** A header and two chunks, whose lengths are multiples of 4: JSON, filled up by spaces, and the
- *  numbers. */
+/** Writes a header and two chunks, whose lengths are multiples of 4: JSON, padded with spaces, and
+ * the numbers. */
 static int write_binary(const gltf *g, const char *json, size_t length, FILE *file) {
     const uint32_t text = (uint32_t)(length + 3 + 3) / 4 * 4, bytes = (uint32_t)g->bytes;
     byte_sink to = {file, 0, {0}, 0};
@@ -224,7 +225,7 @@ static int prepare(gltf *g, const scene *of, const char *path) {
     g->frame = calloc((size_t)g->frames->count + 1, sizeof *g->frame);
     if (!g->frame)
         return -1;
-    /* Before all frames are read: without colliders, which are small. */
+    /* A check before all frames are read; it leaves out colliders, which are small. */
     gltf_measure(g, size);
     for (int part = 0; part < PARTS; part++)
         g->bytes += size[part];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A run as one animated glTF 2.0 file. The cloth is a mesh with a morph target for each frame but
- * the first, whose weight is 1 at the frame's time and 0 at the others', linear in between;
- * colliders are meshes of their own, moved by their nodes. glTF's y is up: (x, y, z) of the scene
- * is (x, z, -y) there. Metres and seconds.
+ * A run as one animated glTF 2.0 file. The cloth is a mesh with a morph target for each frame
+ * except the first. A target's weight is 1 at its frame's time and 0 at the other frames' times,
+ * linear in between. Each collider is a separate mesh, moved by its node. In glTF y is up: (x, y,
+ * z) of the scene becomes (x, z, -y). Units are metres and seconds.
  */
 #ifndef FABRIC_VIEW_GLTF_H
 #define FABRIC_VIEW_GLTF_H
@@ -11,8 +11,8 @@
 #include "scene/scene.h"
 #include "view/cloth_frames.h"
 
-/* Limits of known readers, which reject more bytes, or more morph targets than a graphics card has
- * texture layers. */
+/* Limits of common readers: of bytes, and of morph targets, which some store in the texture layers
+ * of a graphics card. */
 enum { GLTF_MOST_FRAMES = 2000, GLTF_MOST_MEGABYTES = 1000 };
 
 /** Writes a temporary file and renames it to `path`; `binary`: as GLB, else as JSON with the

@@ -14,7 +14,7 @@ static const option gltf_options[] = {
     VIEW_OUTPUT("FILE", "output file: .glb is binary, .gltf text (default DIR/cloth.glb)"),
     {.name = NULL}};
 
-/** The file's ending as a format: 1: binary, 0: text, -1 after a message. */
+/** The format that the file's extension requests: 1: binary; 0: text; -1 after a message. */
 static int is_binary(const char *path) {
     const char *dot = strrchr(path, '.');
     if (dot && strcasecmp(dot, ".glb") == 0)

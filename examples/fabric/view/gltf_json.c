@@ -7,7 +7,7 @@
 
 static const char *const collider_names[] = {"plane", "box", "sphere", "cylinder", "mesh"};
 
-/** The number of the bufferView of a part: parts without bytes have none. */
+/** The index of a part's bufferView; parts without bytes have none. */
 static int view_of(const uint64_t size[PARTS], int part) {
     int view = 0;
     for (int k = 0; k < part; k++)
@@ -15,8 +15,8 @@ static int view_of(const uint64_t size[PARTS], int part) {
     return view;
 }
 
-/* Accessors' numbers: the cloth's two, its targets, times and weights, two for each solid, one for
- * each that moves, and one for each that turns. */
+/* Indices of accessors: two for the cloth, its targets, times and weights, two for each solid, one
+ * for each solid that moves, and one for each that rotates. */
 enum { CLOTH_ACCESSOR, CORNERS_ACCESSOR, TARGET_ACCESSOR };
 
 static int times_accessor(const gltf *g) {
@@ -32,13 +32,13 @@ static int path_accessor(const gltf *g, int number) {
 }
 
 static int turn_accessor(const gltf *g, int number) {
-    return path_accessor(g, g->solid_count) + gltf_turning_before(g, number);
+    return path_accessor(g, g->solid_count) + gltf_rotating_before(g, number);
 }
 
 typedef enum accessor_kind { POINTS, INDICES, NUMBERS, QUATERNIONS } accessor_kind;
 static const char *const accessor_types[] = {"VEC3", "SCALAR", "SCALAR", "VEC4"};
 
-/** box: NULL where bounds are not asked for; of numbers its first coordinate. */
+/** Writes an accessor. box: its bounds, of which numbers use the first coordinate; NULL: none. */
 static void put_accessor(FILE *json, accessor_kind kind, int view, uint64_t offset, long count,
                          const bounds *box) {
     fprintf(json, "{\"bufferView\":%d,\"byteOffset\":%llu,\"componentType\":%d,\"count\":%ld,",
@@ -94,7 +94,7 @@ static void put_accessors(const gltf *g, const uint64_t size[PARTS], FILE *json)
             path += 12 * (uint64_t)g->frames->count;
         }
     for (int k = 0; k < g->solid_count && size[TURNS] > 0; k++)
-        if (motion_turns(g->solids[k].of)) {
+        if (motion_rotates(g->solids[k].of)) {
             put_next_accessor(json, QUATERNIONS, view_of(size, TURNS), turn, g->frames->count,
                               NULL);
             turn += 16 * (uint64_t)g->frames->count;
@@ -113,7 +113,7 @@ static void put_views(const uint64_t size[PARTS], FILE *json) {
             continue;
         fprintf(json, "%s\n{\"buffer\":0,\"byteOffset\":%llu,\"byteLength\":%llu", comma,
                 (unsigned long long)offset, (unsigned long long)size[part]);
-        /* ELEMENT_ARRAY_BUFFER, ARRAY_BUFFER; a view that vertices are read from has a stride. */
+        /* Targets: ELEMENT_ARRAY_BUFFER, ARRAY_BUFFER. A view of vertices must have a stride. */
         if (is_mesh)
             fputs(is_corners ? ",\"target\":34963" : ",\"byteStride\":12,\"target\":34962", json);
         fputc('}', json);
@@ -156,7 +156,7 @@ static void put_nodes(const gltf *g, FILE *json) {
         gltf_place(g->solids[k].of, g->frames->time[0], at);
         fprintf(json, ",\n{\"name\":\"%s\",\"mesh\":%d,\"translation\":[%.9g,%.9g,%.9g]",
                 collider_names[g->solids[k].of->kind], k + 1, at[0], at[1], at[2]);
-        if (motion_turns(g->solids[k].of)) {
+        if (motion_rotates(g->solids[k].of)) {
             double q[4];
             gltf_rotation(g->solids[k].of, g->frames->time[0], q);
             fprintf(json, ",\"rotation\":[%.9g,%.9g,%.9g,%.9g]", q[0], q[1], q[2], q[3]);
@@ -191,7 +191,7 @@ static void put_animation(const gltf *g, FILE *json) {
             fprintf(json, ",\n{\"input\":%d,\"output\":%d,\"interpolation\":\"LINEAR\"}",
                     times_accessor(g), path_accessor(g, k));
     for (int k = 0; k < g->solid_count; k++)
-        if (motion_turns(g->solids[k].of))
+        if (motion_rotates(g->solids[k].of))
             fprintf(json, ",\n{\"input\":%d,\"output\":%d,\"interpolation\":\"LINEAR\"}",
                     times_accessor(g), turn_accessor(g, k));
     fputs("],\n\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"weights\"}}", json);
@@ -200,7 +200,7 @@ static void put_animation(const gltf *g, FILE *json) {
             fprintf(json, ",\n{\"sampler\":%d,\"target\":{\"node\":%d,\"path\":\"translation\"}}",
                     sampler++, k + 1);
     for (int k = 0; k < g->solid_count; k++)
-        if (motion_turns(g->solids[k].of))
+        if (motion_rotates(g->solids[k].of))
             fprintf(json, ",\n{\"sampler\":%d,\"target\":{\"node\":%d,\"path\":\"rotation\"}}",
                     sampler++, k + 1);
     fputs("]}],\n", json);

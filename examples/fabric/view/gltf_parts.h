@@ -16,41 +16,41 @@ typedef struct bounds {
     float low[3], high[3];
 } bounds;
 
-/** A collider as it goes into the file. */
+/** A collider in the file. */
 typedef struct solid {
     const collider *of;
     mesh surface;
     bounds box;
 } solid;
 
-/** Data collected before anything is written. */
+/** Data collected before writing. */
 typedef struct gltf {
     const cloth_frames *frames;
     state first;
-    bounds *frame; /* [frames->count]: of the first frame, then of the differences from it */
+    bounds *frame; /* [frames->count] of the first frame, then of the differences from it */
     int solid_count;
     solid *solids;
-    uint64_t bytes; /* of all numbers */
+    uint64_t bytes; /* number of bytes of the buffer */
 } gltf;
 
-/* The buffer's parts, each a bufferView, in this order in the file; accessors are in it too. */
+/* The buffer's parts, each a bufferView, in the file's order; accessors are in the same order. */
 enum { CLOTH, TARGETS, CORNERS, TIMES, WEIGHTS, SOLIDS, SOLID_CORNERS, PATHS, TURNS, PARTS };
 
-/** From z up to y up. */
+/** Converts coordinates from z up to y up. */
 static inline void gltf_turn(const double p[3], double turned[3]) {
     turned[0] = p[0];
     turned[1] = p[2];
-    turned[2] = 0 - p[1]; /* without -0 */
+    turned[2] = 0 - p[1]; /* never -0 */
 }
 
-/** Where the collider is at a time, in the file. */
+/** The collider's position at a time, in the file's axes. */
 static inline void gltf_place(const collider *c, double time, double turned[3]) {
     body_pose pose;
     motion_pose(c, time, &pose);
     gltf_turn(pose.origin, turned);
 }
 
-/** How it is turned then: a unit quaternion (x, y, z, w). */
+/** The collider's rotation at a time: a unit quaternion (x, y, z, w). */
 static inline void gltf_rotation(const collider *c, double time, double quaternion[4]) {
     const double half = motion_angle(c, time) / 2;
     double axis[3];
@@ -64,7 +64,7 @@ static inline int gltf_is_moving(const collider *c) {
     return vector_dot(c->velocity, c->velocity) > 0 || motion_has_keys(c);
 }
 
-/** How many of the solids before the first `count` move; how many turn. */
+/** How many of the first `count` solids move. */
 static inline int gltf_moving_before(const gltf *g, int count) {
     int moving = 0;
     for (int k = 0; k < count; k++)
@@ -72,18 +72,17 @@ static inline int gltf_moving_before(const gltf *g, int count) {
     return moving;
 }
 
-static inline int gltf_turning_before(const gltf *g, int count) {
+static inline int gltf_rotating_before(const gltf *g, int count) {
     int turning = 0;
     for (int k = 0; k < count; k++)
-        turning += motion_turns(g->solids[k].of);
+        turning += motion_rotates(g->solids[k].of);
     return turning;
 }
 
-/** Bytes of each part. */
+/** Computes the bytes of each part. */
 void gltf_measure(const gltf *g, uint64_t size[PARTS]);
 
-/** The JSON, but for its end: the last thing is the buffer's length. To be freed; NULL: out of
- *  memory. */
+/** The JSON without its end: it ends with the buffer's length. To be freed; NULL: out of memory. */
 char *gltf_json(const gltf *g, size_t *length);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric-view: shows what `fabric run` has left. A program of its own, so that simulating loads no
- * renderer. */
+/* fabric-view: shows the results of `fabric run`. It is a separate program, so that a simulation
+ * loads no renderer. */
 #include "base/program.h"
 #include "view/view.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/vector.h"
 
-/** A patch's corners, and the inner points of its cubic: along[i][j] is next to i on the way to j.
+/** A patch's corners, and the control points of its cubic: along[i][j] is on side i-j, next to i.
  */
 typedef struct cubic {
     const double *corner[3], *normal[3];
@@ -36,7 +36,8 @@ static void sum_normals(int vertex_count, int triangle_count, const double *posi
     }
 }
 
-/* A third of the way to the other corner, in the plane of this one's normal. */
+/* A control point on a side is a third of the side away from its corner, projected onto the plane
+ * of the corner's normal. */
 static void find_inner_points(cubic *c) {
     double corners[3] = {0}, sides[3] = {0};
     for (int i = 0; i < 3; i++) {
@@ -55,7 +56,7 @@ static void find_inner_points(cubic *c) {
         c->middle[a] = 1.5 * sides[a] - 0.5 * corners[a];
 }
 
-/* The patch's point with these barycentric coordinates. */
+/* Appends the patch's point with these barycentric coordinates. */
 static void put_vertex(const cubic *c, const double w[3], patches *p) {
     const size_t at = (size_t)p->vertex_count++;
     double *x = &p->position[3 * at], n[3] = {0};
@@ -83,7 +84,8 @@ static void put_triangle(patches *p, int a, int b, int c) {
     corner[2] = c;
 }
 
-/* Rows from corner 0 to the side opposite; row r has r + 1 points. */
+/* Appends the patch's points, in rows from corner 0 to the opposite side; row r has r + 1 points.
+ */
 static void put_patch(const cubic *c, int parts, patches *p) {
     const int first = p->vertex_count;
     for (int r = 0; r <= parts; r++)

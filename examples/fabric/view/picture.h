@@ -3,7 +3,7 @@
 #ifndef FABRIC_VIEW_PICTURE_H
 #define FABRIC_VIEW_PICTURE_H
 
-/* Of a frame, unless another size is asked for. */
+/* Default size of a picture. */
 enum { PICTURE_WIDTH = 960, PICTURE_HEIGHT = 720 };
 
 typedef struct picture {
@@ -11,14 +11,15 @@ typedef struct picture {
     unsigned char *rgb; /* [height][width][3], top row first */
 } picture;
 
-/** White. 0, or -1 when memory is out; picture_free frees it. */
+/** Makes a white picture. 0, or -1: out of memory; picture_free frees it. */
 int picture_new(picture *p, int width, int height);
 void picture_free(picture *p);
 
-/** Half as wide and high (both even): each pixel the mean of four. 0, or -1 when memory is out. */
+/** Halves width and height, which must be even: each pixel is the mean of four. 0, or -1: out of
+ *  memory. */
 int picture_halve(const picture *p, picture *half);
 
-/** Copies `from` so that its upper left corner is at (x, y); what lies outside is cut off. */
+/** Copies `from` so that its upper left corner is at (x, y); clips it. */
 void picture_paste(picture *onto, const picture *from, int x, int y);
 
 /** Writes digits, '.', '=', ' ', 's' and 't' in dark grey, 5 by 7 dots of `dot` pixels each, its

@@ -15,7 +15,8 @@ static const char *const tables[] = {"dt",     "cg",         "newton",         "
                                      "mesh",   "robustness", "preconditioner", "precision",
                                      "solver", "sum",        "horizon"};
 
-/** gnuplot's exit status in the folder, with the folder of scripts as `plots`; 127: not started. */
+/** Runs gnuplot in `folder`; scripts find their folder in the variable `plots`. Returns the exit
+ *  status; 127: not started. */
 static int run_gnuplot(const char *folder, const char *plots, const char *name) {
     char definition[FILE_PATH_SIZE + 16], common[FILE_PATH_SIZE + 32], script[FILE_PATH_SIZE + 32];
     snprintf(definition, sizeof definition, "plots = '%s/'", plots);
@@ -35,11 +36,11 @@ static int run_gnuplot(const char *folder, const char *plots, const char *name) 
     return WEXITSTATUS(status);
 }
 
-/** Draws the tables that are there. 0, or -1 after a message. */
+/** Draws the tables that exist. 0, or -1 after a message. */
 static int draw(const char *folder) {
     char plots[FILE_PATH_SIZE], name[64], path[FILE_PATH_SIZE];
     int drawn = 0;
-    if (files_beside_program(plots, "../share/fabric/plots") != 0)
+    if (files_in_program_folder(plots, "../share/fabric/plots") != 0)
         return -1;
     for (size_t k = 0; k < sizeof tables / sizeof *tables; k++) {
         snprintf(name, sizeof name, "%s.csv", tables[k]);

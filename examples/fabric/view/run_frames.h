@@ -10,14 +10,14 @@
 typedef struct run_frames {
     frames files;
     double *time;    /* [files.count] s */
-    cloth_frames of; /* refers to the two above: not to be copied */
+    cloth_frames of; /* points to the two above, so a run_frames must not be copied */
 } run_frames;
 
 /** Opens the run in `folder` and reads all of its frames once, so that a damaged one is found
- *  before anything is written. 0, or -1 after a message; run_frames_finish in either case. */
+ *  before any output is written. 0, or -1 after a message; run_frames_finish in either case. */
 int run_frames_open(run_frames *r, const char *folder);
 
-/** Closes it after an export to `to`, and says so if `status` is 0. Returns status. */
+/** Closes the run after an export to `to`, which it reports if `status` is 0. Returns status. */
 int run_frames_finish(run_frames *r, int status, const char *to);
 
 #endif

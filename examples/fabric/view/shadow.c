@@ -35,9 +35,9 @@ void shadow_free(shadow *s) {
     *s = (shadow){0};
 }
 
-/* Looks along the light, with everything within the radius in the picture; what is nearer to the
- * light or further away is not cut off for four times as far. */
-static void look_along(const float light[3], const double center[3], double radius) {
+/* Sets a view along the light that contains everything within the radius. In depth it extends to
+ * four times the radius in both directions, so that objects there are not clipped. */
+static void set_light_view(const float light[3], const double center[3], double radius) {
     double back[3] = {(double)light[0], (double)light[1], (double)light[2]}, right[3], up[3];
     double view[16] = {0};
     const double length = vector_length(back), upright[3] = {0, 0, 1}, along[3] = {0, 1, 0};
@@ -62,8 +62,8 @@ static void look_along(const float light[3], const double center[3], double radi
     glTranslated(-center[0], -center[1], -center[2]);
 }
 
-/* The matrices of the light's view, and from -1 to 1 into 0 to 1. */
-static void note_way_to_texture(shadow *s) {
+/* Stores the product of the light's matrices with the map from [-1, 1] to [0, 1]. */
+static void set_texture_matrix(shadow *s) {
     double projection[16], view[16];
     glGetDoublev(GL_PROJECTION_MATRIX, projection);
     glGetDoublev(GL_MODELVIEW_MATRIX, view);
@@ -85,8 +85,8 @@ int shadow_begin(shadow *s, OSMesaContext context, const float light[3], const d
     glViewport(0, 0, SHADOW_SIZE, SHADOW_SIZE);
     glClear(GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    look_along(light, center, radius);
-    note_way_to_texture(s);
+    set_light_view(light, center, radius);
+    set_texture_matrix(s);
     /* Stores slightly larger depths; otherwise surfaces would shadow themselves in places. */
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(3.0f, 6.0f);
@@ -110,7 +110,7 @@ void shadow_apply(const shadow *s) {
     glMatrixMode(GL_TEXTURE);
     glLoadMatrixd(s->from_world);
     glMatrixMode(GL_MODELVIEW);
-    for (int a = 0; a < 4; a++) { /* the place in the world */
+    for (int a = 0; a < 4; a++) { /* texture coordinates: the position in the world */
         GLdouble axis[4] = {0};
         axis[a] = 1;
         glTexGeni(coordinate[a], GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);

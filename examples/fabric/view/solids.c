@@ -14,7 +14,8 @@ static const double TILE = 0.25; /* m */
 
 /** Two unit vectors at right angles to the axis and to each other. */
 static void axes_across(const double axis[3], double first[3], double second[3]) {
-    const int other = fabs(axis[0]) < 0.9 ? 0 : 1; /* an axis of space that is not along it */
+    const int other =
+        fabs(axis[0]) < 0.9 ? 0 : 1; /* a coordinate axis that is not parallel to it */
     double length = 0.0;
     for (int k = 0; k < 3; k++) {
         first[k] = (k == other ? 1.0 : 0.0) - axis[other] * axis[k];
@@ -121,7 +122,7 @@ void solids_draw(const collider *c, double time) {
     motion_pose(c, time, &pose);
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++)
-            columns[4 * column + row] = pose.turn[row][column];
+            columns[4 * column + row] = pose.rotation[row][column];
     for (int row = 0; row < 3; row++)
         columns[12 + row] = pose.origin[row];
     columns[15] = 1.0;
@@ -143,11 +144,13 @@ void solids_plane(const collider *c, double time, double point[3], double normal
     motion_pose(c, time, &pose);
     for (int k = 0; k < 3; k++) {
         point[k] = pose.origin[k];
-        normal[k] = vector_dot(pose.turn[k], c->axis);
+        normal[k] = vector_dot(pose.rotation[k], c->axis);
     }
 }
 
-/** The colour of a tile's corner at (x, y) from the middle: its own, fading outwards. */
+/** Sets the colour of a tile's corner at (x, y) from the middle; it fades outwards to the
+ * background.
+ */
 static void tile_color(double x, double y, int odd, double reach, const float background[3]) {
     const float own = odd ? 0.80f : 0.845f;
     const double distance = sqrt(x * x + y * y) / reach;

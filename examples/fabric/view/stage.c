@@ -22,13 +22,14 @@ struct stage {
 };
 
 static const GLfloat BACKGROUND[3] = {0.93f, 0.945f, 0.96f};
-static const GLfloat LIGHT[4] = {-0.45f, -0.8f, 1.1f, 0.0f}; /* towards it; 0: infinitely far */
-static const double REPEAT = 0.16; /* m, of the pattern woven into the cloth */
+static const GLfloat LIGHT[4] = {-0.45f, -0.8f, 1.1f, 0.0f}; /* to the light, at infinity (w = 0) */
+static const double REPEAT = 0.16; /* m, period of the pattern woven into the cloth */
 enum { WEAVE = 64 };
-/* Small triangles in a picture: more of them are not seen. */
+/* Limits of the small triangles in a picture, and of the parts of a side: more would not be
+ * visible. */
 enum { MOST_PIECES = 300000, MOST_PARTS = 5 };
 
-/** A checked cloth: two stripes cross. */
+/** The texture of a checked cloth: two crossing stripes. */
 static GLuint make_weave(void) {
     static const double light[3] = {244.0, 240.0, 230.0}, dark[3] = {38.0, 98.0, 140.0};
     unsigned char texel[WEAVE][WEAVE][3];
@@ -63,7 +64,7 @@ static void set_light(void) {
     glEnable(GL_NORMALIZE);
 }
 
-/** Which lights shine: the key light, and what comes from everywhere. */
+/** Switches the key light, and the ambient and fill light. */
 static void switch_lights(int key, int others) {
     static const GLfloat ambient[4] = {0.39f, 0.40f, 0.43f, 1.0f}, none[4] = {0, 0, 0, 1.0f};
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, others ? ambient : none);
@@ -113,7 +114,7 @@ void stage_free(stage *st) {
     free(st);
 }
 
-void stage_look(const camera *from) {
+void stage_set_camera(const camera *from) {
     const double near = 0.25 * from->depth[0], far = 4.0 * from->depth[1] + 20.0;
     GLdouble view[16] = {0.0};
     for (int k = 0; k < 3; k++) {
@@ -171,7 +172,7 @@ static void draw_solids(const stage *st, double time) {
     }
 }
 
-/** Flattens what follows onto the plane, away from the light. */
+/** Projects what is drawn next onto the plane, away from the light. */
 static void flatten(const double normal[3], double offset) {
     double slope = 0.0, matrix[16] = {0.0};
     for (int k = 0; k < 3; k++)
@@ -186,7 +187,8 @@ static void flatten(const double normal[3], double offset) {
     glMultMatrixd(matrix);
 }
 
-/** Darkens the plane in the shadows of cloth and solids; each pixel once (the stencil). */
+/** Darkens the plane in the shadows of cloth and solids; a stencil limits this to once per pixel.
+ */
 static void draw_shadows(const stage *st, const collider *plane, const patches *cloth,
                          double time) {
     double offset = 0.001; /* m above the plane, so as not to be hidden by it */
@@ -220,8 +222,8 @@ static void take_picture(const stage *st, picture *p) {
         memcpy(p->rgb + 3 * k, st->pixels + 4 * k, 3);
 }
 
-/** What the light sees of cloth and solids: all that may cast a shadow onto the cloth. */
-static int look_from_light(stage *st, const patches *cloth, double time) {
+/** Draws the shadow map: cloth and solids as seen from the light. */
+static int draw_shadow_map(stage *st, const patches *cloth, double time) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     double center[3], square = 0.0;
     for (int i = 0; i < cloth->vertex_count; i++)
@@ -243,7 +245,8 @@ static int look_from_light(stage *st, const patches *cloth, double time) {
                                                                                                : -1;
 }
 
-/** Cloth and solids: as they are without the key light, and then that added where it shines. */
+/** Draws cloth and solids in two passes: without the key light, then adding it outside of shadows.
+ */
 static void draw_lit(const stage *st, const patches *cloth, double time) {
     switch_lights(0, 1);
     draw_solids(st, time);
@@ -273,14 +276,14 @@ static void draw_planes(const stage *st, const camera *from, const patches *clot
     }
 }
 
-/** Draws into the stage's pixels. 0, or -1: the library does not. */
+/** Draws into the stage's pixels. 0, or -1: OSMesa failed. */
 static int draw_all(stage *st, const camera *from, const patches *cloth, double time) {
-    if (look_from_light(st, cloth, time) != 0)
+    if (draw_shadow_map(st, cloth, time) != 0)
         return -1;
     glViewport(0, 0, st->width, st->height);
     glClearColor(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    stage_look(from);
+    stage_set_camera(from);
     set_light();
     draw_planes(st, from, cloth, time);
     draw_lit(st, cloth, time);
@@ -288,7 +291,7 @@ static int draw_all(stage *st, const camera *from, const patches *cloth, double 
     return 0;
 }
 
-/** How many parts a side of a triangle is drawn in. */
+/** The number of parts into which each side of a triangle is divided for drawing. */
 static int parts_of(int triangle_count) {
     int parts = MOST_PARTS;
     while (parts > 1 && (long)triangle_count * parts * parts > MOST_PIECES)

@@ -17,8 +17,8 @@ typedef struct stage_cloth {
     const float *material;  /* [2 * vertex_count] m, for the pattern woven into it */
 } stage_cloth;
 
-/** Ready to draw pictures of this size; NULL after a message on standard error. One at a time: the
- *  library keeps its current drawing in a global. The scene must outlive it. */
+/** Prepares pictures of this size; NULL after a message on standard error. Only one may exist at a
+ *  time, because OSMesa's current context is global. The scene must outlive it. */
 stage *stage_new(const scene *s, int width, int height);
 void stage_free(stage *st);
 
@@ -26,7 +26,7 @@ void stage_free(stage *st);
  *  after a message on standard error. */
 int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double time, picture *p);
 
-/** Sets the projection and the view of OpenGL's current drawing to the camera's. */
-void stage_look(const camera *from);
+/** Sets the projection and model-view matrices of OpenGL's current context to the camera's. */
+void stage_set_camera(const camera *from);
 
 #endif

@@ -13,13 +13,15 @@
 #include "output/fresh_file.h"
 #include "view/film.h"
 
-/** ffmpeg while it runs, fed with pictures as rows of red, green and blue. */
+/** A running ffmpeg, which reads raw RGB pictures from a pipe. */
 typedef struct encoder {
     pid_t process;
     FILE *pictures;
 } encoder;
 
-/** In the child: does not return. `report` is closed by exec; if that fails it gets the reason. */
+/** Runs in the child and does not return. exec closes `report`; if exec fails, errno is written to
+ * it.
+ */
 static void become_ffmpeg(int input, int report, const char *size, const char *rate,
                           const char *path) {
     const char *const words[] = {"ffmpeg",   "-hide_banner", "-loglevel", "error",
@@ -43,7 +45,7 @@ static int complain_missing(const char *folder, int reason) {
     return -1;
 }
 
-/** A pipe that exec closes. */
+/** Opens a pipe with close-on-exec. */
 static int open_pipe(int ends[2]) {
     if (pipe(ends) != 0)
         return -1;
@@ -65,7 +67,7 @@ static int start(encoder *e, const char *folder, const char *size, const char *r
     close(pictures[0]);
     close(report[1]);
     if (e->process > 0 && read(report[0], &reason, sizeof reason) > 0)
-        waitpid(e->process, NULL, 0); /* it is not ffmpeg */
+        waitpid(e->process, NULL, 0); /* exec has failed */
     close(report[0]);
     e->pictures = reason == 0 ? fdopen(pictures[1], "wb") : NULL;
     if (e->pictures)
@@ -74,7 +76,7 @@ static int start(encoder *e, const char *folder, const char *size, const char *r
     return complain_missing(folder, reason);
 }
 
-/** Ends it, and says how it ended if not well; `at_once`: silently, whatever it has. */
+/** Waits for ffmpeg's end, and prints its status if it failed. `at_once`: kills it silently. */
 static int finish(encoder *e, int at_once) {
     int status = 0;
     if (at_once)
@@ -94,7 +96,7 @@ static int finish(encoder *e, int at_once) {
     return -1;
 }
 
-/** Pictures a second, so that the film takes as long as what it shows. */
+/** The frame rate at which the film runs in real time. */
 static int find_rate(film *of, char text[32]) {
     const frames *all = film_frames(of);
     double rate = 1.0;
@@ -106,13 +108,13 @@ static int find_rate(film *of, char text[32]) {
         rate = seconds > 0 ? (all->count - 1) / seconds : 1.0;
         state_free(&last);
     }
-    /* What ffmpeg takes: more or less is shown at these. */
+    /* ffmpeg accepts only these rates. */
     rate = rate < 0.01 ? 0.01 : rate > 1000 ? 1000 : rate;
     snprintf(text, 32, "%.6g", rate);
     return 0;
 }
 
-/** Stops where ffmpeg takes no more: it then says why. */
+/** Draws and writes all pictures. Stops if ffmpeg closes the pipe; ffmpeg prints the reason. */
 static int feed(encoder *e, film *of) {
     const int count = film_frames(of)->count;
     for (int number = 0; number < count && !ferror(e->pictures); number++) {
@@ -136,7 +138,7 @@ static int encode(film *of, const char *folder, int width, int height, const cha
         return -1;
     sigaction(SIGPIPE, &ignore, &kept); /* ffmpeg may end early */
     const int fed = feed(&e, of);
-    const int finished = finish(&e, fed != 0); /* a film of some of the frames would look whole */
+    const int finished = finish(&e, fed != 0); /* an incomplete film would look complete */
     sigaction(SIGPIPE, &kept, NULL);
     return fed == 0 ? finished : -1;
 }

@@ -3,10 +3,10 @@
 #ifndef FABRIC_VIEW_VIDEO_H
 #define FABRIC_VIEW_VIDEO_H
 
-/** Draws the frames of the run in `folder` in this size (even numbers of pixels) and has ffmpeg
- *  make a film of them that takes as long as what it shows; written to a temporary file, then
- *  renamed to `path`. No picture is kept. *count: frames. 0, or -1 after a message on standard
- *  error: ffmpeg is not there, or fails. */
+/** Draws the frames of the run in `folder` in this size (even numbers of pixels) and pipes them to
+ *  ffmpeg, which makes a film in real time. It is written to a temporary file, then renamed to
+ * `path`. *count: the number of frames. 0, or -1 after a message on standard error: ffmpeg is not
+ * installed, or fails. */
 int video_write(const char *folder, int width, int height, const char *path, int *count);
 
 #endif

@@ -35,8 +35,8 @@ typedef struct view_request {
 /** Reads a command line with one folder. OPTIONS_READ, or the exit status. */
 int view_read_request(const command *self, int argc, char **argv, view_request *r);
 
-/** Where output goes: `given`, or "folder/name" where that is NULL. 0, or -1 after a message when
- * it is too long. */
+/** Sets the output's path: `given`, or "folder/name" if that is NULL. 0, or -1 after a message: it
+ * is too long. */
 int view_output(char path[FILE_PATH_SIZE], const char *folder, const char *name, const char *given);
 
 #endif

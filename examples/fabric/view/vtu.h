@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Frames of a run as VTK XML files for ParaView, one file per frame. Temporary files are
- *  renamed when all are complete. Functions return 0, or -1 after a message on standard error. */
+/** Frames of a run as VTK XML files for ParaView. Each is written to a temporary file and renamed
+ * when complete. Functions return 0, or -1 after a message on standard error. */
 #ifndef FABRIC_VIEW_VTU_H
 #define FABRIC_VIEW_VTU_H
 
 #include "view/cloth_frames.h"
 
-/** A frame as an unstructured grid, ASCII. */
+/** Writes a frame as an unstructured grid in ASCII. */
 int vtu_write(const cloth_frames *frames, const state *s, const char *path);
 
-/** The collection of the .vtu files of `frames`: file[k], a name in the folder of `path`, at
+/** Writes the collection of the .vtu files of `frames`: file[k], a name in the folder of `path`, at
  *  time[k]. */
 int pvd_write(const cloth_frames *frames, char (*file)[32], const char *path);
 

@@ -5,10 +5,10 @@
  * (redcc_push). The runtime applies the records later, bin by bin, in the order of the loop.
  *
  *     redcc_enter, redcc_join, redcc_inspect       as in runtime.h
- *     redcc_bins_next  each thread  hands out iterations whose updates are to be pushed
+ *     redcc_bins_next  each thread  hands out iterations whose updates must be pushed
  *       redcc_push                  replaces an update; or redcc_update, if updates are made on
  *                                   private copies (REDCC_ARE_COPIED)
- *       redcc_read                  for reads without an address range in `known`
+ *       redcc_read                  records reads whose address range is not in `known`
  *     redcc_next, redcc_leave       as in runtime.h; redcc_next hands out, in its plain form, the
  *                                   iterations that could not be binned
  *
@@ -27,19 +27,20 @@
 #include <redcc/runtime.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the archive: a program linked with it exports none of these names */
+#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
+                     */
 #pragma GCC visibility push(hidden)
 #else
-#pragma GCC visibility push(default) /* the library hides everything else */
+#pragma GCC visibility push(default) /* the shared library hides all other names */
 #endif
 #endif
 
 /**
- * The next iterations to push: 1 with worker->first, worker->last and bins [stream_count] set, or
- * 0: continue with redcc_next. Called between redcc_inspect and redcc_next by every thread of the
- * region, until it returns 0.
- *   operands  values that the apply functions need, the same for all threads. They stay unchanged
- *             during the loop; read until redcc_bins_next has returned 0 to all threads.
+ * Hands out the next iterations to push: 1 with worker->first, worker->last and bins [stream_count]
+ * set, or 0: continue with redcc_next. Called between redcc_inspect and redcc_next by every thread
+ * of the region, until it returns 0. operands  values that the apply functions need, the same for
+ * all threads. They stay unchanged during the loop; read until redcc_bins_next has returned 0 to
+ * all threads.
  */
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands);
 
@@ -63,8 +64,8 @@ enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** Does the thread have a copy of this element? If not, the runtime records the row, so as to copy
- *  it next time. */
+/** Does the thread have a copy of this row? If not, the runtime records the row, so that the next
+ *  attempt copies it. */
 REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
         return 1;
@@ -105,7 +106,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     return it;
 }
 
-/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. In bins it keeps the operands of
+/** Precedes an update of array `redcc_i`, as REDCC_UPDATE does. In bins it records the operands of
  *  this update, and of the following ones that share the record of stream `redcc_s`. */
 #define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
                         redcc_values)                                                              \
@@ -120,7 +121,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
     else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
-/** The same for an update that shares an earlier record: nothing is kept. */
+/** The same for an update that shares an earlier record: nothing is recorded. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
@@ -129,9 +130,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
          : !redcc__checked || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
-/** The number of an element behind a pointer, counted from address 0. In bins the pointer, at
- *  redcc_pointer unless that is 0, may be loaded from a place that is not verified: if it
- *  cannot be read, or the element is misaligned, the result is REDCC_NO_ROW, which ends the round.
+/** The number of an element behind a pointer, counted from address 0. redcc_pointer: the address of
+ *  the pointer, or 0. In bins that address may be unverified: if it cannot be read, or the element
+ * is misaligned, the result is REDCC_NO_ROW, which ends the round.
  */
 #define REDCC_ELEMENT_BEHIND(redcc_i, redcc_pointer, redcc_at)                                     \
     ((redcc_size)(redcc_pointer) == 0 ||                                                           \
@@ -153,8 +154,8 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
     if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
-/** In place of an inner loop over consecutive elements behind a pointer: keeps one record, of the
- *  first element's address, their number, and what redcc_set sets. */
+/** Replaces an inner loop over consecutive elements behind a pointer: pushes one record with the
+ * first element's address, the number of elements, and the values that redcc_set sets. */
 #define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number, redcc_record,     \
                         redcc_set)                                                                 \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -174,7 +175,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                                                        REDCC_NO_ROW);                              \
     }
 
-/** The number of the row, of type `redcc_row`, that has the element as its part `redcc_part`. */
+/** The number of the row, of type `redcc_row`, whose part `redcc_part` is the element. */
 #define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
     ((redcc_int)((redcc_row *)(void *)((redcc_size)(redcc_at) -                                    \
                                        (redcc_size)(redcc_part) * sizeof *(redcc_at)) -            \
@@ -200,8 +201,9 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
     if (redcc__checked != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
-/** Precedes a loop over constants whose iterations update parts of one row: keeps one record of all
- *  that they add, or only of the row. The updates inside are REDCC_UPDATE_ROW_WITH. */
+/** Precedes a loop with a constant number of iterations that update parts of one row: pushes one
+ *  record of all values that they add, or only of the row. The updates inside are
+ *  REDCC_UPDATE_ROW_WITH. */
 #define REDCC_APPEND_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -273,9 +275,9 @@ REDCC_RECORDS(float);
 #define REDCC_ROUNDED
 #endif
 
-/** Defines a function that applies records. Its text makes the updates on the element *redcc__to
- *  with the record redcc__e; redcc__tag is the number of the update. For a stream of several arrays
- *  the text begins with a REDCC_APPLY_ALSO for each array but the first. */
+/** Defines a function that applies records. redcc_updates is its text: it updates the element
+ *  *redcc__to with the record redcc__e; redcc__tag is the number of the update. For a stream of
+ *  several arrays the text begins with a REDCC_APPLY_ALSO for each array except the first. */
 #define REDCC_APPLY(redcc_name, redcc_element, redcc_record, redcc_bits, redcc_updates)            \
     REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
     const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];       \
@@ -318,10 +320,11 @@ REDCC_RECORDS(float);
                1)                                                                                  \
             : 0;
 
-/** Defines a function that applies records of spans, each to those of its elements that are in the
- *  bin: declarations of what the text names; REDCC_EACH_SPAN, declarations of what the record
- *  holds; a loop by the program's counter over [redcc__from, redcc__end), which updates *redcc__to;
- *  REDCC_SPANS_END. The update reads no other element that the round updates.
+/** Begins a function that applies records of spans, each to those of its elements that are in the
+ *  bin. Its body has, in this order: declarations of the names that the text uses; REDCC_EACH_SPAN;
+ *  declarations of the record's values; a loop by the program's counter over [redcc__from,
+ *  redcc__end), which updates *redcc__to; REDCC_SPANS_END. The update reads no other element that
+ * the round updates.
  */
 #define REDCC_APPLY_SPANS(redcc_name, redcc_context)                                               \
     REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \
@@ -383,8 +386,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINNED_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_5, REDCC_BINS_ARGUMENTS_5
 #define REDCC_BINNED_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_6, REDCC_BINS_ARGUMENTS_6
 
-/* For each array of a chunk to be pushed: a copy of its bins, and the array's base. Empty if there
- * is no such chunk. */
+/* For each array of a chunk that is pushed: a copy of its bins, and the array's base. Empty without
+ * such a chunk. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
     const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
@@ -404,8 +407,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
-/** Executes iterations whose updates are kept, or made on copies; the first one records all reads.
- */
+/** Executes iterations whose updates are pushed, or made on copies; the first iteration records all
+ *  reads. */
 #define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_told_bits, redcc_varied_bits,             \
                          redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
@@ -421,7 +424,7 @@ REDCC_RECORDS(float);
         }                                                                                          \
     }
 
-/** As REDCC_PARALLEL, for a loop with a form for bins.
+/** As REDCC_PARALLEL, for a loop that can be binned.
  *    redcc_bins_n       REDCC_BINS_n, for n arrays
  *    redcc_told_bits    sources whose reads are recorded while iterations are pushed
  *    redcc_all_exact    may the updates be made on private copies? */
@@ -430,7 +433,7 @@ REDCC_RECORDS(float);
     REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
                      redcc_told_bits, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,   \
                      redcc_call_of_body)
-/** The same with a slice of its own for reads, which are recorded while iterations are pushed. The
+/** The same with a separate slice for reads, which are recorded while iterations are pushed. The
  *  first iteration of a chunk records the sources of redcc_told_bits, later ones those of
  *  redcc_varied_bits, whose rows differ from iteration to iteration. */
 #define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,     \
@@ -439,7 +442,7 @@ REDCC_RECORDS(float);
     REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
                      redcc_told_bits, redcc_varied_bits, redcc_all_exact, redcc_call_of_reads,     \
                      redcc_call_of_slice, redcc_call_of_body)
-/** The same if iterations may be handed out once more (redcc/series.h). */
+/** The same if iterations may be handed out a second time (redcc/series.h). */
 #define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops whose OpenMP directive reduces scalars, in blocks whose number follows from the trip count
- * alone: the same sums at every number of threads. The blocks need no runtime; if one is linked,
- * REDCC_ORDER=serial makes all iterations one block, which begins with the variables' own values.
+ * Loops whose OpenMP directive reduces scalars. They are executed in blocks whose number depends
+ * only on the trip count, so that sums are the same at every number of threads. This needs no
+ * runtime; if one is linked, REDCC_ORDER=serial makes all iterations one block, which begins with
+ * the variables' own values.
  */
 #ifndef REDCC_BLOCKS_H
 #define REDCC_BLOCKS_H
 
-/** Iterations of a loop from `redcc_low` to before (_TO: to) `redcc_high`, in steps of
- *  `redcc_step` > 0; both ends have the counter's type. */
+/** The number of iterations of a loop from `redcc_low` to before (_TO: up to) `redcc_high`, in
+ * steps of `redcc_step` > 0; both ends have the counter's type. */
 #define REDCC_TRIP(redcc_low, redcc_high, redcc_step)                                              \
     ((redcc_low) < (redcc_high)                                                                    \
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)-1) / (redcc_step)) + 1  \
@@ -18,8 +19,8 @@
          ? (redcc_int)(((redcc_word)(redcc_high) - (redcc_word)(redcc_low)) / (redcc_step)) + 1    \
          : 0)
 
-/** The number of blocks. Short iterations: a power of two, so that 2, 4 or 8 threads get equal
- *  shares, of 64 iterations or more in each. */
+/** The number of blocks. _LONG is for long iterations. For short iterations it is a power of two,
+ * so that 2, 4 or 8 threads get equal shares, with at least 64 iterations per block. */
 #define REDCC_BLOCKS_LONG(redcc_trip, redcc_max)                                                   \
     ((redcc_trip) < (redcc_max) ? (redcc_trip) : (redcc_max))
 #define REDCC_BLOCKS_SHORT(redcc_trip, redcc_max) redcc_blocks_short(redcc_trip, redcc_max)
@@ -49,13 +50,13 @@ REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc
      __atomic_add_fetch(redcc_ended, redcc_mine, __ATOMIC_ACQ_REL) == (redcc_blocks) &&            \
      ((*(redcc_ended) = 0), 1))
 
-/** Does REDCC_ORDER ask for the bits of the sequential loop? */
+/** Does REDCC_ORDER require the bits of the sequential loop? */
 #define REDCC_IN_ORDER(redcc_site) (redcc_run && redcc_is_in_order(&(redcc_site)))
 REDCC_INLINE int redcc_is_in_order(redcc_site *site) {
     return redcc_is_known(site) && site->calls->before->is_in_order(&site->binned.loop);
 }
 
-/** What is neutral for min: FLT, DBL, LDBL. */
+/** The neutral element of min; redcc_type: FLT, DBL or LDBL. */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #define REDCC_GREATEST(redcc_type) __##redcc_type##_MAX__
 #else

@@ -6,7 +6,7 @@
  * entries. Plain C, so that a debugger steps through it. Before it:
  *
  *     #define REDCC_LOOP NAME
- *     #define REDCC_WHERE "file.c", 12, "function"     for reports: the line that you call it in
+ *     #define REDCC_WHERE "file.c", 12, "function"     for reports: the line of your call
  *     #define REDCC_ARRAYS n           entries of NAME_arrays
  *     #define REDCC_SOURCES n          entries of NAME_sources; 0: there is no NAME_sources
  *   Options:
@@ -17,14 +17,14 @@
  *                                      only on what parallel.h lists, so that a plan may be reused.
  *                                      For short iterations without loops:
  *                                      REDCC_VERIFIABLE | REDCC_LIGHT
- *     #define REDCC_ORDERED order      what the result may differ in; REDCC_ORDER_SERIAL
- *     #define REDCC_STREAMS            there is NAME_streams
+ *     #define REDCC_ORDERED order      how the result may differ (redcc_order); REDCC_ORDER_SERIAL
+ *     #define REDCC_STREAMS            NAME_streams is defined
  *     #define REDCC_NAMED bits         with NAME_streams: bit s if source s is given by
  *                                      redcc_reads_named, is no subscript, and may overlap an
  *                                      updated array. The slice is then executed with the body
  *     #define REDCC_ONE_BODY           the body is a REDCC_HEAVY_BODY
- *     #define REDCC_FINISH             there is void NAME_finish(const struct NAME *loop), called by
- *                                      the thread that executed the last iteration
+ *     #define REDCC_FINISH             void NAME_finish(const struct NAME *loop) is defined; the
+ *                                      thread that executed the last iteration calls it
  * All of these are undefined at the end.
  */
 /* clang-format on */
@@ -111,8 +111,8 @@ static redcc_site REDCC_THIS(_site) = {
 #endif
     0};
 
-/* Reports to the runtime what iterations touch. Iterations that behave as those before are only
- * compared, in a loop without calls. */
+/* Reports to the runtime what iterations touch. While consecutive iterations stay in the current
+ * owner's range, they are only compared with known ranges, in a loop without calls. */
 static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *attempt,
                                  const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -144,8 +144,8 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
 }
 
 #ifdef REDCC_STREAMS
-/* Executes iterations whose updates are kept, or made on the thread's private copies. Returns
- * whether more iterations follow after other chunks. */
+/* Executes iterations whose updates are pushed to bins, or made on the thread's private copies.
+ * Returns whether more such iterations follow after other chunks. */
 static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
                              const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -210,7 +210,7 @@ static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attem
     redcc_classes_give(worker, classes);
 }
 
-/* Executes runs of iterations whose rows the thread owns, wholly or in part. */
+/* Executes runs of iterations of which the thread owns all rows, or some. */
 static void REDCC_THIS(_chunks)(redcc_worker *worker, const redcc_attempt *attempt,
                                 const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;
@@ -281,7 +281,7 @@ static void REDCC_THIS(_member)(redcc_worker *worker, const redcc_attempt *attem
 #endif
 }
 
-/* Are there enough short iterations, in this call and in the whole program so far? */
+/* For short iterations: are there enough of them, in this call and in the whole program so far? */
 REDCC_INLINE int REDCC_THIS(_is_worth)(redcc_int trip) {
     const redcc_calls *const calls = __atomic_load_n(&REDCC_THIS(_site).calls, __ATOMIC_ACQUIRE);
     return trip > 0 && (!((REDCC_FLAGS)&REDCC_LIGHT) || !calls ||

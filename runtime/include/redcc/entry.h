@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How an object with loops of redcc/parallel.h calls the runtime: through one function. */
+/** An object with loops of redcc/parallel.h calls the runtime through one function, redcc_run. */
 #ifndef REDCC_ENTRY_H
 #define REDCC_ENTRY_H
 
@@ -26,34 +26,36 @@ typedef struct redcc_attempt {
     /* Operands of each iteration, which the caller uses afterwards. */
     redcc_u32 operand_count;
     const redcc_size *operand_bytes; /* [operand_count] */
-    void **operands; /* [operand_count], set before any thread begins; if the loop is done, the
-                      * caller frees them (series->give) */
+    void **operands; /* [operand_count], set by the runtime before any thread begins; if the loop is
+                      * done, the caller frees them (series->give) */
     redcc_u32 series_count;
     redcc_series **series;        /* [series_count], of redcc/series.h; likewise */
-    int threads;                  /* REDCC_TEAM: that the program asks for; 0: it does not say */
+    int threads;                  /* REDCC_TEAM: the number that the program requests; 0: none */
     const redcc_extent *sections; /* REDCC_SECTIONED: [array_count] */
 } redcc_attempt;
 
-/** What each thread does: it inspects and executes the chunks that it is handed. */
+/** The function that each thread calls: it inspects and executes the chunks that it is handed. */
 typedef void redcc_member(redcc_worker *worker, const redcc_attempt *attempt, const void *context);
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 /** Executes a loop. 1: it is done. 0: nothing was written, and the sequential loop must run.
- *  `version` is the caller's. Without an attempt it only sets `calls`. Thread-safe. */
+ *  `version`: the caller's REDCC_INTERFACE. If attempt is 0, it only sets site->calls. Thread-safe.
+ */
 int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
               redcc_member *member, const void *context);
 #ifdef __cplusplus
 }
 #endif
 
-/** A row that is added to its array when the rows end: for bins, locks, compensated sums. */
+/** A scratch row that is added to its array at redcc_rows_end: for bins, locks, compensated sums.
+ */
 typedef struct redcc_kept_row {
     redcc_u32 array;
     redcc_u32 bytes;
     void *row;    /* its address in the array */
-    void *values; /* the contributions of the body */
+    void *values; /* the body's contributions */
 } redcc_kept_row;
 
 #endif

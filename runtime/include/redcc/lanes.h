@@ -15,8 +15,8 @@
 /* gcc with -std=gnu89 -Wpedantic warns of variadic macros. */
 #pragma GCC system_header
 
-/** Iterations at once. 0: one by one, if operations may be contracted or the compiler lacks the
- *  vector extensions of gcc and clang. gcc before 9 has no __builtin_convertvector. */
+/** The number of iterations at once. 0: one by one, if operations may be contracted or the compiler
+ *  lacks the vector extensions of gcc and clang. gcc before 9 has no __builtin_convertvector. */
 #ifdef REDCC_IS_CHECKED
 #define REDCC_WIDTH 4 /* redcc parses its own output */
 #elif !REDCC_ROUNDS_ALIKE || (!defined(__clang__) && __GNUC__ < 9)
@@ -29,7 +29,7 @@
 #define REDCC_WIDTH 0
 #endif
 
-/** For the descriptor's flags. */
+/** The loop's flags for lanes. */
 #if REDCC_WIDTH == 4 && !defined(__AVX2__)
 #define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTH)
 #else
@@ -41,19 +41,21 @@
  * versions has no effect. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-/** The target that functions are compiled for. */
+/** The attribute that selects the instruction set of vector functions. */
 #if defined(REDCC_IS_CHECKED) || !defined(__x86_64__) || defined(__AVX2__)
 #define REDCC_TARGET
 #else
 #define REDCC_TARGET __attribute__((__target__("avx2")))
 #endif
 
-/** Follows REDCC_QUIET_BEGIN. */
+/** Follows REDCC_QUIET_BEGIN; suppresses a further warning. */
 #define REDCC_QUIET_LANES _Pragma("GCC diagnostic ignored \"-Wdeclaration-after-statement\"")
 
 /* ---- lanes ---------------------------------------------------------------------------------- */
 
-/* An expression of redcc__l for each lane, as initialisers: a loop would go through memory. */
+/* Evaluates an expression of redcc__l for each lane, as initialisers: a loop would go through
+ * memory.
+ */
 #define REDCC_LANE(redcc_i, ...)                                                                   \
     __extension__({                                                                                \
         enum { redcc__l = redcc_i };                                                               \
@@ -67,17 +69,19 @@
 #define REDCC_ALL(...) REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__)
 #endif
 
-/** An inlined function, and the one that executes REDCC_WIDTH iterations. */
+/** Qualifiers of an inlined vector function, and of the body that executes REDCC_WIDTH iterations.
+ */
 #define REDCC_LIFTED REDCC_INLINE REDCC_TARGET
 #define REDCC_LANES_BODY static __attribute__((__noinline__, __unused__)) REDCC_TARGET void
 
-/** Executes the statement that follows for each lane, redcc__l; or for each lane that has an
- *  iteration. */
+/** Executes the following statement for each lane redcc__l; or only for lanes that have an
+ * iteration.
+ */
 #define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < REDCC_WIDTH; redcc__l++)
 #define REDCC_EACH_ITERATION for (redcc__l = 0; redcc__l < redcc__block->count; redcc__l++)
 
-/** A vector of doubles; a vector of half the size with the same number of floats; a mask, for
- *  both. */
+/** A vector of doubles; a vector of half the size with the same number of floats; a mask for both.
+ */
 typedef double redcc_vector __attribute__((__vector_size__(8 * REDCC_WIDTH)));
 typedef float redcc_floats __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * REDCC_WIDTH)));
@@ -90,16 +94,16 @@ typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 /** A mask of the lanes with a value other than 0. */
 #define REDCC_TELL(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
 
-/** Other types for each lane, as an array. */
+/** Values of another type for each lane, as an array. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
     (__extension__(__typeof__(redcc_type)[REDCC_WIDTH]){REDCC_ALL(__VA_ARGS__)})
 
-/** Converts each lane as C does; the mask of a comparison of floats. */
+/** Conversions of each lane as in C; and of the mask of a comparison of floats. */
 #define redcc_doubles_of(...) __builtin_convertvector((__VA_ARGS__), redcc_vector)
 #define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 
-/** Broadcasts a double, or float. An addition of 0 would change -0.0. */
+/** Broadcasts a double, or float; not by an addition of 0, which would change -0.0. */
 REDCC_LIFTED redcc_vector redcc_same(double value) {
     return (__extension__(redcc_vector){REDCC_ALL(value)});
 }
@@ -116,8 +120,9 @@ REDCC_LIFTED redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes
     return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));
 }
 
-/* Instructions that compilers do not select: they call the library's function for each root,
- * because it may have to set errno. The second list of operands is for -masm=intel. */
+/* Vector square roots in assembly, because compilers do not select these instructions: they call
+ * the library's function for each root, which may have to set errno. The second operand order is
+ * for -masm=intel. */
 #if defined(__x86_64__) && !defined(REDCC_IS_CHECKED)
 #define REDCC_ROOTS(redcc_root, redcc_v)                                                           \
     __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(redcc_root) : "x"(redcc_v))
@@ -137,13 +142,13 @@ REDCC_LIFTED int redcc_any(redcc_mask mask) {
 }
 #endif
 
-/** Lane by lane, so that errno is set as in the sequential loop. */
+/** Square roots lane by lane, so that errno is set as in the sequential loop. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET redcc_vector
 redcc_each_root(redcc_vector value) {
     return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});
 }
 
-/** All lanes at once; if one is negative, redcc_each_root sets errno. */
+/** Square roots of all lanes at once; if a lane is negative, redcc_each_root sets errno. */
 REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     redcc_vector root;
     if (redcc_any((redcc_mask)value < 0))
@@ -151,7 +156,7 @@ REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     REDCC_ROOTS(root, value);
     return root;
 }
-/** All lanes at once: fabs sets no errno. Compilers make one instruction of it. */
+/** Absolute values; fabs never sets errno. Compilers make one instruction of it. */
 REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {
     return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});
 }
@@ -162,8 +167,8 @@ REDCC_LIFTED redcc_floats redcc_lanes_fabsf(redcc_floats value) {
     return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});
 }
 
-/** Is a product rounded before the addition in functions of this kind, and is a constant a double?
- *  No macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
+/** Tests at run time that in vector functions a product is rounded before an addition, and that a
+ *  constant is a double: no macro reveals -ffp-contract=fast, which overrides clang's pragmas, or
  *  -fsingle-precision-constant. */
 static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_round_alike(void) {
     const volatile double factor = 134217729.0, less = 18014398777917440.0;
@@ -177,14 +182,14 @@ static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_ro
 /* ---- the executor ---------------------------------------------------------------------------- */
 
 /** Iterations that are executed at once, and whether their updates must call redcc_owns. A partial
- *  block is padded by repeating its last iteration, which is computed but updates nothing. */
+ *  block is padded with copies of its last iteration, which are computed but update nothing. */
 typedef struct redcc_block {
     redcc_int k[REDCC_WIDTH];
     int checked[REDCC_WIDTH];
     int count;
 } redcc_block;
 
-/** Takes the next iterations of the runs in order. Returns how many. */
+/** Takes the next iterations of the runs, in order. Returns their number. */
 REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
     int count = 0, l;
     for (; count < REDCC_WIDTH && redcc_ahead_step(from); count++) {
@@ -197,8 +202,8 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** Slice and body for one iteration. The body is used if the processor lacks such vectors or
- *  REDCC_LANES=off is set: compiled once, for owner-checked and other iterations. */
+/** Slice and body for one iteration, each compiled once. The body is used if the processor lacks
+ * such vectors or REDCC_LANES=off is set, for owner-checked and other iterations. */
 #define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE
 #define REDCC_TOLD_OF_LANES REDCC_BY_CALLS
 #define REDCC_BODY_BESIDE_LANES static __attribute__((__noinline__, __unused__)) void
@@ -236,7 +241,7 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
         }                                                                                          \
     }
 
-/** As REDCC_PARALLEL. */
+/** As REDCC_PARALLEL, with lanes. */
 #define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \
                              redcc_arguments)                                                      \
     {                                                                                              \

@@ -8,7 +8,7 @@
  *       REDCC_TOUCH_ROW, REDCC_READ_ROW                a row by its number
  *     REDCC_BODY g(REDCC_BODY_PARAMETERS_n, ...)     executes one iteration:
  *       REDCC_UPDATE                                   precedes each update
- *     REDCC_PARALLEL                                 what each thread of the region does
+ *     REDCC_PARALLEL                                 executed by each thread of the region
  *
  * runtime.h includes this file. Names that begin with redcc__ belong to the generated text.
  */
@@ -43,7 +43,7 @@
 #define REDCC_QUIET_GCC
 #endif
 
-/* gcc and clang: a warning that the user's file does not cause must not appear here. */
+/* Suppresses warnings of gcc and clang that only generated text causes. */
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
         _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
@@ -57,7 +57,7 @@
                                         REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
-/** Hides from compilers that a context may have no relevant members, which they would report as an
+/** Hides a context from compilers, which would report one without relevant members as an
  *  uninitialised variable. */
 REDCC_INLINE int redcc_is_there(void *context) {
     __asm__ __volatile__("" : : "r"(context) : "memory");
@@ -73,24 +73,26 @@ REDCC_INLINE int redcc_is_there(void *context) {
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__)) = redcc_is_there(&redcc__context)
 
-/** In the context: how the rows that are prefetched advance. REDCC_NO_PROGRESSIONS: none so far. */
+/** In the context: the arithmetic progressions of prefetched rows. REDCC_NO_PROGRESSIONS: none so
+ * far.
+ */
 #define REDCC_PROGRESSIONS_OF(redcc_sources)                                                       \
     redcc_progression redcc__progressions[(redcc_sources) + 1]
 #define REDCC_NO_PROGRESSIONS                                                                      \
     __builtin_memset(redcc__context.redcc__progressions, 0,                                        \
                      sizeof redcc__context.redcc__progressions)
 
-/** The array's first element, and a value that the subscripts depend on. */
+/** Set the array's first element, and a value on which the subscripts depend. */
 #define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
 #define REDCC_KEY(redcc_i, redcc_value) redcc__key[redcc_i] = (redcc_word)redcc_value
 
-/** The iterations of a loop from one number to before another, in steps of 1. */
+/** The trip count of a loop from redcc_lower to before redcc_bound in steps of 1. */
 #define REDCC_COUNT_UP(redcc_lower, redcc_bound)                                                   \
     const redcc_int redcc__lower = redcc_lower, redcc__bound = redcc_bound,                        \
                     redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
 
-/** Twice: for the rows that the first iteration reads, and for those of the last. */
+/** A loop of two rounds: for the rows that the first iteration reads, and for those of the last. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
 #define REDCC_AN_END(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
@@ -103,7 +105,7 @@ REDCC_INLINE int redcc_is_there(void *context) {
             redcc_progression_row(&redcc__context.redcc__progressions[redcc_i], redcc__row,        \
                                   sizeof(redcc_row), redcc__end, redcc__trip);                     \
     } while (0)
-/* In functions: they are called before a loop, for each source. */
+/* A function and not a macro, because it is called before the loop, once per source. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
@@ -111,7 +113,7 @@ redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (row + bytes > extent->end)
         extent->end = row + bytes;
 }
-/** The same of the element base[k + by]; `lost` as of redcc_exact_sum. */
+/** The same for the element base[k + by]; `lost` as in redcc_exact_sum. */
 REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, redcc_int k,
                                       redcc_int by, redcc_int bytes, int *lost) {
     const redcc_int into = redcc_exact_product(redcc_exact_sum(k, by, lost), bytes, lost);
@@ -136,7 +138,7 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
-/** Is the trip count positive? _LIGHT, for short iterations: and large enough? 0 if no runtime is
+/** Is the trip count positive and, for _LIGHT (short iterations), large enough? 0 if no runtime is
  *  linked. */
 #define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
 #define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
@@ -146,8 +148,8 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
     return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
 }
 
-/** Pointers that the loop reads only under conditions are read before it, if the memory is
- *  readable: redcc_variable from `redcc_offset` bytes after the target of `redcc_through`. */
+/** A pointer that the loop reads only under a condition is loaded before the loop, if the memory is
+ *  readable: redcc_variable, from `redcc_offset` bytes after the target of `redcc_through`. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
      (redcc_site).calls->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
@@ -161,7 +163,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
     {
         const redcc_calls *const calls = __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
-        return calls && calls->bytes >= sizeof *calls; /* else of an older library */
+        return calls && calls->bytes >= sizeof *calls; /* smaller: an older library */
     }
 }
 
@@ -174,8 +176,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
 
 #include <redcc/blocks.h>
 
-/** Executes the loop in parallel and returns 1; 0: nothing was written, and the original loop must
- *  run. Marked unlikely, so that the compiler gives the registers to the sequential loop. */
+/** Executes the loop in parallel: 1; or 0: nothing was written, and the original loop must run.
+ *  Marked unlikely, so that the compiler gives the registers to the sequential loop. */
 #define REDCC_EXECUTED(redcc_site, redcc_member)                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower, REDCC_KEEP_FRAME,                                   \
      redcc__attempt.trip = redcc__trip, redcc__attempt.first = redcc__lower,                       \
@@ -185,8 +187,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
                                      redcc_member, &redcc__context),                               \
                            0))
 
-/** REDCC_SECTIONED: room for the sections, and that of array redcc_i: from element redcc_lower of
- *  redcc_array on, redcc_length elements. */
+/** REDCC_SECTIONED: declares the sections, and sets that of array redcc_i: redcc_length elements
+ * from element redcc_lower of redcc_array on. */
 #define REDCC_SECTIONS(redcc_arrays)                                                               \
     redcc_extent redcc__sections[redcc_arrays];                                                    \
     redcc__attempt.sections = redcc__sections
@@ -212,31 +214,31 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
-/** Stores what iteration redcc__k has kept of its own element, of a type with this name, if the
- *  element has other bits. */
+/** Stores the value of iteration redcc__k's own element, of the type redcc_type, if the element's
+ * bits differ. */
 #define REDCC_STORE_KEPT(redcc_element, redcc_type, redcc_kept)                                    \
     do {                                                                                           \
         const redcc_type *const redcc__of_iteration = (const redcc_type *)redcc_kept + redcc__k;   \
         if (__builtin_memcmp(&(redcc_element), redcc__of_iteration, sizeof(redcc_type)) != 0)      \
             __builtin_memcpy(&(redcc_element), redcc__of_iteration, sizeof(redcc_type));           \
     } while (0)
-/** The operands have been used. */
+/** Frees the operands after their use. */
 #define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->give(&redcc__attempt)
 
 /** The parameters of the function that each thread executes. */
 #define REDCC_MEMBER_PARAMETERS                                                                    \
     redcc_worker *redcc__worker, const redcc_attempt *redcc__attempt, const void *redcc__given
 #define REDCC_MEMBER static void
-/** Its first statements. */
+/** The first statements of that function. */
 #define REDCC_BEGIN(redcc_context)                                                                 \
     const struct redcc_context *const redcc__context = (const struct redcc_context *)redcc__given; \
     const redcc_int redcc__lower __attribute__((__unused__)) = redcc__attempt->first;              \
     const redcc_int redcc__trip __attribute__((__unused__)) = redcc__attempt->trip
 
-/** In the body, after the last iteration: 1 for one of the threads that execute it. */
+/** In the body, after the last iteration: 1 for exactly one of the threads that execute it. */
 #define REDCC_CLAIMS_LAST redcc__worker->call->calls->claims_last(redcc__worker)
 
-/** Held for a few instructions only. */
+/** A spin lock, held only for a few instructions. */
 REDCC_INLINE void redcc_lock(int *lock) {
     while (__atomic_exchange_n(lock, 1, __ATOMIC_ACQUIRE))
         ;
@@ -271,7 +273,8 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
 
 /* ---- the body ------------------------------------------------------------------------------ */
 
-/** redcc__checked is a constant in each use of the function. */
+/** Qualifiers of a body. redcc__checked is a constant in each call, so that each is compiled
+ *  separately. */
 #define REDCC_BODY REDCC_INLINE void
 
 /** Marked cold, because otherwise gcc keeps the body's constants in memory: no floating-point
@@ -285,7 +288,7 @@ REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner
     return redcc_has(owner, address) ||
            (owner->hook && redcc_ask_hook(worker, owner->hook, address));
 }
-/* The same for long iterations. */
+/* redcc_asks for long iterations: not inlined. */
 static __attribute__((__noinline__, __unused__)) int
 redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
     return redcc_asks(worker, owner, address);
@@ -297,17 +300,17 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
         (redcc__by_calls ? redcc_asks_by_call(redcc__worker, redcc__own_##redcc_i, redcc_at)       \
                          : redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at)))
 
-/** Begins an iteration of an inner loop: in the owner-checked form it is skipped if the thread owns
- *  no row that it would update. */
+/** Begins an iteration of an inner loop ("turn"): in the owner-checked form it is skipped if the
+ *  thread owns no row that it would update. */
 #define REDCC_TURN(redcc_owned)                                                                    \
     if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;
-/** Is the thread to go through all of the iteration, of a loop without series? */
+/** Must the thread execute all of the iteration? For a loop without series. */
 #define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
 
-/* For each array of a chunk: where to write, and which elements the thread owns. */
+/* For each array of a chunk: the base to write to, and the elements that the thread owns. */
 #define REDCC_BODY_PARAMETERS_1                                                                    \
     redcc_worker *const redcc__worker __attribute__((__unused__)), const int redcc__checked,       \
         const redcc_owner *const redcc__own_0
@@ -381,10 +384,10 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
         REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     }
 
-/** Hands out chunks to execute, run by run, owner-checked or plain. */
+/** Executes chunks run by run, owner-checked or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
-/** The same, and once more if the runtime requests it at the end. */
+/** The same, and a second time if the runtime requests it at the end. */
 #define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
                           redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
@@ -412,7 +415,9 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
 #define REDCC_UNROLLED_PLAIN _Pragma("GCC unroll (redcc__checked ? 1 : 16)")
 #endif
 
-/** In the step of such a loop in the body: only plain iterations are unrolled. */
+/** In the step expression of such a loop in the body: prevents unrolling of owner-checked
+ * iterations.
+ */
 #define REDCC_ROLLED(redcc_counter)                                                                \
     __extension__({                                                                                \
         if (redcc__checked)                                                                        \
@@ -427,16 +432,16 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
     redcc_int redcc__k;                                                                            \
     REDCC_INSPECT(redcc_call_of_slice)
 
-/** What each thread does: it inspects the iterations that it is handed, then executes those that it
- *  is handed. redcc__k is the iteration's number. */
+/** Executed by each thread: it inspects the iterations that it is handed, then executes those that
+ * it is handed. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 
-/** The same if iterations may be handed out once more (redcc/series.h), and if one of the threads
- *  that execute an iteration leads. */
+/** The same if iterations may be handed out a second time (redcc/series.h), and if one of the
+ * threads that execute an iteration is its leader. */
 #define REDCC_PARALLEL_SERIES(redcc_chunk, redcc_again, redcc_call_of_slice, redcc_call_of_body)   \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \

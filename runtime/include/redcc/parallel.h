@@ -13,10 +13,10 @@
  *     struct NAME {...};                 the context: the values and pointers that the loop uses
  *     REDCC_SLICE(NAME, int t) {...}     names the rows that iteration t updates and reads
  *     REDCC_BODY(NAME, int t) {...}      executes iteration t
- *     REDCC_DESCRIBE(NAME) {...}         an execution: its iterations, where the arrays are
+ *     REDCC_DESCRIBE(NAME) {...}         describes an execution: iterations, addresses of arrays
  *     static const redcc_array NAME_arrays[] = {...};      the arrays that are updated
  *     static const redcc_source NAME_sources[] = {...};    the arrays that are read
- *     static const redcc_stream NAME_streams[] = {...};    optional: updates that may be kept
+ *     static const redcc_stream NAME_streams[] = {...};    optional: updates that may be deferred
  *
  *     #define REDCC_LOOP NAME
  *     #define REDCC_WHERE "file.c", 12, "function"         for reports
@@ -56,8 +56,8 @@
  *                                         - for +) with a value of the element's type. Rows are
  *                                         requested in the order of their updates.
  *     redcc_rows_end(it)                  ends the rows so far; at most 16 may be open at once
- *     redcc_may_update(it, ARRAY, &b[i])  precedes an update that is written out, which is made
- *                                         only if this gives 1. Not if updates are kept.
+ *     redcc_may_update(it, ARRAY, &b[i])  precedes an update in plain C, which is made only if this
+ *                                         returns 1. Not available with NAME_streams.
  *     redcc_concerns(it, ARRAY, &b[i])    0: this thread does not update that row now, so that an
  *                                         inner iteration may be skipped
  *
@@ -77,7 +77,7 @@
  *     REDCC_SUBSCRIPTS(name)                 decides which rows are updated. A plan is reused while
  *                                            all that was read of these is unchanged
  *     REDCC_READ(name)                       is read only for values
- *     REDCC_KEPT(ARRAY, type, n)             updates may be kept and made later, in order (binning:
+ *     REDCC_KEPT(ARRAY, type, n)             updates may be stored and made later, in order (binning:
  *                                            for subscripts that change in each call). n: numbers
  *                                            in a row, or 1 with redcc_add and the like. Either all
  *                                            arrays have one, in their order, or none. The body
@@ -109,7 +109,7 @@
     REDCC_INLINE void name##_slice(const redcc_slice *it, counter, const struct name *loop)
 #define REDCC_BODY(name, counter)                                                                  \
     REDCC_INLINE void name##_body(redcc_body *it, counter, const struct name *loop)
-/** A body of some hundred operations: compiled once for all modes. Needs REDCC_ONE_BODY. */
+/** For a body of some hundred operations: compiled once for all modes. Requires REDCC_ONE_BODY. */
 #define REDCC_HEAVY_BODY(name, counter)                                                            \
     REDCC_ONCE void name##_body(redcc_body *it, counter, const struct name *loop)
 #define REDCC_DESCRIBE(name)                                                                       \
@@ -122,8 +122,8 @@
 #define REDCC_READ(name)                                                                           \
     { name, 0 }
 #define REDCC_KEPT(array, type, n) REDCC_KEPT_BY(0, array, type, n, (n) * sizeof(type))
-/** The same with an apply function of the file (0: the library's) and records of `bytes` bytes: a
- *  float to which doubles are added has records of 8. */
+/** As REDCC_KEPT, with the file's own apply function (0: the library's) and records of `bytes`
+ * bytes: if doubles are added to a float, records have 8. */
 #define REDCC_KEPT_BY(apply, array, type, n, bytes)                                                \
     { apply, 1, {array, 0, 0, 0}, {(n) * sizeof(type), 0, 0, 0}, bytes, 0, REDCC_IS_INTEGER(type) }
 

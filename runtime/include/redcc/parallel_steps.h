@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What redcc/parallel.h expands to. Not for direct use. */
+/** The expansions of redcc/parallel.h. Not for direct use. */
 #ifndef REDCC_PARALLEL_STEPS_H
 #define REDCC_PARALLEL_STEPS_H
 
@@ -18,9 +18,9 @@
 
 enum {
     REDCC_MOST_ARRAYS = 6,
-    REDCC_MOST_ROWS = 16,   /* that are open at once, and are kept */
-    REDCC_ROW_BYTES = 1024, /* at most, of a row; */
-    REDCC_ROWS_BYTES = 2048 /* of all that are open */
+    REDCC_MOST_ROWS = 16,   /* maximum number of rows that are open and kept at once */
+    REDCC_ROW_BYTES = 1024, /* maximum size of a row */
+    REDCC_ROWS_BYTES = 2048 /* maximum size of all open rows */
 };
 
 #ifdef __clang__
@@ -76,8 +76,8 @@ typedef struct redcc_description {
     int gives_up;
     void **bases;
     redcc_extent *known;
-    redcc_word *starts; /* keys: of each source; */
-    redcc_word *extra;  /* other ones */
+    redcc_word *starts; /* keys of each source */
+    redcc_word *extra;  /* other keys (redcc_depends_on) */
 } redcc_description;
 
 REDCC_INLINE void redcc_describe_rows(redcc_description *it, redcc_u32 source, const void *start,
@@ -102,9 +102,9 @@ REDCC_INLINE void redcc_describe_named(redcc_description *it, redcc_u32 source, 
 /* ---- slices: all fields are constants in each use ---- */
 
 typedef struct redcc_slice {
-    redcc_probe *probe;   /* not 0: compare with known ranges */
-    redcc_worker *worker; /* 0: prefetch */
-    redcc_u32 sources;    /* not 0: report only reads of the sources with these bits */
+    redcc_probe *probe;   /* not 0: compares with known ranges */
+    redcc_worker *worker; /* 0: prefetches */
+    redcc_u32 sources;    /* not 0: reports only reads of the sources with these bits */
 } redcc_slice;
 
 REDCC_INLINE void redcc_fetch(redcc_size address, redcc_size bytes) {
@@ -175,12 +175,12 @@ REDCC_INLINE int redcc_slice_outdated(const redcc_slice *it, redcc_u32 source) {
 
 /* ---- bodies ---- */
 
-/** Mode of a body, a constant in each use: make all updates; only those of owned elements; keep
- *  them; make them on private copies. */
+/** Mode of a body, a constant in each use. PLAIN: makes all updates; OWNED: only those of owned
+ *  elements; KEEPING: pushes them to bins; COPYING: makes them on private copies. */
 enum { REDCC_PLAIN = 0, REDCC_OWNED = 1, REDCC_KEEPING = 2, REDCC_COPYING = 3 };
 
-/** Rows that are open, and memory for their values. Separate from redcc_body, whose address must
- *  not escape, so that its fields stay in registers. */
+/** The open rows, and memory for their values. Separate from redcc_body: the address of that must
+ * not escape, so that its fields stay in registers. */
 typedef struct redcc_rows {
     redcc_kept_row kept[REDCC_MOST_ROWS];
     char values[REDCC_ROWS_BYTES] __attribute__((__aligned__(16)));
@@ -188,12 +188,12 @@ typedef struct redcc_rows {
 
 typedef struct redcc_body {
     int mode;
-    int count;       /* rows that are kept */
+    int count;       /* number of kept rows */
     redcc_size used; /* bytes of rows->values */
     redcc_rows *rows;
     redcc_worker *worker;
     const redcc_array *arrays;
-    const redcc_stream *streams; /* of each array; 0: updates are not kept */
+    const redcc_stream *streams; /* of each array; 0: updates are not pushed */
     const redcc_bins *bins;      /* of each array */
     void *base[REDCC_MOST_ARRAYS];
     redcc_owner owner[REDCC_MOST_ARRAYS];
@@ -253,18 +253,18 @@ REDCC_INLINE void redcc_fill_neutral(redcc_body *it, redcc_u32 array, void *valu
         it->worker->call->calls->fill(is, values, bytes);
 }
 
-/** A row of neutral elements, valid until the rows end. */
+/** A scratch row of neutral elements, valid until redcc_rows_end. */
 REDCC_INLINE void *redcc_neutral_row(redcc_body *it, redcc_u32 array, redcc_size bytes) {
     char *values;
     if (__builtin_expect(it->used + bytes > REDCC_ROWS_BYTES, 0))
-        it->used = 0; /* rows that are not kept may share memory: they are never read */
+        it->used = 0; /* scratch rows that are not kept are never read, so they may share memory */
     values = it->rows->values + it->used;
     it->used += (bytes + 15) & ~(redcc_size)15;
     redcc_fill_neutral(it, array, values, bytes);
     return values;
 }
 
-/** The same for a row that is added to its array when the rows end. */
+/** The same for a row that redcc_rows_end adds to its array. */
 REDCC_INLINE void *redcc_keep_row(redcc_body *it, redcc_u32 array, void *row, redcc_size bytes) {
     redcc_kept_row *kept;
     if (__builtin_expect(it->count == REDCC_MOST_ROWS || it->used + bytes > REDCC_ROWS_BYTES, 0))
@@ -307,7 +307,7 @@ REDCC_INLINE void redcc_push_number(const redcc_body *it, redcc_u32 array, const
                record);
 }
 
-#ifdef __clang__ /* without unrolling, as under sanitizers, there is nothing to improve */
+#ifdef __clang__ /* it would warn if it does not unroll, for instance under sanitizers */
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif
@@ -328,14 +328,14 @@ REDCC_INLINE void redcc_end_rows(redcc_body *it) {
 #pragma clang diagnostic pop
 #endif
 
-/* The value that is added if `value` is subtracted: -0.0 - value is -value and keeps the sign of a
- * NaN; integers wrap around. `sum` has the type in which the update is computed. */
+/* Converts a subtraction to an addition: the negated value. -0.0 - value is -value and keeps the
+ * sign of a NaN; integers wrap around. `sum` has the type in which the update is computed. */
 #define REDCC_NEGATED(sum, value)                                                                  \
     (REDCC_IS_FLOATING(sum) ? (__typeof__(sum))((__typeof__(sum))-0.0 - (value))                   \
                             : (__typeof__(sum))(0 - (redcc_word)(value)))
 
-/* The operand that is kept of an update: floating values in the type in which they are computed,
- * integers in the element's type, which wraps around alike. */
+/* Pushes an update's operand: floating values in the type in which they are computed, integers in
+ * the element's type, in which they wrap around alike. */
 #define REDCC_IS_WIDE(at, value) (REDCC_IS_FLOATING(*(at)) || REDCC_IS_FLOATING(*(at) + (value)))
 #define REDCC_KEEP_UPDATE(it, array, redcc_at, value, record)                                      \
     do {                                                                                           \

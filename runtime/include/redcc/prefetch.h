@@ -13,17 +13,17 @@
 #ifndef REDCC_PREFETCH_H
 #define REDCC_PREFETCH_H
 
-/* The distance in iterations, a constant in the block of a loop whose iterations are long enough
- * (REDCC_PREFETCH). */
+/* The distance in iterations; 0: no prefetches. REDCC_PREFETCH hides it by another constant in the
+ * block of a loop whose iterations are long enough. */
 enum { redcc__prefetches = 0 };
 
-/** In the block of a loop: if the runtime finds it profitable, its executor prefetches this many
- *  iterations ahead, which together take as long as a memory access. A larger distance occupied
- *  more entries of the first-level TLB and was slower on shuffled data. */
+/** In the block of a loop: if the runtime finds it profitable, its executor prefetches this number
+ * of iterations ahead. Together they take as long as a memory access. A larger distance occupied
+ * more entries of the first-level TLB and was slower on shuffled data. */
 #define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
-/* Bytes of a cache line, and of the part of a row that is prefetched: the processor detects longer
- * sequences itself. */
+/* Bytes of a cache line, and the maximum of a row that are prefetched: hardware prefetchers detect
+ * longer sequences. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
 /** Prefetches a row. The address need not be valid. */
@@ -41,19 +41,21 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
         __builtin_prefetch((const void *)((redcc_size)address + bytes - 1));
 }
 
-/** In the slice: the iteration reads redcc_base[redcc_row], which needs no record. */
+/** In the slice: the iteration reads redcc_base[redcc_row]. This is prefetched but not recorded. */
 #define REDCC_AHEAD(redcc_base, redcc_row)                                                         \
     if (!redcc__worker)                                                                            \
     redcc_prefetch((const char *)((redcc_size)(redcc_base) +                                       \
                                   (redcc_size)(redcc_row) * sizeof(*(redcc_base))),                \
                    sizeof(*(redcc_base)))
 
-/** For the sources of a loop, indexed by their numbers. */
+/** The number of a loop's progressions, which are indexed by source. */
 #define REDCC_PROGRESSIONS                                                                         \
     ((int)(sizeof redcc__context->redcc__progressions /                                            \
            sizeof *redcc__context->redcc__progressions))
 
-/** Iteration 0 reads a row there (is_last: iteration trip - 1 does). */
+/** Sets a progression from the row that iteration 0 reads and (is_last) that iteration trip - 1
+ * reads.
+ */
 static __attribute__((__noinline__, __unused__)) void
 redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes, int is_last,
                       redcc_int trip) {
@@ -66,12 +68,12 @@ redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes, 
     if (trip > 1)
         step = ((redcc_int)(redcc_size)row - (redcc_int)it->first) / (trip - 1);
     it->step = step;
-    /* for a member of a structure, the whole structure */
+    /* If the row is a member of a structure, prefetches the whole structure. */
     if (step > (redcc_int)bytes && step <= redcc_prefetch_most)
         it->bytes = (redcc_size)step;
 }
 
-/* ---- iterations to come -------------------------------------------------------------------- */
+/* ---- later iterations ---------------------------------------------------------------------- */
 
 /** Advances to the next iteration. Returns 0 if none is left. */
 REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
@@ -92,7 +94,7 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
         }
 }
 
-/** Before the current runs: starts the prefetcher at this distance, if it is enabled. */
+/** Precedes the current runs: starts the prefetcher at this distance, if it is enabled. */
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead, redcc__farther;                                                      \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \

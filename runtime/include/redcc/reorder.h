@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Orders of rows and iterations that place neighbours close together, for a program that is free to
- * number its mesh: first the rows, by the graph of the iterations that update them or along a curve
- * through their points; then the iterations by their rows.
+ * Orders of rows and iterations that improve locality, for a program that may renumber its mesh:
+ * first the rows, by the graph of the iterations that update them or along a curve through their
+ * points; then the iterations, by their rows.
  *
  * An order is a permutation new_of_old: record i becomes record new_of_old[i].
  * redcc_reorder_records moves data from one order to another, and back.
  *
- * Every function returns 0, or -1 if memory is lacking or an argument is out of range (then nothing
- * is written). All are thread-safe and execute in the calling thread. C89 and C++ can include it.
+ * Every function returns 0, or -1 if out of memory or if an argument is out of range (then nothing
+ * is written). All are thread-safe and execute in the calling thread. C89 and C++ may include this
+ * header.
  */
 #ifndef REDCC_REORDER_H
 #define REDCC_REORDER_H
@@ -16,7 +17,8 @@
 #include <stddef.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the archive: a program linked with it exports none of these names */
+#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
+                     */
 #pragma GCC visibility push(hidden)
 #else
 #pragma GCC visibility push(default)
@@ -27,30 +29,31 @@ extern "C" {
 #endif
 
 /**
- * Rows by reverse Cuthill-McKee: rows that one iteration updates are neighbours.
- *   trip, touches   iterations, and rows that each of them updates
- *   row             [trip * touches] which ones: 0 <= row < rows
+ * Orders rows by reverse Cuthill-McKee: rows that one iteration updates are neighbours.
+ *   trip, touches   number of iterations, and of rows that each of them updates
+ *   row             [trip * touches] these rows: 0 <= row < rows
  *   new_of_old      [rows] the result
  */
 int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new_of_old);
 
 /**
- * Points along Hilbert's curve.
- *   count, dimensions   points; 2 or 3 numbers each
+ * Orders points along Hilbert's curve.
+ *   count, dimensions   number of points; 2 or 3 coordinates each
  *   point               [count * dimensions]; a NaN counts as the smallest number
  *   new_of_old          [count] the result
  */
 int redcc_reorder_points(int count, int dimensions, const double *point, int *new_of_old);
 
 /**
- * Iterations by the rows that they update: by the lowest, of equals by the next, else as they were.
+ * Orders iterations by the rows that they update: by the lowest, then by the next, and so on; equal
+ * iterations keep their order.
  *   trip, touches, row   as for redcc_reorder_rows, the rows in their new order
  *   new_of_old           [trip] the result
  */
 int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_old);
 
 /**
- * Moves records of `bytes` bytes each to where an order has them; `back`: from there.
+ * Permutes records of `bytes` bytes each: record i to new_of_old[i]; `back`: the inverse.
  *   record       [count]
  *   new_of_old   [count] a permutation
  */

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * What generated code may use of the redcc runtime. docs/generated-code.md shows a whole loop.
+ * The interface of the redcc runtime for generated code. docs/generated-code.md shows a whole loop.
  *
  * One execution of a transformed loop calls, in this order:
- *
- *     redcc_is_worth_entering       short iterations only: is the trip count large enough?
- *     redcc_enter      one thread   may the loop run in parallel? with how many threads?
- *     redcc_join       each thread  of the parallel region
- *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be
- * recorded redcc_touch, redcc_read, redcc_iteration_done redcc_is_settled, redcc_probe_touch,
- * redcc_probe_read, ..._row, redcc_is_alike redcc_next       each thread  hands out chunks of
- * iterations to execute redcc_owns                  in the owner-checked form of the body
- *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
+ *  - redcc_is_worth_entering, only for short iterations: is the trip count large enough?
+ *  - redcc_enter, by one thread: may the loop run in parallel? with how many threads?
+ *  - redcc_join, by each thread of the parallel region
+ *  - redcc_inspect, by each thread: hands out blocks of iterations. Their addresses are recorded by
+ *    redcc_touch, redcc_read and redcc_iteration_done; or, while redcc_is_settled, compared by
+ *    redcc_probe_touch, redcc_probe_read, ..._row and redcc_is_alike
+ *  - redcc_next, by each thread: hands out chunks of iterations to execute
+ *  - redcc_owns, in the owner-checked form of the body: may the thread make this update?
+ *  - redcc_leave, by one thread. 1: the loop is done; 0: nothing was written, run it serially
  *
  * This header includes only loop.h, because a user's feature-test macros must come before any
  * system header. It compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
@@ -21,7 +21,7 @@
 
 #define REDCC_RUNTIME_VERSION 1
 
-/** Generated text states the version it was written for and does not compile with any other. */
+/** Generated text states the version for which it was written, and compiles with no other. */
 #define REDCC_REQUIRE_VERSION(version)                                                             \
     typedef char                                                                                   \
         redcc_version_of_header_and_translator_differ[(REDCC_RUNTIME_VERSION == (version)) ? 1     \
@@ -60,18 +60,19 @@
 #include <redcc/entry.h>
 
 #if defined(__GNUC__)
-#ifdef REDCC_HIDDEN /* in the archive: a program linked with it exports none of these names */
+#ifdef REDCC_HIDDEN /* in the static library: a program linked with it exports none of these names \
+                     */
 #pragma GCC visibility push(hidden)
 #else
-#pragma GCC visibility push(default) /* the library hides everything else */
+#pragma GCC visibility push(default) /* the shared library hides all other names */
 #endif
 #endif
 
 /**
  * Begins an execution of `loop`.
  *   trip     iterations, counted by the caller
- *   bases    [array_count] the first element of each array, or what a pointer in its place points
- *            to. 0: the elements are reached through pointers in memory. They may then lie
+ *   bases    [array_count] the first element of each array, or the target of the pointer to it. 0:
+ *            the elements are reached through pointers in memory. They may then lie
  *            anywhere, memory between them does not belong to the array, and they stay in place
  *            while the subscripts (these pointers among them) are unchanged. Such an array needs
  *            REDCC_ORDER_NEEDED and REDCC_OTHER_TYPE.
@@ -79,8 +80,8 @@
  *            others
  *   key      [key_count] every scalar and pointer value that the subscripts depend on, including
  *            the loop's first value and step
- *   threads  that the region may have
- *   nested   the caller is within a region already
+ *   threads  maximum number for the region
+ *   nested   the caller is already inside a parallel region
  * Returns 1 if call->threads threads are to call redcc_join. Returns 0 if the loop is to run
  * serially (few iterations, one thread, nested or concurrent use, or as a method or order
  * requires). Stops the program with a message if REDCC_METHOD or REDCC_ORDER is unknown, or if no
@@ -96,8 +97,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
 extern redcc_int redcc_least_trip;
 
 /** The number of short iterations that the program may still execute, in all loops together, before
- *  redcc_enter is called for any of them: they take less time than the runtime's first call would
- *  have to save. Zero or negative: none. Approximate if several threads count. */
+ *  redcc_enter is called for any of them: parallel execution of so few could not repay the cost of
+ * the runtime's first call. Zero or negative: none. Approximate if several threads count. */
 extern redcc_int redcc_unasked_iterations;
 
 /** Are the functions that this object calls, directly or indirectly, those that `expected` names?
@@ -105,7 +106,7 @@ extern redcc_int redcc_unasked_iterations;
 int redcc_are_linked(const redcc_callee *called, redcc_size count,
                      const redcc_expectation *expected, redcc_size expected_count);
 
-/** Counts an execution of the original loop because they are not. Returns 0. */
+/** Counts an execution of the original loop because of replaced functions. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
 /** Is the calling thread the only running one of the process, except for OpenMP's idle threads? */
@@ -130,8 +131,9 @@ int redcc_inspect(redcc_worker *worker);
  *  survives a call. */
 void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 
-/** Called by redcc_is_over: 1 if an address recorded as read from the source has been updated
- *  before. The dry run then ends, and the slice must not use a value of it. */
+/** Called by redcc_is_over: 1 if an earlier iteration of the dry run updated an address that is
+ *  recorded as read from the source. The dry run then ends, and the slice must not use the value.
+ */
 int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
 /** Sets *worker to the next chunk to execute and returns 1. 0: no chunk is left. REDCC_SELECT:
@@ -139,12 +141,12 @@ int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold
  * region must call it until it returns 0. */
 int redcc_next(redcc_worker *worker);
 
-/** Returns 1 to exactly one of the threads that ask after executing the last iteration. */
+/** Returns 1 to exactly one of the threads that call it after executing the last iteration. */
 int redcc_claims_last(redcc_worker *worker);
 
-/** Called by redcc_owns: may this thread write at `address`? If so, the runtime takes part in the
- *  update that follows: of this element, or of it and others in its unit. Cold, as redcc_flush
- *  is. */
+/** Called by redcc_owns: may this thread write at `address`? If so, the runtime prepares the update
+ *  that follows (lock, compensation, validation), of this element or of several in its unit. Cold,
+ * as is redcc_flush. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
 /** The part of redcc_leave after redcc_enter returned 1. */
@@ -153,7 +155,7 @@ int redcc_end(redcc_call *call);
 /** The part of redcc_sequential_done for loops that are timed. */
 void redcc_sequential_end(redcc_loop *loop);
 
-/** The number of original loops being timed, in all threads: the end of each is reported. */
+/** The number of original loops that are being timed, in all threads: each must report its end. */
 extern int redcc_timed_loops;
 
 #if defined(__GNUC__)
@@ -189,9 +191,8 @@ static __inline__ int redcc_is_worth_entering(redcc_int trip) {
     return left <= 0;
 }
 
-/* Before redcc_enter: exact integer arithmetic for subscripts that may wrap around in C, or that
- * the program does not compute in the first or last iteration. Sets *lost if the result does not
- * fit. */
+/* Exact integer arithmetic before redcc_enter, for subscripts that may wrap around in C, or that
+ * the program does not compute in the first or last iteration. Sets *lost on overflow. */
 
 static __inline__ redcc_int redcc_exact_sum(redcc_int left, redcc_int right, int *lost) {
     redcc_int sum;
@@ -211,8 +212,7 @@ static __inline__ redcc_int redcc_exact_product(redcc_int left, redcc_int right,
     return product;
 }
 
-/** The value itself; sets *lost if it does not fit in an unsigned integer of `bits` bits (below
- *  64). */
+/** Returns the value; sets *lost if it does not fit in an unsigned integer of `bits` < 64 bits. */
 static __inline__ redcc_int redcc_exact_unsigned(redcc_int value, int bits, int *lost) {
     *lost |= value < 0 || value >> bits != 0;
     return value;
@@ -225,7 +225,8 @@ static __inline__ redcc_int redcc_exact_signed(redcc_int value, int bits, int *l
     return value;
 }
 
-/** From the lower of two addresses to `bytes` after the higher. Nothing lies below 0. */
+/** *extent: from the lower of two addresses to `bytes` after the higher, without addresses below 1.
+ *  Sets *lost if none is left. */
 static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, redcc_int other,
                                           redcc_int bytes, int *lost) {
     const redcc_int low = one < other ? one : other;
@@ -237,8 +238,8 @@ static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, r
 
 #include <redcc/steps.h>
 
-/** Executor, owner-checked form: may this thread write at `address`? Asked before each update of an
- *  element, or once before several elements that begin there and lie in one unit. */
+/** Executor, owner-checked form: may this thread write at `address`? Called before each update of
+ * an element, or once before updates of several elements of one unit that begin there. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
     return redcc_has(owner, address) || (owner->hook && redcc_hooked(owner->hook, address));
 }

@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Sums of floating scalars in inner loops, `e += f(i, j)`: the number of operands of an iteration
- * is not known before, and they must be added in the order of the sequential loop. Each thread
+ * is not known in advance, and they must be added in the order of the sequential loop. Each thread
  * appends the operands of the iterations that it executes to its own list. At the end the first
- * thread adds them in the order of the iterations. In tiles the thread of a band adds those of its
- * rows when they are done, after those of the band above.
+ * thread adds them in the order of the iterations. With tiles, the thread of a band adds the
+ * operands of its rows when these are done, after those of the band above.
  *
  *     redcc_run               one thread    allocates a part for each iteration (redcc_attempt)
  *     redcc_series_begin      each thread   before anything is executed
- *     REDCC_SERIES_NEXT       each thread   an iteration begins
- *     redcc_series_put        each thread   an operand
+ *     REDCC_SERIES_NEXT       each thread   begins an iteration
+ *     redcc_series_put        each thread   stores an operand
  *     REDCC_SERIES_AGAIN      each thread   when nothing is left to execute. If memory for an
  *                                           operand was lacking, the first thread executes all
- *                                           iterations once more, without any update, and adds
+ *                                           iterations a second time, without updates, and adds
+ *                                           the operands directly
  *     REDCC_SERIES_BANDS      each thread   after each tile
- *     series->is_over         each thread   1: it is the first, and the loop is done
- *     REDCC_SERIES_APPLY      that thread
- *     series->give            one thread    after the loop
+ *     series->is_over         each thread   1: it is the first thread, and the loop is done
+ *     REDCC_SERIES_APPLY      that thread   adds the operands
+ *     series->give            one thread    frees them after the loop
  *
  * runtime.h includes this file.
  */
@@ -34,21 +35,21 @@ struct redcc_series_part {
 struct redcc_series_writer {
     redcc_series *series;
     const redcc_series_calls *calls;
-    redcc_series_part *part;  /**< of the current iteration; NULL: it has none yet */
-    double *begin;            /**< the part's first operand; NULL: it is complete */
-    double *at, *end;         /**< where the next operand is stored; equal: memory is full */
-    double *block_end;        /**< the end of the memory block that `at` points into */
-    int adds;                 /**< the thread adds the operands itself and stores none */
-    int begins;               /**< and has not begun yet */
-    int follows;              /**< another thread keeps the operands of the current iteration */
-    int in_front;             /**< adds: the thread has executed all iterations before `next`, */
-    int added;                /**< and found an operand */
-    redcc_int next;           /**< operands from this iteration on are kept */
+    redcc_series_part *part; /**< of the current iteration; NULL: it has none yet */
+    double *begin;           /**< the part's first operand; NULL: the part is complete */
+    double *at, *end;        /**< address for the next operand, and the limit */
+    double *block_end;       /**< the end of the memory block that `at` points into */
+    int adds;                /**< the thread adds operands directly and stores none */
+    int begins;              /**< `adds` is set, and no operand was added yet */
+    int follows;             /**< another thread stores the operands of the current iteration */
+    int in_front;            /**< the thread adds, since it executed all iterations before `next` */
+    int added;               /**< in_front: it has added an operand */
+    redcc_int next;          /**< operands from this iteration on are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
     struct operand_block *first, *block; /**< the thread's blocks: the first, that of `at` */
 };
 
-/** This thread may write series number `number` of the loop. */
+/** Initialises this thread's writer of series number `number` of the loop. */
 static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_worker *worker,
                                                                       const redcc_attempt *attempt,
                                                                       redcc_series_writer *writers,
@@ -57,15 +58,15 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
     writers[number].calls = worker->call->calls->series;
 }
 
-/** The current part is complete. */
+/** Completes the current part. */
 #define REDCC_SERIES_COMPLETE(redcc_writer)                                                        \
     ((redcc_writer).begin ? (void)((redcc_writer).part->count =                                    \
                                        (redcc_size)((redcc_writer).at - (redcc_writer).begin),     \
                                    (redcc_writer).begin = 0)                                       \
                           : (void)0)
 
-/** An iteration begins. In the owner-checked form another thread may keep its operands: the owner
- *  of the first byte that the iteration touches, which executes all of it. */
+/** Begins an iteration. In the owner-checked form another thread may store its operands: the owner
+ * of the first byte that the iteration touches, which executes all of the iteration. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     (REDCC_SERIES_COMPLETE(redcc_writer), (redcc_writer).part = 0,                                 \
      (redcc_writer).end = (redcc_writer).at,                                                       \
@@ -74,7 +75,7 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
-/** The same for the iteration's turns in a tile; and after them. */
+/** The same for an iteration's inner iterations in a tile; and after them. */
 #define REDCC_SERIES_GO_ON(redcc_writer)                                                           \
     ((redcc_writer).part =                                                                         \
          redcc__tile->is_first ? 0 : (redcc_writer).ends[redcc__k - redcc__tile->row],             \
@@ -83,8 +84,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
 #define REDCC_SERIES_STOP(redcc_writer)                                                            \
     (REDCC_SERIES_COMPLETE(redcc_writer),                                                          \
      (redcc_writer).ends[redcc__k - redcc__tile->row] = (redcc_writer).part)
-/** The first thread adds operands directly while its iterations are the loop's first: it begins
- *  with the scalar's value. */
+/** While the first thread executes the loop's first iterations, it adds operands directly,
+ * beginning with the scalar's value. */
 #define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \
     if (redcc__worker->thread == 0) {                                                              \
         (redcc_writer).in_front = (redcc_writer).adds = 1;                                         \
@@ -93,7 +94,7 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
 /** Must the thread execute the whole iteration, whatever it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
-/** Keeps an operand of iteration number k; 0: memory is full. */
+/** Stores an operand of iteration number k; 0: out of memory. */
 static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
                                                                    redcc_int k, double operand) {
     if (writer->follows)
@@ -108,7 +109,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
     return 1;
 }
 
-/** After the last tile of a band: its thread adds the operands of all its series, after those of
+/** After the last tile of a band: the band's thread adds the operands of all series, after those of
  *  the band above. */
 #define REDCC_SERIES_BANDS(redcc_count, redcc_sums)                                                \
     if (redcc__tile.is_last) {                                                                     \
@@ -116,7 +117,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         redcc_sums redcc__worker->call->calls->series->end_band(redcc__worker, redcc__writers,     \
                                                                 redcc_count);                      \
     }
-/** The names are those of REDCC_SERIES_APPLY. */
+/** Adds a band's operands; parameters as for REDCC_SERIES_APPLY. */
 #define REDCC_SERIES_BAND(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,   \
                           redcc_sum, redcc_is_set)                                                 \
     {                                                                                              \
@@ -137,7 +138,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         redcc_sum = redcc__of_band;                                                                \
     }
 
-/** Is a chunk handed out once more? */
+/** Is a chunk handed out a second time? */
 #define REDCC_SERIES_AGAIN(redcc_count)                                                            \
     redcc__worker->call->calls->series->again(redcc__worker, redcc__writers, redcc_count)
 
@@ -147,8 +148,8 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
          ? ((redcc_writer).begins = 0, (void)(redcc_own = redcc_scalar))                           \
          : (void)0)
 
-/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. redcc_operand names
- *  the operand in its operation. */
+/** Computes the scalar's value after the loop, redcc_sum, of type redcc_type. redcc_operand: the
+ * name of the operand in the operation. */
 #define REDCC_SERIES_APPLY(redcc_writer, redcc_type, redcc_operand, redcc_operator, redcc_scalar,  \
                            redcc_own, redcc_sum, redcc_is_set)                                     \
     if ((redcc_writer).added || (redcc_writer).calls->has_any((redcc_writer).series)) {            \
@@ -158,7 +159,7 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         if (!(redcc_writer).adds || (redcc_writer).in_front) {                                     \
             if (!(redcc_writer).added)                                                             \
                 redcc_own = (redcc_is_set) ? redcc_sum : redcc_scalar;                             \
-            /* it is set: bands have added */                                                      \
+            /* if it is set, bands have added the operands */                                      \
             while (!(redcc_is_set) &&                                                              \
                    (redcc__part = (redcc_writer).calls->find((redcc_writer).series, &redcc__i)) != \
                        0)                                                                          \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The slice's macros: what an iteration touches is recorded, probed, or prefetched. loop.h includes
+ * The slice's macros, which record, probe or prefetch what an iteration touches. loop.h includes
  * this file.
  */
 #ifndef REDCC_SLICE_H
@@ -9,9 +9,9 @@
 #include <redcc/entry.h>
 #include <redcc/prefetch.h>
 
-/** redcc__probe is 0 if addresses are recorded, redcc__teller 0 if they are prefetched. redcc__told
- *  is 0 if all of them are recorded; otherwise its bits select the sources. All are constants, and
- *  each use of the function is compiled separately. */
+/** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__teller 0 if they are
+ *  prefetched. redcc__told is 0 if all addresses are recorded; otherwise its bits select sources.
+ * All are constants, so that each use of the function is compiled separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
@@ -26,7 +26,7 @@
 #define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
 enum { redcc__by_calls = 0 };
 
-/** The iteration may update, or read, `redcc_n` bytes at an address. */
+/** The iteration may update (_TOUCH) or read (_READ) `redcc_n` bytes at an address. */
 #define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
     redcc_slice_touch(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 #define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
@@ -46,8 +46,8 @@ enum { redcc__by_calls = 0 };
                          (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
                          sizeof((redcc_base)[redcc_row]))
 
-/** In a loop that needs a dry run: ends it after an update, or after a read that may overlap
- *  one. */
+/** In a loop that needs a dry run: returns if the update, or the read, before it has ended the dry
+ *  run. */
 #define REDCC_RETURN_IF_OVER                                                                       \
     if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
         return;
@@ -56,7 +56,7 @@ enum { redcc__by_calls = 0 };
         redcc_is_over(redcc__worker, redcc_source))                                                \
         return;
 
-/** An iteration leaves the loop. */
+/** The iteration leaves the loop. */
 #define REDCC_LEAVE                                                                                \
     {                                                                                              \
         if (redcc__worker && !redcc__probe && !redcc__told)                                        \
@@ -69,7 +69,7 @@ enum { redcc__by_calls = 0 };
     if (redcc__probe)                                                                              \
         redcc__probe->preferred = 1;
 
-/** All from an address to before another. */
+/** The iteration may update all bytes from an address to before another. */
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
@@ -160,7 +160,7 @@ REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker,
 REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
                                          int by_calls, redcc_u32 array, const char *first,
                                          const char *end) {
-    (void)by_calls; /* a span is one place */
+    (void)by_calls; /* not used: one call records a span */
     if (told)
         return;
     if (!worker)
@@ -171,8 +171,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
         redcc_touch_span(worker, array, first, end);
 }
 
-/** Hands out blocks of iterations to inspect. Iterations that need no record are compared in a loop
- *  that neither calls nor stores, so that a compiler keeps the invariants in registers. */
+/** Inspects the blocks of iterations that are handed out. Iterations that need no record are
+ * compared in a loop without calls and stores, so that compilers keep the invariants in registers.
+ */
 #define REDCC_INSPECT(redcc_call_of_slice)                                                         \
     while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
         const redcc_u32 redcc__told = 0;                                                           \

@@ -30,8 +30,8 @@ REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size i
     return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
-/* A function: written out at each update it is slow to compile. The fields are passed by value, so
- * that compilers keep the owner's in registers where it has no map. */
+/* A function, because inlined at each update it is slow to compile. The fields are passed by value,
+ * so that compilers can keep an owner without a map in registers. */
 static __attribute__((__noinline__, __unused__)) int
 redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
                    redcc_word reciprocal, unsigned self) {
@@ -55,7 +55,7 @@ redcc_mapped_far(const redcc_owner *owner, redcc_size into, redcc_size bytes) {
     unsigned seen = from != into || to != end ? REDCC_CLASS_OTHERS : 0;
     redcc_size unit, last;
     if (into >= owner->size && end - 1 >= bytes - 1)
-        return REDCC_CLASS_OTHERS; /* wholly before or behind it */
+        return REDCC_CLASS_OTHERS; /* completely before or behind the map */
     last = redcc_unit_number(owner, to - 1);
     for (unit = redcc_unit_number(owner, from); unit <= last; unit++)
         seen |= owner->map[unit] == owner->self ? REDCC_CLASS_OWN : REDCC_CLASS_OTHERS;
@@ -115,8 +115,9 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
         extent->end = first + bytes;
 }
 
-/** Inspector: 1 in a dry run (worker->alike < 0) if an address recorded as read from the source has
- *  been updated before. The dry run then ends, and the slice must not use a value of it. */
+/** Inspector, in a dry run (worker->alike < 0): 1 if an earlier iteration updated an address that
+ * is recorded as read from the source. The dry run then ends, and the slice must not use the value.
+ */
 static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
     const redcc_extent *told = &worker->sources[source];
     const redcc_owner *clear;
@@ -129,8 +130,8 @@ static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
            worker->call->calls->is_stale(worker, source);
 }
 
-/** Inspector: this iteration leaves the loop. A dry run (worker->alike < 0) finds this before
- *  anything is executed and ends; without a dry run it must not happen. */
+/** Inspector: this iteration leaves the loop. This ends a dry run (worker->alike < 0) before
+ * anything is executed; without a dry run it must not happen. */
 static __inline__ void redcc_iteration_leaves(redcc_worker *worker) {
     if (worker->alike < 0)
         worker->call->calls->is_stale(worker, REDCC_LEAVES);
@@ -151,23 +152,21 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->call->calls->flush(worker); /* the owned range may differ for the next iteration */
 }
 
-/** Inspector, for an iteration that may need no record: does it touch an element of the owned
- *  range, and does it touch or read anything outside of known ranges? Initially {0, 0, 0}. With {0,
- *  0, 1} (REDCC_SELECT) the second question is whether it touches an element outside of the owned
- *  range; reads do not matter. */
+/** Inspector, for an iteration that may need no record: does it touch an element of the owned range
+ *  (inside), and does it touch or read anything outside of known ranges (outside)? Initially {0, 0,
+ *  0}. With {0, 0, 1} (REDCC_SELECT), `outside` means that it touches an element outside of the
+ * owned range; reads do not matter. */
 typedef struct redcc_probe {
     int inside;
     int outside;
-    int selects;   /* a constant in each use; 2: is the first byte that it touches in the owned
-                    * range? */
-    int preferred; /* the row that is touched next is preferred as leader, if the iteration has
-                    * leading rows */
-    int rank;      /* of the leader so far: 0: none, 1: a row, 2: a preferred one */
+    int selects;   /* a constant in each use; 2: also finds the leader */
+    int preferred; /* the row that is touched next is preferred as the leading row */
+    int rank;      /* of the leading row so far: 0: none, 1: a row, 2: a preferred one */
     int leads;
 } redcc_probe;
 
-/** The first byte of the first preferred row leads, or of the first row if none is preferred: all
- *  threads agree. */
+/** The leader is the owner of the first byte of the first preferred row or, if none is preferred,
+ * of the first row: so all threads agree. */
 static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *window,
                                          const void *address) {
     const int rank = probe->preferred ? 2 : 1;
@@ -178,7 +177,7 @@ static __inline__ void redcc_probe_first(redcc_probe *probe, const redcc_owner *
     probe->leads = redcc_has(window, address);
 }
 
-/** REDCC_SELECT, owners by a map: whose are the `bytes` > 0 bytes at `address`? */
+/** REDCC_SELECT with a map: who owns the `bytes` > 0 bytes at `address`? */
 REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *window,
                                      const void *address, redcc_size bytes) {
     const unsigned seen =
@@ -187,20 +186,22 @@ REDCC_INLINE void redcc_probe_mapped(redcc_probe *probe, const redcc_owner *wind
     probe->outside |= (seen & REDCC_CLASS_OTHERS) != 0;
 }
 
-/** True once REDCC_SETTLED consecutive iterations touched only the current owner's range. Then the
- *  next iterations are probed first, in order, by redcc_probe_touch and redcc_probe_read (or their
- *  variants by row number). Those for which redcc_is_alike holds are counted in worker->alike; the
- *  first other one is recorded. False if no owned range is set or the stride is not 1. */
+/** True after REDCC_SETTLED consecutive iterations that touched only the current owner's range.
+ * Then the next iterations are first probed, in order, by redcc_probe_touch and redcc_probe_read
+ * (or their variants by row number). Those for which redcc_is_alike holds are counted in
+ * worker->alike; the first other one is recorded. False if no owned range is set or the stride is
+ * not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
     return worker->alike >= REDCC_SETTLED;
 }
 
-/* In the functions below, compilers keep all but `address` and `row` in registers over a loop. */
+/* In the functions below, compilers keep all values except `address` and `row` in registers over a
+ * loop. */
 
 /** Does a part of the `bytes` bytes at `address` lie outside of the `size` bytes at `first`? */
 static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
                                    redcc_size bytes) {
-    const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* where they may begin */
+    const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* positions inside */
     return (redcc_size)address - (redcc_size)first >= places;
 }
 
@@ -219,11 +220,11 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
 static __inline__ int redcc_meets(const char *first, redcc_size size, const void *address,
                                   redcc_size bytes) {
     const redcc_size more = bytes - 1;
-    const redcc_size ends = size ? size + more : 0; /* where the last of them may lie */
+    const redcc_size ends = size ? size + more : 0; /* positions of the last byte that intersect */
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/* Both questions of REDCC_SELECT. A function: for each touch of each loop it is slow to compile. */
+/* Both tests of REDCC_SELECT. A function, because inlined at each touch it is slow to compile. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
@@ -264,7 +265,7 @@ REDCC_INLINE void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *
 
 static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
                                         redcc_u32 source, const void *address, redcc_size bytes) {
-    const redcc_extent *known = &worker->sources[source]; /* empty if a kept plan is used */
+    const redcc_extent *known = &worker->sources[source]; /* empty when a kept plan is used */
     if (!probe->selects)
         probe->outside |= redcc_leaves(
             known->first, (redcc_size)known->end - (redcc_size)known->first, address, bytes);
@@ -310,7 +311,7 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
 
 /* ---- bins ---- */
 
-/** How many records of `bytes` bytes fill whole cache lines together, at most 32. */
+/** The number of records of `bytes` bytes that exactly fill cache lines, at most 32. */
 #define REDCC_LINE_RECORDS(bytes)                                                                  \
     ((bytes) == 0                                                                                  \
          ? 1u                                                                                      \
@@ -318,12 +319,12 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
                                               ? (redcc_u32)REDCC_CACHE_LINE                        \
                                               : ((bytes) & (0u - (bytes)))))
 
-/** Bytes of these lines and of the line of places after them: the write-combining buffer of a
- *  bin. */
+/** Bytes of these lines; and with the following line of places: the write-combining buffer of a
+ * bin. */
 #define REDCC_LINES_BYTES(bytes) (REDCC_LINE_RECORDS(bytes) * (bytes))
 #define REDCC_COMBINED_BYTES(bytes) (REDCC_LINES_BYTES(bytes) + (redcc_u32)REDCC_CACHE_LINE)
 
-/** The row and the update's number in a place. */
+/** The two parts of a place: the row within the bin, and the number of the update. */
 #define REDCC_PLACE_ROW(place, tag_bits) ((place) & ((1u << (REDCC_PLACE_BITS - (tag_bits))) - 1u))
 #define REDCC_PLACE_TAG(place, tag_bits) ((place) >> (REDCC_PLACE_BITS - (tag_bits)))
 
@@ -339,7 +340,7 @@ static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *addr
  *  same for all streams. True only if each stream is `exact`. */
 #define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
-/** Writes `bytes` bytes, whole lines, past the caches. */
+/** Writes `bytes` bytes, whole lines, by non-temporal stores. */
 REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes) {
 #if defined(__x86_64__) && defined(__SSE2__) && defined(__GNUC__)
     typedef double redcc_vector __attribute__((__vector_size__(16), __may_alias__));
@@ -353,7 +354,7 @@ REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes
 #endif
 }
 
-/** Prefetches the line that will be written soon. */
+/** Prefetches a line that will be written soon. */
 REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #if defined(__x86_64__) && defined(__GNUC__)
     __asm__ volatile("prefetchw %0" : : "m"(*(const char *)address));
@@ -362,8 +363,8 @@ REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #endif
 }
 
-/** Replaces an update if REDCC_ARE_COPIED: updates the thread's private copy at once. Otherwise as
- *  redcc_push. */
+/** Replaces an update if REDCC_ARE_COPIED: updates the thread's private copy immediately. Otherwise
+ *  does the same as redcc_push. */
 REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                                redcc_u32 tag, const void *record) {
     const redcc_size into = (redcc_size)row - (redcc_size)bins->first;
@@ -417,9 +418,9 @@ REDCC_INLINE redcc_u32 redcc_push_direct(const redcc_bins *bins, redcc_u32 numbe
 }
 
 /**
- * Replaces an update: row number `row` (in rows of the stream's arrays, from their bases) is to be
- * updated by update number `tag` with the operands *record (stream->record bytes). `stream` is the
- * descriptor's own entry, so that the compiler sees its fields.
+ * Replaces an update: appends a record of update number `tag` of row number `row` (counted in rows
+ * of the stream's arrays from their bases) with the operands *record (stream->record bytes).
+ * `stream` is the descriptor's own entry, so that the compiler sees its fields.
  */
 REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                              redcc_u32 tag, const void *record) {
@@ -442,15 +443,15 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
     bins->cursor[bin] = number;
 }
 
-/** Where row 0 of the array would be if the copy held it. */
+/** The address of the array's row 0, extrapolated from the copy. */
 REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream,
                                    redcc_u32 part) {
     return (void *)((redcc_size)bins->copy[part] -
                     (redcc_size)bins->first * (redcc_size)stream->rows[part]);
 }
 
-/** Flags of a loop with a form for bins: contributions must be rounded to their types when they are
- *  kept, as they are everywhere. */
+/** Flags of a loop that can be binned. Contributions are rounded to their types in records, so
+ * binning requires that the compiler always rounds them so. */
 #if (defined(__FLT_EVAL_METHOD__) && !REDCC_EVALUATES_IN_TYPE) ||                                  \
     (defined(__i386__) && !defined(__SSE2_MATH__))
 #define REDCC_BINS_FLAG 0

@@ -59,9 +59,8 @@ typedef struct redcc_array {
                           * size of enumerations */
     redcc_u32 type;      /**< a redcc_type */
     redcc_u32 element;   /**< bytes of a scalar element */
-    redcc_u32 unit;      /**< the smallest number of bytes that a touch covers, and the granularity
-                          * at which owners are cut: a row b[i], or the element if there are no
-                          * rows */
+    redcc_u32 unit;      /**< bytes of a row b[i], or of an element if there are no rows: touches
+                          * cover whole units, and each unit has one owner */
     redcc_word limit;    /**< REDCC_SATURATING: above 0, a value of the type */
 } redcc_array;
 
@@ -73,29 +72,29 @@ typedef struct redcc_source {
 } redcc_source;
 
 enum {
-    /** Its contents decide which elements are touched: a plan is reused only while they are
+    /** Its contents determine which elements are touched: a plan is reused only while they are
      *  unchanged. */
     REDCC_IS_SUBSCRIPT = 1,
-    /** A scalar in memory that the loop adds to: it must not overlap an array of the loop, another
-     *  such scalar, */
+    /** A scalar in memory to which the loop adds: it must not overlap an array of the loop, another
+     *  such scalar, or a source with the next bit. */
     REDCC_IS_SCALAR = 2,
-    /** or a source marked with this bit, which is not proved disjoint from it. */
+    /** A source that is not proved disjoint from such a scalar. */
     REDCC_MEETS_SCALARS = 4,
-    /** A source that is disjoint from all arrays, perhaps between their elements: another member of
-     *  their records. It may overlap scalars only. */
+    /** A source that is disjoint from all arrays, although it may lie between their elements
+     * (another member of their structures). It may overlap only scalars. */
     REDCC_MEETS_NO_ARRAY = 8
 };
-/** Elements of each iteration's own are such scalars; those behind one base are known to be
- *  disjoint. */
+/** An iteration's own elements are such scalars; those with the same base are known to be disjoint.
+ */
 #define REDCC_BEHIND(redcc_base) ((redcc_base)*256)
 
-/** Any function, by its address. */
+/** The address of any function. */
 typedef void (*redcc_code)(void);
 
-/** Describes a function's definition; emitted by the file that defines it, in the same object. Two
- *  parses of one definition have the same digest. `own` is this definition, whatever the linker
- *  substitutes for it. A file that redcc-cc compiles without redcc's headers declares the structure
- *  itself (tool/redcc/records.c). */
+/** Describes a function's definition; emitted in the object that defines it. The digest depends
+ * only on the definition. `own` is the address of this definition, even if the linker substitutes
+ * another. A file that redcc-cc compiles without redcc's headers declares the structure itself
+ *  (tool/redcc/records.c). */
 typedef struct redcc_record {
     const char *name;
     redcc_u32 digest[2];
@@ -115,8 +114,8 @@ typedef struct redcc_expectation {
     redcc_u32 digest[2];
 } redcc_expectation;
 
-/** The functions that an object's loops call, and the definitions that they and their callees must
- *  have. */
+/** The functions that an object's loops call, and the definitions on which the translation relies.
+ */
 typedef struct redcc_linkage {
     const redcc_callee *called;
     redcc_size count;
@@ -124,38 +123,39 @@ typedef struct redcc_linkage {
     redcc_size expected_count;
 } redcc_linkage;
 
-/** Fails to compile if an option packs structures (-fpack-struct), as the library's are not
- *  packed. */
+/** Fails to compile if -fpack-struct packs structures, since those of the library are not packed.
+ */
 typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
     __attribute__((__unused__));
 
 enum {
     /** The subscripts depend only on the key, the trip count and the sources marked
-     * REDCC_IS_SUBSCRIPT. These are listed in the order in which the slice reads them, so that a
-     * plan may be reused once they are found unchanged. Without the flag every execution inspects
+     *  REDCC_IS_SUBSCRIPT, so that a plan may be reused if these are unchanged. The sources are
+     * listed in the order in which the slice reads them. Without the flag every execution inspects
      * again. */
     REDCC_VERIFIABLE = 1,
     /** The order was named explicitly at translation, not by default. */
     REDCC_ORDER_EXPLICIT = 2,
-    /** Some update needs the order of each element kept: only methods that promise this apply. */
+    /** Some update requires that each element's updates keep their order: only methods that
+     * guarantee this apply. */
     REDCC_ORDER_NEEDED = 4,
-    /** Iterations that touch no element are executed as well. */
+    /** Iterations that touch no element must be executed, too. */
     REDCC_EVERY_ITERATION = 8,
     /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
     REDCC_BINNED = 16,
     /** Its executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
-    /** Times 2 or 4: the number of iterations executed at once (lanes.h) on a processor with AVX2
-     *  or */
+    /** Multiplied by 2 or 4, the number of iterations executed at once (lanes.h), on a processor
+     * with AVX2. */
     REDCC_LANES_UNIT = 64,
-    /** on any processor. */
+    /** The same on any processor. */
     REDCC_LANES_ANYWHERE = 1024,
     /** The slice may read through values that the loop has not written yet, and so read invalid
-     *  addresses. Therefore one thread first has all iterations recorded in order, before the
-     *  inspection. If one would update what `known` says is read, worker->last becomes 0 and the
-     *  slice returns at once; */
+     *  addresses. Therefore one thread first records all iterations in order, before the
+     * inspection. If an iteration would update an address in `known`, worker->last becomes 0 and
+     * the slice returns immediately. */
     REDCC_DRY_RUN = 2048,
-    /** the same if redcc_is_over reports it of an address that was recorded as read. */
+    /** The same, also if redcc_is_over finds an update of an address that was recorded as read. */
     REDCC_DRY_RUN_OF_READS = 4096,
     /** Replaces REDCC_PREFETCHES: the iterations are so light that prefetching pays only if their
      *  accesses are irregular. */
@@ -163,35 +163,35 @@ enum {
     /** Its executor classifies iterations by the rows they touch when redcc_next returns
      *  REDCC_SELECT. */
     REDCC_SELECTS = 16384,
-    /** No loops or calls inside: a few iterations are not worth a call of the runtime. */
+    /** Iterations contain no loops or calls: a few of them are not worth a call of the runtime. */
     REDCC_SHORT = 32768,
     /** The slice is written by hand: REDCC_VALIDATE checks that it names all updated rows. */
     REDCC_BY_HAND = 65536,
     /** An assertion in a function that its slice calls may end the program. */
     REDCC_MAY_ABORT = 131072,
-    /** Owner-checked iterations skip the parts that update no element of the thread. */
+    /** Owner-checked iterations skip parts that update no element of the thread. */
     REDCC_PARTS = 262144,
     /** REDCC_BINNED: before any iteration is pushed, all iterations record their reads and updates,
      *  and these must not overlap. */
     REDCC_BINS_CHECKED = 524288,
     /** The attempt has the number of threads that the program requests. */
     REDCC_TEAM = 1048576,
-    /** Its executor understands REDCC_TILE: the loop is one over pairs. Iteration k has an inner
-     *  loop whose counter is above the iteration's own, */
+    /** Its executor understands REDCC_TILE: the loop is over pairs. The counter of the inner loop
+     * is above that of the outer loop. */
     REDCC_TILES = 2097152,
-    /** or below it. */
+    /** The same, with an inner counter below the outer one. */
     REDCC_TILES_BELOW = 4194304,
     /** REDCC_BINNED: the slice records no updates, so that no plan can be made. */
     REDCC_NO_INSPECTOR = 8388608,
-    /** The attempt has the section of each array that OpenMP's clause `reduction` names: all
-     * updates lie in it. */
+    /** The attempt has the section of each array that OpenMP's clause `reduction` names; all
+     * updates are inside it. */
     REDCC_SECTIONED = 16777216,
-    /** An update may change a value that the executor reads before the loop (the bound of its
-     *  counter, the copy of a variable), or an element that is stored after it. No update may be
-     *  made before all are known to meet none of these; in order, too. */
+    /** An update might change a value that the executor reads before the loop (the bound of its
+     *  counter, the copy of a variable), or an element that is stored after it. So no update may be
+     *  made, not even in order, before it is known that none does. */
     REDCC_WHOLE = 33554432,
-    /** The first iterations, which are heavy, may be executed in order before anything is known of
-     *  the loop. The others are the same loop with another first iteration. */
+    /** Iterations are heavy, so the first ones may be executed in order before the loop is
+     * inspected. The others are the same loop with another first iteration. */
     REDCC_BEGINS = 67108864,
     /** Rows of inner loops are recorded block by block: an inspection is short, however heavy
      *  iterations are. */
@@ -199,29 +199,29 @@ enum {
 };
 
 enum {
-    /** A result of redcc_next other than 0 and 1: the class of each iteration first, first + 1, ...
-     *  < last must be written to the bytes at `entry` (at most REDCC_SELECTED of them) before the
-     *  next call. `window` is the range that the thread owns. */
+    /** A result of redcc_next: the class of each iteration first, first + 1, ... < last must be
+     * written to the bytes at `entry` (at most REDCC_SELECTED of them) before the next call.
+     * `window` is the range that the thread owns. */
     REDCC_SELECT = 2,
     REDCC_SELECTED = 128,
-    /** Another one: the thread executes `variant.tile`, of at most REDCC_TILE_ROWS
+    /** A result of redcc_next: the thread must execute `variant.tile`, of at most REDCC_TILE_ROWS
      *  iterations. */
     REDCC_TILE = 3,
     REDCC_TILE_ROWS = 256,
-    /** A class is 0 or a sum of these: an element that the thread owns is touched, another one
-     *  is. */
+    /** A class is a sum of these: the iteration touches an element that the thread owns; it touches
+     *  another element. */
     REDCC_CLASS_OWN = 1,
     REDCC_CLASS_OTHERS = 2,
-    /** The first byte that it touches is the thread's: of all threads that execute the iteration,
-     *  this one leads. */
+    /** This thread is the leader of the threads that execute the iteration: it owns the leading row
+     *  (redcc_probe_first). */
     REDCC_CLASS_LEADS = 4,
-    /** Results of redcc_bins_next: 0: no more bins; a chunk to push; or a chunk that redcc_next
-     *  hands out before the next call. */
+    /** Results of redcc_bins_next. 0: no more bins; HANDED: a chunk to push; BETWEEN: call
+     * redcc_next for a chunk before the next call. */
     REDCC_HANDED = 1,
     REDCC_BETWEEN = 2
 };
 
-/** In place of a source's number: an iteration leaves the loop (redcc_iteration_leaves). */
+/** Replaces a source's number: an iteration leaves the loop (redcc_iteration_leaves). */
 #define REDCC_LEAVES 0xffffffffu
 
 /** A loop, as the translator describes it; one static object for each. */
@@ -239,10 +239,10 @@ typedef struct redcc_loop {
     void *state; /**< owned by the runtime; initially 0 */
 } redcc_loop;
 
-/** Bytes [first, end). In `known`, end == 0 means: not known before the inspection, redcc_read
- *  records it; `first` is then the pointer that its addresses move with when a plan is reused.
- *  first == 0: no such pointer, also if the addresses lie in several objects. For a kept plan, all
- *  bytes between the first and the last one read are compared. */
+/** Bytes [first, end). In `known`, end == 0 means that the range is not known before the
+ * inspection: redcc_read records the addresses, and `first` is the pointer to which they are
+ * relative when a plan is reused. first == 0: no such pointer, or the addresses lie in several
+ * objects. For a kept plan, all bytes between the first and the last one read are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -253,15 +253,15 @@ typedef struct redcc_call {
     redcc_loop *loop;
     redcc_int trip;                  /**< iterations */
     int threads;                     /**< number of threads to request from OpenMP */
-    int decided;                     /**< owned by the runtime, as is the next field */
-    void *execution;                 /**< */
+    int decided;                     /**< owned by the runtime */
+    void *execution;                 /**< owned by the runtime */
     const struct redcc_calls *calls; /**< functions that the inline functions call */
 } redcc_call;
 
 /** Consecutive iterations of a chunk, relative to its origin. */
 typedef struct redcc_iterations {
     redcc_u32 begin;
-    redcc_u32 count_and_check; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
+    redcc_u32 count_and_check; /**< 2 * count + (each write must call redcc_owns ? 1 : 0) */
 } redcc_iterations;
 
 struct redcc_hook;
@@ -274,8 +274,8 @@ typedef struct redcc_owner {
     const unsigned char *map; /* the owner of each unit from `first`; 0: no map */
     redcc_word reciprocal;    /* for a division by `unit`; 0: none (redcc_unit_number) */
     redcc_u32 self;
-    redcc_u32 unit;          /* bytes; of a map */
-    struct redcc_hook *hook; /* 0, or: it decides, and sees every update (nothing is inside) */
+    redcc_u32 unit;          /* with a map: bytes of a unit */
+    struct redcc_hook *hook; /* not 0: decides and sees every update; the range is then empty */
 } redcc_owner;
 
 /** An address recorded by the inspector, or (array == REDCC_END_OF_ITERATION) the end of an
@@ -294,23 +294,22 @@ typedef struct redcc_entry {
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
-/** Part of a loop over pairs: of iterations row, row + 1, ... < row_end those turns of the inner
- * loop whose counter is `column` to before `column_end` steps after the loop's first value. A
- * thread gets the tiles of one band of rows one after the other. */
+/** Part of a loop over pairs: of the outer iterations row, row + 1, ... < row_end those inner
+ *  iterations whose counter is `column` to before `column_end` steps after the loop's first value.
+ * A thread gets all tiles of a band of rows, one after the other. */
 typedef struct redcc_tile {
     redcc_int row, row_end;
     redcc_int column, column_end;
-    int is_first; /**< of its rows: they begin, */
-    int is_last;  /**< and end here, with all turns from `column` on */
+    int is_first; /**< the first tile of its rows */
+    int is_last;  /**< the last tile of its rows, with all inner iterations from `column` on */
 } redcc_tile;
 
 /** How a chunk is executed; it does not affect the result. */
 typedef struct redcc_variant {
-    int prefetches; /**< prefetch what later iterations touch? */
+    int prefetches; /**< are rows of later iterations prefetched? */
     int lanes;      /**< iterations at once, as in the descriptor; 0: one by one */
-    int follows;    /**< another thread keeps the operands that owner-checked iterations add to
-                     * series */
-    const redcc_tile *tile; /**< after REDCC_TILE: what is executed */
+    int follows;    /**< owner-checked iterations: another thread stores the operands of series */
+    const redcc_tile *tile; /**< after REDCC_TILE: the tile to execute */
 } redcc_variant;
 
 /** One thread's part in an execution; lives on that thread's stack. */
@@ -320,22 +319,21 @@ typedef struct redcc_worker {
     redcc_int first;
     redcc_int last;
     redcc_int stride;
-    redcc_entry *entry; /* the next free one */
+    redcc_entry *entry; /* the next free entry */
     redcc_entry *entry_end;
-    const redcc_owner *window; /* the range of one owner; indexed as arrays. A touch within it makes
-                                * no entry, */
-    int inside;                /* it only sets this flag; */
-    int outside;               /* a touch that makes an entry sets this one; of the current
-                                * iteration */
+    const redcc_owner *window; /* the range of one owner, for each array. A touch within it makes no
+                                * entry */
+    int inside;                /* the current iteration has a touch within the range */
+    int outside;               /* the current iteration has a touch that made an entry */
     redcc_int alike;           /* consecutive iterations within the range since the last flush */
-    redcc_extent *sources;     /* of this thread; indexed as redcc_loop.sources */
+    redcc_extent *sources;     /* this thread's copies; indexed as redcc_loop.sources */
     /* set by redcc_next: the chunk */
     redcc_int origin;
     const redcc_iterations *run;
     const redcc_iterations *run_end;
-    void *const *base;        /* where to write, as if it were the array; indexed as arrays */
-    const redcc_owner *owner; /* indexed as arrays; in a dry run, as sources: ranges found disjoint
-                               * from all updates */
+    void *const *base;        /* for each array: the base to write to (perhaps of a copy) */
+    const redcc_owner *owner; /* for each array; in a dry run, for each source: ranges found
+                               * disjoint from all updates */
     void *execution;          /* owned by the runtime, as are the fields below */
     int thread;
     redcc_variant variant; /* set by redcc_next */
@@ -347,15 +345,15 @@ typedef struct redcc_worker {
 typedef unsigned short redcc_u16;
 
 enum {
-    /** Arrays that one record may update, at one subscript. */
+    /** Maximum number of arrays that one record updates, at one subscript. */
     REDCC_STREAM_ARRAYS = 4,
     /** Bits of a place: the row within its bin, and above it the number of the update. */
     REDCC_PLACE_BITS = 16,
     REDCC_MOST_TAG_BITS = 8,
-    REDCC_BLOCK_RECORDS = 1024, /**< that lie together */
-    REDCC_LINE_PLACES = 32,     /**< that fill a cache line */
+    REDCC_BLOCK_RECORDS = 1024, /**< records of a contiguous block */
+    REDCC_LINE_PLACES = 32,     /**< places in a cache line */
     REDCC_CACHE_LINE = 64,      /**< bytes */
-    REDCC_RECORDS_AHEAD = 16    /**< to be prefetched */
+    REDCC_RECORDS_AHEAD = 16    /**< prefetch distance in records */
 };
 
 /** Records to apply, in this order. */
@@ -364,9 +362,9 @@ typedef struct redcc_applied {
     const redcc_u16 *place; /**< [count + ahead] */
     const void *records;    /**< [count] */
     redcc_size count;
-    redcc_size ahead;     /**< how far ahead of the current place rows may be prefetched; or 0 */
+    redcc_size ahead;     /**< prefetch distance in places; 0: no prefetches */
     const void *operands; /**< the operands given to redcc_bins_next */
-    redcc_size row_count; /**< of the bin */
+    redcc_size row_count; /**< rows of the bin */
 } redcc_applied;
 
 enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
@@ -374,17 +372,17 @@ enum { REDCC_STREAM_EXACT = 1, REDCC_STREAM_SPANS = 2 };
 /** Updates that must be applied in order: all those of an array, or of several arrays at one
  *  subscript. */
 typedef struct redcc_stream {
-    /** Applies records: the text of the updates. Writes only to the rows. */
+    /** Applies records: contains the text of the updates. Writes only to the rows. */
     void (*apply)(const redcc_applied *applied);
     redcc_u32 array_count;                 /**< 1 to REDCC_STREAM_ARRAYS */
-    redcc_u32 arrays[REDCC_STREAM_ARRAYS]; /**< numbers in the loop's arrays; no array is in two
-                                                streams */
-    redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< bytes of a row of each: that array's `unit` */
+    redcc_u32 arrays[REDCC_STREAM_ARRAYS]; /**< their indices in the loop's arrays; no array is in
+                                              two streams */
+    redcc_u32 rows[REDCC_STREAM_ARRAYS];   /**< for each, the bytes of a row: the array's `unit` */
     redcc_u32 record; /**< bytes of a record, even; 0: the contribution is a constant */
     redcc_u32 tag_bits;
-    int exact; /**< REDCC_STREAM_EXACT: all updates of an array use its operator, on integers: they
-                * may be made in any order, and on private copies; REDCC_STREAM_SPANS: a record is
-                * of consecutive rows, and in each bin that has some of them; or 0 */
+    int exact; /**< REDCC_STREAM_EXACT: all updates of an array use its operator, on integers, so
+                * that they may be made in any order, and on private copies; REDCC_STREAM_SPANS: a
+                * record covers consecutive rows, and is in each bin that has some of them; or 0 */
 } redcc_stream;
 
 /** A loop that can be binned; loop.flags has REDCC_BINNED. */
@@ -396,15 +394,15 @@ typedef struct redcc_binned {
 
 struct redcc_bin_buffer;
 
-enum { REDCC_PAGE = 4096 }; /* bytes; the system's are as large, or larger */
+enum { REDCC_PAGE = 4096 }; /* bytes; the system's pages are at least as large */
 #define REDCC_NOWHERE (~(redcc_size)0)
 
-/** One thread's bins of one stream. Constant while a chunk is executed, so that generated code
- *  keeps a copy. */
+/** One thread's bins of one stream. Constant while a chunk is executed, so that generated code may
+ * copy it. */
 typedef struct redcc_bins {
     redcc_int first;   /* row at place 0 of bin 0 */
-    redcc_size span;   /* number of rows in the bins; 0: none, rows are only counted */
-    redcc_u32 shift;   /* shift that maps a row to its bin */
+    redcc_size span;   /* number of rows in the bins; 0: no bins yet, rows are only counted */
+    redcc_u32 shift;   /* row >> shift is the row's bin */
     redcc_u32 *cursor; /* for each bin: the number of its next record */
     char *records;     /* indexed by record number */
     redcc_u16 *places; /* indexed by record number */
@@ -412,7 +410,7 @@ typedef struct redcc_bins {
     char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
-    redcc_size *there; /* the number of a page that can be read; REDCC_NOWHERE: none is known */
+    redcc_size *there; /* the number of a readable page; REDCC_NOWHERE: none is known */
     const struct redcc_calls *calls;
 } redcc_bins;
 
@@ -430,40 +428,41 @@ typedef struct redcc_series_calls {
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
-    /** In tiles, when the thread's band is done; and when its operands were added. */
+    /** With tiles: called when the thread's band is done; and when its operands were added. */
     void (*await_band)(redcc_worker *worker);
     const redcc_series_part *(*part_of)(const redcc_series *series, redcc_int k);
     void (*end_band)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
-    /** Frees all memory that the loop's operands were kept in. */
+    /** Frees all memory of the loop's operands. */
     void (*give)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
 /** For elements behind pointers, in bins. */
 typedef struct redcc_behind_calls {
-    /** Is a pointer at this address readable? Then *there is the number of its page. */
+    /** Is a pointer at this address readable? If so, sets *there to the number of its page. */
     int (*is_there)(redcc_size *there, const void *address);
     /** Pushes a record of `count` rows from the one at address `first` on. */
     void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
                       redcc_int count, const void *record);
 } redcc_behind_calls;
 
-/** Calls of the library before a loop begins. */
+/** Functions of the library that are called before a loop begins. */
 typedef struct redcc_before_calls {
-    /** Can no other thread of the process run before the loop ends? */
+    /** Is it certain that no other thread of the process runs before the loop ends? */
     int (*is_alone)(redcc_loop *loop);
-    /* Pointers that a loop reads only under conditions are read before it. */
-    /** 0: not in this execution, because the loop is executed too often. */
+    /** May pointers that the loop reads only under conditions be loaded before it? 0: not in this
+     *  execution, because the loop is executed too often. */
     int (*may_load)(const redcc_loop *loop, redcc_word *last);
     /** Reads `bytes` bytes at `from` and returns 1 if they are readable. Never faults. */
     int (*load)(void *to, const char *from, redcc_size bytes);
     const redcc_behind_calls *behind;
-    /** Does REDCC_ORDER or REDCC_METHOD ask for the sequential loop's bits? */
+    /** Does REDCC_ORDER or REDCC_METHOD require the sequential loop's bits? */
     int (*is_in_order)(const redcc_loop *loop);
 } redcc_before_calls;
 
-/** Rows that iterations read: iteration k at first + k * step, in bytes. */
+/** An arithmetic progression of rows that iterations read: iteration k reads the row at first + k *
+ *  step (bytes). */
 typedef struct redcc_progression {
-    redcc_size first; /* 0: not known */
+    redcc_size first; /* 0: unknown */
     redcc_int step;
     redcc_size bytes;
 } redcc_progression;
@@ -475,19 +474,19 @@ typedef struct redcc_ahead {
     redcc_int k;
     redcc_int end; /* of its run */
     redcc_int origin;
-    const redcc_iterations *run; /* the next one */
+    const redcc_iterations *run; /* the next run */
     const redcc_iterations *run_end;
     const struct redcc_ahead_calls *calls;
 } redcc_ahead;
 
-/** Calls of the library for redcc/prefetch.h. */
+/** Functions of the library for redcc/prefetch.h. */
 typedef struct redcc_ahead_calls {
-    /** Begins before iteration number `distance` of the worker's runs. */
+    /** Sets `it` before iteration number `distance` of the worker's runs. */
     void (*begin)(redcc_ahead *it, const redcc_worker *worker, int distance);
     /** Advances to the next run. Returns 0 if none is left. */
     int (*turn)(redcc_ahead *it);
-    /** Copies progressions without those that earlier ones cover: members of the same structures.
-     */
+    /** Copies progressions, except those that earlier ones cover because they are members of the
+     * same structures. */
     void (*rows)(redcc_progression *to, const redcc_progression *from, int count);
     /** Prefetches a row longer than a cache line. */
     void (*prefetch)(const char *address, redcc_size bytes);
@@ -512,13 +511,13 @@ typedef struct redcc_calls {
     int (*bins_next)(redcc_worker *worker, redcc_bins *bins, const void *operands);
     void (*push_outside)(struct redcc_bin_buffer *buffer, redcc_int row);
     redcc_u32 (*push_block)(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record);
-    /* redcc/parallel.h alone: */
+    /* Only for redcc/parallel.h: */
     const redcc_int *least_trip;
     const int *timed_loops;
     void (*sequential_end)(redcc_loop *loop);
     /** Sets `bytes` bytes to the neutral element of the array's operator. */
     void (*fill)(const redcc_array *array, void *values, redcc_size bytes);
-    /** Applies rows to their arrays in order: under locks, or as compensated sums. */
+    /** Applies kept rows to their arrays in order: under locks, or as compensated sums. */
     void (*settle)(redcc_worker *worker, const struct redcc_kept_row *kept, int count);
     /** Ends the program with a message: a rule of redcc/parallel.h is violated. */
     void (*misuse)(const redcc_worker *worker, const char *rule);

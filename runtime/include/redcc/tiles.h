@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops over pairs: tiles, a body that is clipped to some of the columns; and turns before a row.
- * loop.h includes this file.
+ * Loops over pairs: tiles, for which the body's inner loop is clipped to a range of columns; and
+ * the number of inner iterations before a row. An inner iteration is called a turn. loop.h includes
+ * this file.
  */
 #ifndef REDCC_TILES_H
 #define REDCC_TILES_H
 
 #include <redcc/entry.h>
 
-/** For each iteration of a tile, its turns from column redcc__from to before redcc__to. */
+/** Parameters of a function that executes, for each iteration of a tile, its turns from column
+ *  redcc__from to before redcc__to. */
 #define REDCC_TILE_PARAMETERS                                                                      \
     redcc_worker *const redcc__worker __attribute__((__unused__)),                                 \
         const redcc_tile *const redcc__tile __attribute__((__unused__)),                           \
@@ -18,12 +20,12 @@
     (redcc__from > (redcc_int)(redcc_lower) ? (redcc_type)redcc__from : (redcc_type)(redcc_lower))
 #define REDCC_TILE_TO(redcc_type, redcc_bound)                                                     \
     (redcc__to < (redcc_int)(redcc_bound) ? (redcc_type)redcc__to : (redcc_type)(redcc_bound))
-/** The same for counter <= bound. */
+/** The same for the condition counter <= bound. */
 #define REDCC_TILE_UP_TO(redcc_type, redcc_bound)                                                  \
     (redcc__to - 1 < (redcc_int)(redcc_bound) ? (redcc_type)(redcc__to - 1)                        \
                                               : (redcc_type)(redcc_bound))
 
-/** In front of a chunk's declarations: what is handed out may be a tile. Both counters have this
+/** Precedes a chunk's declarations: if a tile was handed out, executes it. Both counters have this
  *  step. */
 #define REDCC_TILED(redcc_step, redcc_call_of_tile, redcc_after_tile)                              \
     if (__builtin_expect(redcc__asked == REDCC_TILE, 0)) {                                         \
@@ -44,7 +46,8 @@ REDCC_INLINE redcc_word redcc_pairs(redcc_word m) {
     return m % 2 ? m * ((m - 1) / 2) : m / 2 * (m - 1);
 }
 
-/** The turns of rows 0 to k - 1 that have first, first - 1, ... turns, at least none. */
+/** The total number of turns of rows 0 to k - 1, which have first, first - 1, ... turns but not
+ * fewer than 0. */
 REDCC_INLINE redcc_word redcc_turns_above(redcc_int first, redcc_int k) {
     const redcc_word rows = (redcc_word)(first < 0 ? 0 : first < k ? first : k);
     return rows * (redcc_word)first - redcc_pairs(rows);

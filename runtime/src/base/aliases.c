@@ -24,8 +24,8 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* Does an offset in the object identify memory, unique to the object? Not for devices: their
- * drivers interpret it freely. */
+/* Does an offset in the object identify memory uniquely? Not for devices, whose drivers interpret
+ * it freely. */
 static bool is_plain(const struct mapping *mapping) {
     const char *const name = mapping->name;
     if (mapping->object.inode == 0)
@@ -44,7 +44,7 @@ static uintptr_t lower(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* False if that is unknown for the mapping, or there are too many. */
+/* Adds the part of a mapping. False if its object is unknown, or there are too many parts. */
 static bool add_part(struct parts *parts, const struct mapping *mapping, struct range written) {
     if (!is_plain(mapping) || parts->count == PARTS)
         return false;
@@ -56,7 +56,7 @@ static bool add_part(struct parts *parts, const struct mapping *mapping, struct 
 }
 
 /* Adds the parts of `written` that lie in shared mappings. Most arrays lie in one mapping, so that
- * a single query suffices. False if that is unknown. */
+ * a single query suffices. False if the mappings are unknown. */
 static bool find_parts(struct maps *maps, struct range written, struct parts *parts) {
     enum which_maps which = MAPS_ALL;
     struct mapping mapping;
@@ -83,7 +83,7 @@ static bool is_touched(const struct touches *touches, struct range range) {
     return false;
 }
 
-/* The range at which the mapping shows the part, if it differs from the part's own address. */
+/* The addresses of the part in the mapping, unless they are the part's own. */
 static struct range image_of(const struct part *part, const struct mapping *mapping) {
     const uint64_t part_end = part->offset + redcc_range_size(part->place);
     const uint64_t mapping_end = mapping->offset + redcc_range_size(mapping->place);

@@ -3,8 +3,8 @@
  * Detects memory that has several addresses. In a shared mapping an address does not identify
  * memory: a file, a segment or anonymous shared memory may be mapped at several places. Owners,
  * plans, bins and the overlap guard identify memory by its address, so a loop may run in parallel
- * only if all memory that it touches has one address each. Private memory has one: other mappings
- * of a file show writes to a shared mapping, never those to a private one.
+ * only if each byte that it touches has one address. Private memory always does: writes to a
+ * private mapping are not visible in other mappings of the file.
  */
 #ifndef REDCC_ALIASES_H
 #define REDCC_ALIASES_H
@@ -20,7 +20,7 @@ struct touches {
     const redcc_loop *loop; /* the loop that reads these sources; NULL: none */
 };
 
-/** May written memory be touched at another address as well? True also if that is unknown. Takes a
+/** May the loop also touch written memory at another address? True also if that is unknown. Takes a
  *  few nanoseconds if no object of the process refers to a function that maps memory. Otherwise it
  *  reads the mappings in each execution, because the kernel does not report new ones. A thread of
  *  the program that maps memory meanwhile, while that memory is written, has a data race.

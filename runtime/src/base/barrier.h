@@ -14,15 +14,15 @@
 struct barrier {
     alignas(64) atomic_uint arrived;
     alignas(64) atomic_uint phase; /* incremented when all have arrived */
-    atomic_int asleep;             /* number of threads to wake then */
+    atomic_int asleep;             /* number of sleeping threads */
 };
 
-/** Of `threads` callers, the last one gets true at once and must call redcc_barrier_release; the
- *  others get false after that call. They see all writes made before arriving, and those of the
- *  last thread before its release. */
+/** Of `threads` callers, the last one returns true immediately and must call redcc_barrier_release;
+ *  the others return false after that call. They see all writes that any thread made before it
+ *  arrived, and those of the last thread before its release. */
 bool redcc_barrier_arrive(struct barrier *barrier, int threads);
 
-/** Releases the others. */
+/** Releases the waiting threads. */
 void redcc_barrier_release(struct barrier *barrier);
 
 /** Returns once all `threads` callers have arrived. */

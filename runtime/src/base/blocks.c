@@ -20,14 +20,13 @@ enum {
     LARGE_KEPT = 64 * 1024 * 1024
 };
 
-/* A block that is free. */
 struct free_block {
     struct free_block *next;
 };
 
 static struct spin lock;
 static struct free_block *free_blocks[CLASSES];
-static char *piece; /* the rest of the piece that small blocks are cut from */
+static char *piece; /* the unused rest of the piece from which small blocks are cut */
 static size_t piece_left;
 static size_t kept; /* bytes of cached large blocks */
 
@@ -49,7 +48,8 @@ static size_t whole_pages(size_t bytes) {
     return (bytes + page - 1) / page * page;
 }
 
-/* The rest of the previous piece is lost: less than one small block in sixteen. */
+/* Cuts a small block. Abandons the rest of a piece that is too small: less than a sixteenth of it.
+ */
 static void *cut(size_t bytes) {
     if (piece_left < bytes) {
         char *more = redcc_system_map(PIECE);
@@ -93,7 +93,7 @@ void *redcc_block_take(size_t *bytes, bool keep) {
     return block || small ? block : redcc_system_map(*bytes);
 }
 
-/* Adds it to the free blocks. False if it is not cached. */
+/* Adds a block to the free ones. False if it is not cached. */
 static bool put(void *block, size_t bytes, bool keep) {
     size_t size;
     const unsigned class = class_of(bytes, &size);
@@ -101,7 +101,7 @@ static bool put(void *block, size_t bytes, bool keep) {
     if (!small && (!keep || class >= CLASSES || size != bytes))
         return false;
     if (!redcc_spin_hope(&lock))
-        return small; /* which is lost */
+        return small; /* without the lock, a small block is leaked */
     const bool stays = small || kept + bytes <= LARGE_KEPT;
     if (stays) {
         struct free_block *free_block = block;

@@ -18,8 +18,8 @@ struct request {
     void **bases;                 /* [array_count] */
     redcc_extent *known;          /* [source_count] */
     redcc_word *key;              /* [key_count] */
-    const redcc_extent *sections; /* [array_count] the caller's: by shares, without an inspection
-                                   * (choose/sections.h); NULL: otherwise */
+    const redcc_extent *sections; /* [array_count] the caller's, for an execution by shares without
+                                   * an inspection (choose/sections.h); otherwise NULL */
 };
 
 struct call {
@@ -27,7 +27,7 @@ struct call {
     /* The settings in force. */
     const struct method *method; /* named; NULL: auto */
     int parameter;               /* the method's */
-    bool in_bins;                /* named, or chosen for this call: no inspection, no plan */
+    bool in_bins; /* binning, named or chosen for this call: no inspection, no plan */
     redcc_order order;
     bool compensated;
     bool validate;
@@ -36,13 +36,13 @@ struct call {
     bool tracks;         /* track writes to subscripts, if possible (REDCC_WATCH) */
     size_t memory_limit; /* bytes; 0: none */
     /* The threads. */
-    bool always_planned; /* one thread executes by the plan as well */
+    bool always_planned; /* even a single thread executes by a plan */
     bool one_will_do;    /* a plan may be executed by a single thread */
-    int asked;
-    int started;                        /* of them, more than in any earlier region */
-    int threads;                        /* that arrived */
-    int planned;                        /* that a plan would be built for: one thread takes a
-                                         * sample */
+    int asked;           /* number of threads requested */
+    int started;         /* how many of these must be started for this region */
+    int threads;         /* number of threads that arrived */
+    int planned; /* number for which a plan would be built (more than `threads` if one thread
+                  * takes a sample) */
     struct float_control float_control; /* of the thread that entered */
     double entered;                     /* seconds */
     int error_before;                   /* errno of that thread */

@@ -4,7 +4,7 @@
 
 #include "base/system.h"
 
-/** Seconds of a monotonic clock. */
+/** The time of a monotonic clock, in seconds. */
 static inline double redcc_seconds(void) {
     const struct timespec now = redcc_system_clock(CLOCK_MONOTONIC);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;

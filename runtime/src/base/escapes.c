@@ -2,10 +2,10 @@
 /**
  * The external functions that the objects of the process refer to and define.
  *
- * In most programs nothing leaves a signal handler except by its return. Blocking signals for their
- * loops would gain nothing, and takes a tenth of a short loop's time. References are found in the
- * dynamic symbol tables of the objects. A statically linked program has none, and counts as one
- * whose handlers may leave.
+ * In most programs signal handlers end only by returning. For these, blocking signals during loops
+ * would gain nothing, and costs a tenth of a short loop's time. References are found in the dynamic
+ * symbol tables of the objects. A statically linked program has none, so its handlers are assumed
+ * to leave by other ways (siglongjmp).
  */
 #include "base/escapes.h"
 
@@ -24,12 +24,13 @@
 extern struct r_debug _r_debug __attribute__((__weak__));
 
 struct object {
-    const Elf64_Sym *symbol, *end; /* NULL: not known */
+    const Elf64_Sym *symbol, *end; /* NULL: unknown */
     const char *text;
     size_t text_bytes;
 };
 
-/* Most of thousands of names differ in the first character, which needs no call to see. */
+/* Compares the first character before the call of strcmp: of thousands of names most differ there.
+ */
 static bool is_called(const char *name, const char *other) {
     return name[0] == other[0] && strcmp(name, other) == 0;
 }
@@ -105,7 +106,7 @@ static struct object object_of(const struct link_map *map) {
     return object;
 }
 
-/* Does it refer to one of these functions on the program's behalf? True also if that is unknown. */
+/* Does the object refer to one of these functions for the program? True also if that is unknown. */
 static bool refers(const struct link_map *map, bool (*is_meant)(const char *name)) {
     const struct object object = object_of(map);
     if (!object.end)
@@ -134,7 +135,7 @@ static bool defines(const struct link_map *map, const char *name) {
 
 enum { FREE = 1, ALIGNED = 2 + 4 + 8 };
 
-/* Bits of the functions of these that the object defines. */
+/* A bit for each of these functions that the object defines. */
 static int allocator_of(const struct link_map *map) {
     static const char *const names[] = {"free", "aligned_alloc", "posix_memalign", "memalign"};
     const struct object object = object_of(map);
@@ -147,8 +148,10 @@ static int allocator_of(const struct link_map *map) {
     return defined;
 }
 
-/* The first object that defines a function provides it. */
-static bool look_for_split(void) {
+/* Does the first object that defines free, and so provides it, lack the functions for aligned
+ * memory?
+ */
+static bool is_split(void) {
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         const int defined = allocator_of(map);
         if (defined & FREE)
@@ -159,7 +162,7 @@ static bool look_for_split(void) {
 
 /* Is the C library, which defines abort, the only object that defines the functions that a failing
  * assert calls? */
-static bool look_for_assertions(void) {
+static bool are_assertions_plain(void) {
     bool are_there = false;
     for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
         if (!defines(map, "__assert_fail"))
@@ -198,22 +201,22 @@ static bool look_for_maps(void) {
     return true;
 }
 
-static bool look_for_split(void) {
+static bool is_split(void) {
     return false;
 }
 
-static bool look_for_assertions(void) {
+static bool are_assertions_plain(void) {
     return false;
 }
 
 #endif
 
-/* The answer of the first call is cached. */
-static bool answer(atomic_int *known, bool (*look_for)(void)) {
+/* Returns the cached answer; the first call computes it. */
+static bool answer(atomic_int *known, bool (*compute)(void)) {
     enum { UNKNOWN, YES, NO };
     int answer = atomic_load_explicit(known, memory_order_relaxed);
     if (answer == UNKNOWN) {
-        answer = look_for() ? YES : NO;
+        answer = compute() ? YES : NO;
         atomic_store_explicit(known, answer, memory_order_relaxed);
     }
     return answer == YES;
@@ -231,10 +234,10 @@ bool redcc_may_map(void) {
 
 bool redcc_allocator_is_split(void) {
     static atomic_int known;
-    return answer(&known, look_for_split);
+    return answer(&known, is_split);
 }
 
 bool redcc_assertions_abort(void) {
     static atomic_int known;
-    return answer(&known, look_for_assertions) && redcc_signal_is_default(SIGABRT);
+    return answer(&known, are_assertions_plain) && redcc_signal_is_default(SIGABRT);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Flags for synchronisation between two threads. In each round (an execution) they begin lowered,
- * without a reset in between.
+ * Flags for synchronisation between two threads. At the beginning of each round (execution) all are
+ * lowered, without a reset: a flag stores the round in which it was raised.
  */
 #ifndef REDCC_FLAGS_H
 #define REDCC_FLAGS_H
@@ -14,8 +14,8 @@ struct flags {
     atomic_uint flag[]; /* the round in which it was raised */
 };
 
-/** `count` flags, lowered in all rounds but round 0; freed by redcc_memory_give. NULL: no
- *  memory. */
+/** Allocates `count` flags, lowered in all rounds except round 0; freed by redcc_memory_give. NULL:
+ * out of memory. */
 struct flags *redcc_flags_new(uint32_t count);
 
 /** Raises flag number `flag` for the rest of this round. */
@@ -25,8 +25,8 @@ void redcc_flag_raise(struct flags *flags, uint32_t flag, unsigned round);
  *  raised it. threads: of the region. */
 void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int threads);
 
-/** The same for a flag that is raised again and again, to higher values (modulo 2^32): waits until
- *  it is at `value` or past it. */
+/** The same for a flag that is raised repeatedly, to higher values (modulo 2^32): waits until its
+ *  value is `value` or greater. */
 void redcc_flag_await_past(struct flags *flags, uint32_t flag, unsigned value, int threads);
 
 #endif

@@ -28,8 +28,8 @@ extern locale_t __uselocale(locale_t wanted);
 struct float_control {
     locale_t locale;
     uint64_t vector; /* MXCSR; FPCR of 64-bit ARM */
-    uint32_t rights; /* to memory */
-    uint16_t x87;    /* the control word, of long double */
+    uint32_t rights; /* memory access rights */
+    uint16_t x87;    /* the control word for long double */
 };
 
 /** The calling thread's state. */
@@ -39,20 +39,20 @@ static inline struct float_control redcc_float_control(void) {
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
     __asm__ volatile("fnstcw %0" : "=m"(own.x87));
-    own.vector = mxcsr & ~0x3fu; /* without the flags of exceptions that occurred */
+    own.vector = mxcsr & ~0x3fu; /* without the sticky exception flags */
 #elif defined(__aarch64__)
     __asm__ volatile("mrs %0, fpcr" : "=r"(own.vector));
 #endif
     return own;
 }
 
-/** Do both round numbers alike? */
+/** Do both states round numbers in the same way? */
 static inline bool redcc_float_control_equal(struct float_control a, struct float_control b) {
     return a.vector == b.vector && a.x87 == b.x87;
 }
 
-/** Does some exception trap? Its handler runs where the exception occurs, and could observe a place
- *  that differs from the sequential loop's. */
+/** Does a floating-point exception trap? Its handler could observe that the exception occurs in
+ *  another order than in the sequential loop. */
 static inline bool redcc_float_traps(struct float_control own) {
 #if defined(__x86_64__)
     return (own.vector & 0x1f80) != 0x1f80 || (own.x87 & 0x3f) != 0x3f;
@@ -64,7 +64,7 @@ static inline bool redcc_float_traps(struct float_control own) {
 #endif
 }
 
-/** Sets the calling thread's state. Flags of exceptions that occurred remain. */
+/** Sets the calling thread's state, except its sticky exception flags. */
 static inline void redcc_float_control_take(struct float_control wanted) {
     redcc_rights_set(wanted.rights);
     redcc_use_locale(wanted.locale); /* also if it is the same: the tables may differ */

@@ -15,10 +15,10 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-static bool had_threads;       /* of the thread that forks, from before fork to the child */
+static bool had_threads;       /* passes the answer from before fork to the child */
 atomic_bool redcc_had_threads; /* written while there is only one thread */
 atomic_char *redcc_process_mark;
-static long process; /* without a marked page: the id of the process noted last */
+static long process; /* without a marked page: the id of the process registered last */
 
 #if defined(__linux__)
 
@@ -52,7 +52,7 @@ void *redcc_wiped_page(void) {
 
 #endif
 
-/* Notes the calling process, which is new. */
+/* Registers the calling process, which is new. */
 static void begin_process(bool with_threads) {
     if (with_threads)
         atomic_store(&redcc_had_threads, true);

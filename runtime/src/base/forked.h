@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Processes made by fork, in which a parallel region may wait for threads that do not exist. */
+/** Detects processes made by fork, in which a parallel region may wait for threads that do not
+ * exist.
+ */
 #ifndef REDCC_FORKED_H
 #define REDCC_FORKED_H
 
@@ -16,12 +18,12 @@ static inline bool redcc_is_forked(void);
 /** A page of memory, zero, that the system clears in a child; NULL: not supported. */
 void *redcc_wiped_page(void);
 
-/* Its first byte is 1 in a process that redcc_note_process has noted, and 0 in a new one, since the
- * system clears it. NULL: not supported. */
+/* Its first byte is 1 in a process that redcc_note_process has registered, and 0 in a new one,
+ * since the system clears it. NULL: not supported. */
 extern atomic_char *redcc_process_mark;
 extern atomic_bool redcc_had_threads;
 
-/** Notes the current process if it is a new one. */
+/** Registers the current process if it is a new one. */
 void redcc_note_process(void);
 
 static inline bool redcc_is_forked(void) {

@@ -17,7 +17,7 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The number that /proc/thread-self/status has for `key`, or `otherwise`. */
+/* The number of `key` in /proc/thread-self/status, or `otherwise`. */
 static long status_of(const char *key, long otherwise) {
     struct lines lines;
     long value = otherwise;
@@ -66,8 +66,9 @@ static bool is_plain_device(const char *name) {
     return is_listed(name, plain);
 }
 
-/* Is a mapping of that name compatible with tracking? True for anonymous mappings, the system's own
- * names, and files that are no devices. A library for confining the process may do so later. */
+/* Is a mapping with this name compatible with tracking? True for anonymous mappings, the system's
+ * own names, and files that are neither devices nor a library that may confine the process later.
+ */
 static bool is_harmless(const char *name) {
     if (name[0] == '\0' || name[0] == '[')
         return true;
@@ -95,7 +96,8 @@ struct range redcc_mapping_of(uintptr_t address) {
     return found ? mapping.place : redcc_nowhere;
 }
 
-/* False: the mapping forbids tracking. *covered: the pages are mapped up to here. */
+/* Checks a mapping. False: it forbids tracking. *covered: the pages are mapped up to this address.
+ */
 static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
                      uintptr_t *covered) {
     if (!is_harmless(mapping->name))
@@ -124,12 +126,12 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     return allowed && covered >= pages.end;
 }
 
-/* A descriptor through which memory may be written, or the tracking be lost? */
+/* Is it certain that no memory is written, and no tracking is lost, through the descriptor? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);
     if (length < 0 || atoi(number) == own)
-        return true; /* closed meanwhile */
+        return true; /* it has been closed */
     name[length] = '\0';
     if (begins(name, "anon_inode:"))
         return !strstr(name, "userfault") && !strstr(name, "io_uring");

@@ -20,18 +20,18 @@ struct range redcc_mapping_of(uintptr_t address);
  *  unknown. */
 bool redcc_is_confined(void);
 
-/** The capacity of the process's descriptor table; 0 if unknown. To enlarge it the system waits for
- *  all processors: 5 to 20 ms in a process with threads. */
+/** The capacity of the process's descriptor table; 0 if unknown. When the table grows, the kernel
+ * waits for all processors: 5 to 20 ms in a process with threads. */
 int redcc_descriptor_room(void);
 
 /** Does the machine have a device whose driver may migrate pages to the device's own memory and
  *  bring them back modified, unseen by the processor? */
 bool redcc_has_accelerator(void);
 
-/** Would the processor's page tables show every write to `pages`? True only if all of them lie in
- *  private memory without a file behind it, and nothing that the process has pinned, mapped or
- *  opened may write to its memory otherwise (devices, sockets and queues mapped, another userfault
- *  descriptor than `own`). Sets *found to the mappings that contain the pages. */
+/** Would the processor's page tables show every write to `pages`? True only if all of the pages lie
+ * in private memory without a file, and nothing that the process has pinned, mapped or opened may
+ * write to its memory in another way (devices, mapped sockets and queues, a userfault descriptor
+ * other than `own`). Sets *found to the mappings that contain the pages. */
 bool redcc_may_watch(struct mappings *found, struct range pages, int own);
 
 #endif

@@ -50,8 +50,8 @@ void redcc_maps_close(struct maps *maps) {
     redcc_lines_close(&maps->lines);
 }
 
-/* Queries the kernel; if it does not support that, sets by_text. The name is stored in the buffer
- * for lines, which is unused while queries are made. */
+/* Queries the kernel; sets by_text if it does not support queries. The name is stored in the buffer
+ * for lines, which queries do not use. */
 static enum maps_answer ask(struct maps *maps, uintptr_t from, enum which_maps which,
                             struct mapping *found) {
     static const uint64_t flags[] = {[MAPS_ALL] = THIS_OR_NEXT,
@@ -120,7 +120,7 @@ static bool is_selected(const struct mapping *mapping, uintptr_t from, enum whic
 
 static enum maps_answer read_on(struct maps *maps, uintptr_t from, enum which_maps which,
                                 struct mapping *found) {
-    if (from < maps->reached) { /* from the beginning */
+    if (from < maps->reached) { /* start again from the beginning */
         redcc_lines_close(&maps->lines);
         if (!redcc_lines_open(&maps->lines, maps_path))
             return MAPS_UNKNOWN;

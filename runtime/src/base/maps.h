@@ -2,7 +2,7 @@
 /**
  * The mappings of the process, one by one: /proc/self/maps, proc_pid_maps(5). Linux 6.11 and later
  * supports queries for single mappings (PROCMAP_QUERY), which take some microseconds for any number
- * of mappings. Otherwise the text is read, 1 to 2 microseconds a mapping.
+ * of mappings. Otherwise the text is read, at 1 to 2 microseconds per mapping.
  */
 #ifndef REDCC_MAPS_H
 #define REDCC_MAPS_H
@@ -13,7 +13,7 @@
 /** The object behind mappings: a file, a segment, anonymous shared memory. */
 struct object {
     uint64_t device;
-    uint64_t inode; /* 0: none, the memory belongs to the mapping */
+    uint64_t inode; /* 0: no object; the memory belongs to the mapping */
 };
 
 /** A mapping. */
@@ -26,7 +26,7 @@ struct mapping {
     const char *name; /* as in the text; valid until the next one is read */
 };
 
-/** A list of mappings being read; on the stack of its reader, used by one thread. */
+/** The state of reading the list of mappings; on the stack of its reader, used by one thread. */
 struct maps {
     struct lines lines;
     bool by_text;      /* the kernel does not support queries */
@@ -36,14 +36,14 @@ struct maps {
 /** A selection of mappings. */
 enum which_maps {
     MAPS_ALL,
-    MAPS_SHARED, /* writable, and every write is one to the object */
+    MAPS_SHARED, /* writable, and writes go to the object */
     MAPS_OF_OBJECTS
 };
 
 enum maps_answer {
     MAPS_FOUND,
-    MAPS_END,    /* there is none */
-    MAPS_UNKNOWN /* not known */
+    MAPS_END,    /* there is no further one */
+    MAPS_UNKNOWN /* the mappings cannot be read */
 };
 
 /** For tests: reads the text even if the kernel supports queries. */

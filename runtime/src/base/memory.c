@@ -11,14 +11,15 @@
 
 enum { LINE = 64 };
 
-/* In the cache line before a block. */
+/* Occupies the cache line before a block. */
 struct header {
-    size_t bytes; /* counted */
+    size_t bytes; /* bytes counted against the limit */
     size_t held;  /* bytes of the underlying block */
     bool kept;    /* may be cached */
 };
 
-#if defined(__SANITIZE_ADDRESS__) /* detects accesses beyond the end of each separate block */
+#if defined(__SANITIZE_ADDRESS__) /* separate blocks, so that accesses beyond their ends are       \
+                                     detected */
 static void *block_take(size_t *bytes, bool keep) {
     (void)keep;
     return aligned_alloc(LINE, *bytes);

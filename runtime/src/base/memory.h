@@ -9,14 +9,15 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** `bytes` bytes, aligned to a cache line. Not initialised, so that the first thread to write a
- *  page determines its NUMA node. NULL if memory is lacking or the limit would be exceeded. */
+/** Allocates `bytes` bytes, aligned to a cache line. Not initialised, so that the first thread to
+ * write a page determines its NUMA node. NULL if out of memory, or if the limit would be exceeded.
+ */
 void *redcc_memory_take(size_t bytes);
 
 /** As redcc_memory_take, for `count` items of `size` bytes, all zero. */
 void *redcc_memory_take_zeroed(size_t count, size_t size);
 
-/** A copy of the text; NULL without memory. */
+/** A copy of the text; NULL: out of memory. */
 char *redcc_memory_take_text(const char *text);
 
 /** Resizes a block (NULL: an empty one) and keeps its contents; returns the new block. NULL:
@@ -35,12 +36,11 @@ size_t redcc_memory_size(const void *block);
 /** Limits the total to `bytes` from now on; 0: no limit. */
 void redcc_memory_limit(size_t bytes);
 
-/** From now on, are allocations of the calling thread exempt from the limit? True for memory other
- *  than plans and copies, such as a loop's row in the report. */
+/** Sets whether allocations of the calling thread are exempt from the limit. They are for memory
+ * other than plans and copies, such as a loop's row in the report. */
 void redcc_memory_exempt(bool owed);
 
-/** For tests: the `calls_from_now`-th allocation fails and all after it (0: the very next;
- *  negative: none). */
+/** For tests: after `calls_from_now` more allocations, all fail (negative: none). */
 void redcc_memory_fail_after(long calls_from_now);
 
 /** Has redcc_memory_fail_after taken effect, so that every allocation fails? */

@@ -10,7 +10,7 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* Functions of threads are not referred to weakly: a static program would lack them. */
+/* Thread functions are not weak references: a static program would be linked without them. */
 
 #ifdef __GLIBC__
 
@@ -20,8 +20,9 @@ static void nothing(void *unused) {
     (void)unused;
 }
 
-/* This object must not be unloaded while a thread executes its code. The function for that
- * allocates, with the program's allocator, which may support one thread only (attack 32). */
+/* Keeps this object loaded while a thread executes its code, by a destructor of the thread. Not
+ * needed in the program's own file, which is never unloaded; and registering it calls the program's
+ * allocator, which may support only one thread (attack 32). */
 static void stay_loaded(void) {
     if (!redcc_system_is_program())
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
@@ -70,7 +71,7 @@ struct pool {
     atomic_uint left; /* threads that the current region waits for */
     atomic_int asleep;
     atomic_int alive; /* threads, until the last one frees the memory */
-    int threads;      /* started, and 1 */
+    int threads;      /* started threads plus the calling one */
     struct slot slot[MOST];
 };
 
@@ -91,7 +92,7 @@ static void *serve(void *given) {
     struct slot *slot = given;
     struct pool *const it = slot->pool;
     stay_loaded();
-    redcc_within = 1; /* a loop in a loop's body must not run in parallel */
+    redcc_within = 1; /* a loop inside a loop's body must not run in parallel */
     unsigned seen = 0;
     arrive(it);
     for (;;) {
@@ -120,9 +121,9 @@ static void wait_for_all(struct pool *it, int threads) {
         redcc_wait_while(&it->left, left, &it->asleep, threads);
 }
 
-/* ---- of the calling thread ------------------------------------------------------------------- */
+/* ---- the calling thread ---------------------------------------------------------------------- */
 
-/* When the thread ends, its threads are not waited for: they may still be asleep. */
+/* Called when the owning thread ends. Does not wait for its threads, which may still be asleep. */
 static void end(void *given) {
     struct pool *it = given;
     pool = NULL;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/processor.h"
 
-/* glibc's loader has queried the processor already. gcc's own library repeats the query in each
- * process that links it, before main: 0.07 ms in a virtual machine, whose host answers each query
- * (a program that does nothing: 0.68 ms with it, 0.49 without the runtime). */
+/* Uses the features that glibc's loader has found. gcc's own library would query the processor
+ * again, before main: 0.07 ms in a virtual machine, whose host emulates each query. (An empty
+ * program takes 0.68 ms with that query, 0.49 without the runtime.) */
 #if defined(__x86_64__) && defined(__has_include)
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>
@@ -32,7 +32,7 @@ bool redcc_has_avx2(void) {
 #endif
 }
 
-/* The processor's own answer shows whether the system has enabled them. */
+/* CPUID shows whether the system has enabled the keys. */
 bool redcc_has_protection_keys(void) {
 #if defined(GLIBC_ASKED)
     const unsigned bit = x86_cpu_OSPKE % 128;

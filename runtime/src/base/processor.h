@@ -9,7 +9,9 @@
  *  Thread-safe. */
 bool redcc_has_avx2(void);
 
-/** Does it have protection keys (rights.h), enabled by the system? Some nanoseconds. */
+/** Does the processor have protection keys (rights.h), enabled by the system? Takes some
+ * nanoseconds.
+ */
 bool redcc_has_protection_keys(void);
 
 #endif

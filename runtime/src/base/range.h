@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Addresses [first, end); empty where end <= first. */
+/** Addresses [first, end); empty if end <= first. */
 struct range {
     uintptr_t first;
     uintptr_t end;
@@ -33,7 +33,7 @@ static inline struct range redcc_range_of(redcc_extent extent) {
                       : redcc_nowhere;
 }
 
-/** Bytes. */
+/** The number of bytes. */
 static inline size_t redcc_range_size(struct range range) {
     return redcc_range_empty(range) ? 0 : range.end - range.first;
 }

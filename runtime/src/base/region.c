@@ -11,7 +11,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* GNU's OpenMP library and LLVM's export these. Weak: the runtime links without either. */
+/* GNU's OpenMP library and LLVM's export these. Weak, so that programs link without either. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void (*)(void *), void *, unsigned, unsigned) WEAK;
 extern int omp_get_max_threads(void) WEAK;
@@ -24,7 +24,7 @@ bool redcc_region_is_own(void) {
            !omp_in_parallel;
 }
 
-/* The first number of a list such as OMP_NUM_THREADS, or `otherwise`. */
+/* The first number of an environment variable such as OMP_NUM_THREADS, or `otherwise`. */
 static int number_of(const char *variable, int otherwise) {
     const char *text = redcc_system_is_privileged() ? NULL : getenv(variable);
     char *end = NULL;
@@ -35,7 +35,7 @@ static int number_of(const char *variable, int otherwise) {
 int redcc_region_threads(void) {
     if (!redcc_region_is_own())
         return omp_get_max_threads();
-    static atomic_int known; /* 0: not yet */
+    static atomic_int known; /* 0: not computed yet */
     int threads = atomic_load_explicit(&known, memory_order_relaxed);
     if (threads == 0) {
         const int most = number_of("OMP_THREAD_LIMIT", INT_MAX);

@@ -8,17 +8,17 @@
 
 #include <stdbool.h>
 
-/** What each thread of a region does: number 0 to threads - 1, of `threads`. */
+/** The function that each thread of a region calls; number: 0 to threads - 1. */
 typedef void region_work(int number, int threads, void *shared);
 
-/** Does the program lack an OpenMP library, so that pool.h's threads execute its regions? */
+/** Does the program lack an OpenMP library, so that the threads of pool.h execute regions? */
 bool redcc_region_is_own(void);
 
 /** The number of threads for a region, from OpenMP's library or, without one, from its environment
  *  variables. At least 1. */
 int redcc_region_threads(void);
 
-/** Is the calling thread within a parallel region, the program's own or one of the runtime's? */
+/** Is the calling thread within a parallel region of the program or of the runtime? */
 bool redcc_region_is_nested(void);
 
 /** Opens a region of `threads` threads (OpenMP may give fewer) and waits for its end. */

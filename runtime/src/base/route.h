@@ -3,8 +3,8 @@
 #ifndef REDCC_ROUTE_H
 #define REDCC_ROUTE_H
 
-/** The stages that an inspection passes through. The end of a stage decides it, once enough is
- *  known. */
+/** The kind of plan that an inspection builds. The end of a stage decides it, once enough is known.
+ */
 enum route {
     ROUTE_SERIAL, /* no plan: the original loop */
     ROUTE_OWNERS, /* owners cut by address */

@@ -12,7 +12,8 @@
 #include <sys/uio.h>
 #endif
 
-/* Some system calls of 0.3 microseconds take at most 2 % of this time. */
+/* The least time between two loads, so that their system calls of 0.3 microseconds cost at most 2
+ * %. */
 enum { LEAST_NANOSECONDS = 60000 };
 
 bool redcc_is_time_to_load(redcc_word *last) {

@@ -7,12 +7,12 @@
 
 #include <stdbool.h>
 
-/** Is the time of the last read, kept in *last, long enough ago for some system calls to be
+/** Is the last load (its time is in *last) so long ago that the cost of some system calls is
  *  negligible? */
 bool redcc_is_time_to_load(redcc_word *last);
 
-/** Copies `bytes` bytes from `from` and returns 1; 0 if they are unreadable, or the system does not
- *  say. Never causes a fault or a signal, and never reads device memory. */
+/** Copies `bytes` bytes from `from` and returns 1; 0 if they are unreadable, or if that is unknown.
+ *  Never causes a fault or a signal, and never reads device memory. */
 int redcc_load(void *to, const char *from, redcc_size bytes);
 
 #endif

@@ -10,8 +10,8 @@
 
 #define BIT(number) (UINT64_C(1) << ((number)-1))
 
-/* Signals that the thread itself raises; and one of glibc's two internal signals, by which setuid
- * reaches all threads and for whose effect another thread waits. */
+/* Signals that the thread itself raises; and glibc's internal signal by which setuid reaches all
+ * threads: the thread that called setuid waits for them. */
 #define NEVER_HELD                                                                                 \
     (BIT(SIGSEGV) | BIT(SIGBUS) | BIT(SIGFPE) | BIT(SIGILL) | BIT(SIGTRAP) | BIT(SIGSYS) | BIT(33))
 
@@ -55,7 +55,7 @@ static bool is_on_other_stack(void) {
 
 #if defined(__x86_64__) && defined(__LP64__)
 
-/* It also reads the memory between variables. */
+/* The scan of the stack also reads memory between variables. */
 #define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
 
 /* Recognises a handler's return address, with the interrupted context above it: sigreturn(2),
@@ -96,7 +96,7 @@ bool redcc_signals_in_handler(uint64_t before) {
         return false;
 #if defined(__x86_64__) && defined(__LP64__)
     return is_on_other_stack() || has_frame(restorer);
-#else /* a handler's own signal is blocked */
+#else /* while a handler runs, its signal is blocked */
     (void)restorer;
     return is_on_other_stack() || blocked;
 #endif

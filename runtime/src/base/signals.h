@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Signals are blocked while a loop runs in parallel. A handler that left the loop by siglongjmp
- * would leave the other threads writing to its arrays; one that began a loop of its own would find
- * this loop's locks held; and one that the program expects in its own thread would run in another.
- * Threads that OpenMP creates meanwhile never run a handler. Signals with the system's default
- * action, which usually ends the program, are not delayed by anything long: neither by starting
- * threads, nor by an inspection, nor by an execution of more than a millisecond.
+ * Signals are blocked while a loop runs in parallel. Otherwise, a handler that left the loop by
+ * siglongjmp would leave the other threads writing to its arrays; one that executed another loop
+ * would find this loop's locks held; and one that the program expects in its own thread could run
+ * in another. Threads that OpenMP creates for the loop never run a handler. Signals with the
+ * default action, which usually ends the program, are not blocked during long work: starting
+ * threads, inspections, and executions of more than a millisecond.
  */
 #ifndef REDCC_SIGNALS_H
 #define REDCC_SIGNALS_H
@@ -13,17 +13,17 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** Blocks every signal in the calling thread except those that its own instructions raise (and
- *  those by which the C library has all threads change their identity). Blocks cancellation of the
- *  thread as well. Returns the previous mask, for redcc_signals_release. */
+/** Blocks every signal in the calling thread except those that its own instructions raise (and the
+ * one by which the C library changes the identity of all threads). Also blocks cancellation of the
+ * thread. Returns the previous mask, for redcc_signals_release. */
 uint64_t redcc_signals_hold(void);
 
 /** Restores the mask; pending signals are delivered now. */
 void redcc_signals_release(uint64_t before);
 
 /** Called in the threads of a region for which OpenMP may have created threads. A thread that was
- *  created while signals were blocked blocks all of them from now on, including those that were let
- *  through at its creation. (It is recognised by the real-time signals, which are all blocked.) */
+ *  created while signals were blocked (recognised by the real-time signals, which are all blocked)
+ *  blocks all signals from now on, including those with default actions. */
 void redcc_signals_take_over(void);
 
 /** Is the calling thread in a handler, which may have interrupted it in malloc or in OpenMP's
@@ -32,8 +32,8 @@ void redcc_signals_take_over(void);
 bool redcc_signals_in_handler(uint64_t before);
 
 /** In the calling thread, between redcc_signals_hold and redcc_signals_release: unblocks the
- *  signals with their default action, so that an interrupt ends the program at once, even in a long
- *  loop. Some 30 system calls. */
+ *  signals with the default action, so that an interrupt ends the program at once, even in a long
+ *  loop. Makes some 30 system calls. */
 void redcc_signals_let_default(uint64_t before);
 
 /** Does the signal have its default action, according to the system? */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A spin lock for sections shorter than a sleep. If signals are not blocked (signals.h), a handler
- *  may find its own thread holding it, so it must not be waited for without limit. */
+/** A spin lock for critical sections shorter than a sleep. If signals are not blocked (signals.h),
+ * a handler may find that its own thread holds the lock, so that waits must be bounded. */
 #ifndef REDCC_SPIN_H
 #define REDCC_SPIN_H
 
@@ -19,8 +19,7 @@ static inline bool redcc_spin_try(struct spin *lock) {
            atomic_exchange_explicit(&lock->held, 1, memory_order_acquire) == 0;
 }
 
-/** Acquires the lock; false after a wait that is long enough to suspect that it is never
- *  released. */
+/** Acquires the lock; false after a wait so long that the lock may never be released. */
 static inline bool redcc_spin_hope(struct spin *lock) {
     for (int tries = 0; tries < 10000; tries++) {
         if (redcc_spin_try(lock))

@@ -21,7 +21,7 @@
 /* The library's reserved name for the kernel's auxiliary vector. */
 extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
 
-/* 0: the kernel gives no such value, which the library reports in errno, too. */
+/* Keeps errno, which the library sets if the kernel gives no such value. Then the result is 0. */
 static unsigned long auxiliary_value(unsigned long what) {
     const int before = errno;
     const unsigned long value = __getauxval ? __getauxval(what) : 0;
@@ -70,8 +70,8 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
 #define MAP_CALL SYS_mmap
 #endif
 
-/* The kernel may map for one thread memory that another has unmapped, and orders the two. Race
- * detectors cannot see that in these system calls, but they see this counter. */
+/* The kernel may map for one thread memory that another thread has unmapped, and orders the two.
+ * Race detectors do not see this order in the system calls, but they see it in this counter. */
 static atomic_uint unmapped;
 
 void *redcc_system_map(size_t bytes) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * System calls without functions that the program may define itself: ISO C reserves neither read,
- * close, mmap, sysconf, clock_gettime nor any other name of POSIX (C17 7.1.3), and a function of
- * that name in the program would replace the library's. So the kernel is called directly. Nothing
- * here sets errno, is a cancellation point, allocates or takes a lock; all of it is thread-safe and
- * async-signal-safe. tests/runtime/symbols checks the remaining names.
+ * Direct system calls. ISO C reserves none of POSIX's names, such as read, close, mmap, sysconf and
+ * clock_gettime (C17 7.1.3): a function of the program with such a name would replace the
+ * library's. No function here sets errno, is a cancellation point, allocates or takes a lock; all
+ * are thread-safe and async-signal-safe. tests/runtime/symbols checks the names to which the
+ * runtime refers.
  */
 #ifndef REDCC_SYSTEM_H
 #define REDCC_SYSTEM_H
@@ -53,7 +53,7 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
     return first;
 }
 
-#else /* the library's own, under its public name: no alternative exists */
+#else /* the library's function under its public name: there is no alternative */
 
 #include <errno.h>
 #include <unistd.h>
@@ -85,8 +85,8 @@ long redcc_system_read(int descriptor, void *into, size_t bytes);
 
 void redcc_system_close(int descriptor);
 
-/** Reads the beginning of a file into `text`, `bytes` bytes of zeros, keeping the last one. On
- *  failure all stay zero. */
+/** Reads the beginning of a file into `text`, which has `bytes` bytes, all zero; the last byte
+ * stays zero. On failure all stay zero. */
 void redcc_system_read_text(const char *name, char *text, size_t bytes);
 
 #endif
@@ -103,10 +103,10 @@ size_t redcc_page_size(void);
 /** The time of a `clock` of <time.h>; cheap for CLOCK_MONOTONIC. */
 struct timespec redcc_system_clock(int clock);
 
-/** The NUMA node the calling thread is on; -1: not known. */
+/** The NUMA node of the calling thread; -1: unknown. */
 int redcc_system_node(void);
 
-/** Bytes of the machine's memory; 0: not known. */
+/** Bytes of the machine's memory; 0: unknown. */
 uint64_t redcc_system_memory(void);
 
 /** Yields the processor. */
@@ -132,7 +132,7 @@ long redcc_system_preemptions(void);
  *  ignored? */
 bool redcc_system_is_privileged(void);
 
-/** Fills `word` with values that are unpredictable to the program's author. */
+/** Fills `word` with random values. */
 void redcc_system_secret(uint64_t *word, size_t words);
 
 #endif

@@ -25,8 +25,8 @@ _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* Symbols that identify OpenMP's library, and functions that it uses to create threads: a program
- * that defines one of these manages its threads itself. All weak: the library links without. */
+/* Symbols that identify OpenMP's library, and functions by which it creates threads: a program that
+ * defines one of these manages threads itself. All are weak, so that programs link without them. */
 #define WEAK __attribute__((__weak__))
 extern void GOMP_parallel(void) WEAK;
 extern void __kmpc_fork_call(void) WEAK;
@@ -43,13 +43,13 @@ extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
 extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
 
 enum {
-    FEW = 8192, /* processes; a program's additions stay below higher limits */
+    FEW = 8192, /* processes: a limit above this is assumed not to be reached */
     SPARE = 4 * 1024 * 1024
 };
 
 struct team {
     int threads;         /* of the thread's last region; 0: there was none */
-    int pinned;          /* the code of its threads will not be unloaded */
+    int pinned;          /* it is ensured that the code of its threads is not unloaded */
     int rest;            /* calls to skip after a handler was last detected */
     int rest_left;       /* how many of these remain */
     size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
@@ -58,7 +58,7 @@ struct team {
 static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
 
 void redcc_team_bind(void) {
-    if (!GOMP_parallel || __kmpc_fork_call) /* LLVM's would initialise, and read the environment */
+    if (!GOMP_parallel || __kmpc_fork_call) /* a call would initialise LLVM's library */
         return;
     if (omp_in_parallel)
         omp_in_parallel();
@@ -89,7 +89,7 @@ static void pin_all(void) {
 
 /* ---- stacks ---------------------------------------------------------------------------------- */
 
-/* Is this much memory available? */
+/* Can this number of bytes be mapped? */
 static bool fits(size_t bytes) {
     void *place = redcc_system_map(bytes);
     if (place)
@@ -127,7 +127,7 @@ static size_t set_stacks(size_t bytes) {
     return before;
 }
 
-/* Bytes of each of `more` stacks: the size of the main thread's, if there is memory; 0: the
+/* The size for each of `more` stacks: that of the main thread's stack, if there is memory; 0: the
  * default. */
 static size_t stack_for(int more) {
     size_t wanted = main_stack();
@@ -188,7 +188,7 @@ static int count_tasks(void) {
     return (int)tasks.stx_nlink - LINKS;
 }
 
-/* How many of `more` threads can exist at once. They have ended when it returns. */
+/* Tries to start `more` threads; returns how many can exist at once. All have ended on return. */
 static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};
@@ -205,12 +205,12 @@ static int try_threads(int more) {
         pthread_join(thread[i], NULL);
     redcc_memory_give(thread);
     for (int wait = 0; wait < 10000 && count_tasks() > before; wait++)
-        redcc_system_yield(); /* they count until the system has removed them */
+        redcc_system_yield(); /* the limit counts them until the system has removed them */
     return useful;
 }
 
-static int threads_to_be_had(int threads) {
-    static atomic_int most; /* 0: more than were requested so far */
+static int available_threads(int threads) {
+    static atomic_int most; /* limit found so far; 0: none */
     const int known = atomic_load(&most), there = team.threads > 0 ? team.threads : 1;
     if (known)
         return threads < known ? threads : known;
@@ -235,7 +235,7 @@ static bool is_in_handler(uint64_t before) {
     return is_so;
 }
 
-/* Threads of the calling thread's last region; 0: there was none. */
+/* The number of threads of the calling thread's last region; 0: there was none. */
 static int there(void) {
     return redcc_region_is_own() ? redcc_pool_threads() : team.threads;
 }
@@ -253,9 +253,9 @@ int redcc_team_prepare(int threads, uint64_t before) {
     if (threads < 2)
         return threads;
     enlarge_stacks(redcc_team_missing(threads));
-    const int can = threads_to_be_had(threads);
+    const int can = available_threads(threads);
     if (can < 2)
-        redcc_team_came(team.threads);
+        redcc_team_begun(team.threads);
     return can;
 }
 
@@ -277,7 +277,7 @@ int redcc_team_to_start(int threads) {
     return is_main && count_tasks() >= threads ? 0 : missing;
 }
 
-void redcc_team_came(int threads) {
+void redcc_team_begun(int threads) {
     team.threads = threads;
     if (team.stack_before)
         set_stacks(team.stack_before);
@@ -286,10 +286,10 @@ void redcc_team_came(int threads) {
 
 /* ---- other threads than those of regions ----------------------------------------------------- */
 
-static atomic_int members; /* threads that are there, of regions, but for their first ones */
+static atomic_int members; /* existing threads of regions, without the regions' first threads */
 
-/* The ids of members that have left, the last ones; 0: none. The system may not have removed them
- * yet, because they have destructors to run or the machine is crowded. */
+/* The ids of the members that ended last; 0: none. The system may not have removed them yet,
+ * because they have destructors to run, or the machine is busy. */
 enum { LEAVING = 256 };
 static atomic_int leaving[LEAVING];
 static atomic_uint left;
@@ -322,13 +322,13 @@ static void be_noted(int number, int threads, void *unused) {
     (void)unused;
 }
 
-/* Threads that are known neither as the first nor as members; negative: not known. */
+/* The number of threads that are neither the first one nor members; negative: unknown. */
 static int count_others(void) {
     const int tasks = count_tasks(), known = 1 + atomic_load(&members);
     return tasks == 0 ? -1 : tasks - known;
 }
 
-/* Is any member still leaving? */
+/* Has the system not removed an ended member yet? */
 static bool is_one_leaving(void) {
     bool is_one = false;
     const long process = redcc_system_process();
@@ -344,8 +344,8 @@ static bool is_one_leaving(void) {
     return is_one;
 }
 
-/* The same as count_others, after waiting for members that are leaving, and `seconds` for others:
- * threads that OpenMP made for the program's regions alone may be leaving, too. */
+/* The same as count_others, after waiting for ended members, and up to `seconds` for other threads:
+ * those that OpenMP made only for the program's regions may be ending, too. */
 static int count_others_that_stay(double seconds) {
     enum { MOST_YIELDS = 100 };
     const struct timespec pause = {0, 200000};
@@ -362,7 +362,8 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region with as many threads as the process has, so that all of OpenMP's are noted. */
+/* Opens a region with as many threads as the process has, so that all of OpenMP's become members.
+ */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
@@ -372,7 +373,7 @@ static void note_all(int others) {
 
 bool redcc_team_is_alone(void) {
     static int known; /* the number of other threads that a region could not identify */
-    static double longest_wait = 0.25; /* seconds; halved if nothing came of it */
+    static double longest_wait = 0.25; /* seconds; halved after a wait without effect */
     if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
         return false;
     (void)redcc_is_forked(); /* members are this process's */
@@ -423,7 +424,7 @@ int redcc_team_to_start(int threads) {
     return 0;
 }
 
-void redcc_team_came(int threads) {
+void redcc_team_begun(int threads) {
     (void)threads;
 }
 

@@ -5,7 +5,7 @@
 
 #include "redcc/runtime.h"
 
-/** Subject, and its name in REDCC_TRACE. */
+/** The subjects of traces, and their names in REDCC_TRACE. */
 #define REDCC_TRACE_LIST(X)                                                                        \
     X(TRACE_CHOICE, "choice")         /* the mode chosen, and the rule */                          \
     X(TRACE_PLAN, "plan")             /* plans built and reused */                                 \

@@ -9,7 +9,7 @@
 
 /* The tables that the image's dynamic section refers to. */
 struct image {
-    uintptr_t shift; /* from addresses in the image to its actual ones */
+    uintptr_t shift; /* actual addresses minus those in the image's tables */
     const Elf64_Sym *symbol;
     const char *text;
 };
@@ -26,7 +26,7 @@ static void take_entry(struct image *image, const Elf64_Dyn *entry) {
         image->text = place;
 }
 
-/* False if its format is unknown. */
+/* Reads the image's tables. False if the format is unknown. */
 static int read_image(struct image *image, uintptr_t place) {
     const Elf64_Ehdr *header = at(place);
     if (!place || memcmp(header->e_ident, ELFMAG, SELFMAG) != 0)
@@ -47,8 +47,8 @@ static int read_image(struct image *image, uintptr_t place) {
     return image->symbol && image->text;
 }
 
-/* Finding the number of symbols would need two kinds of hash tables. But the string table follows
- * the symbols, and so ends them. */
+/* The number of symbols is not stored directly. The search ends at the string table, which follows
+ * the symbols. */
 void (*redcc_vdso_find(unsigned long place, const char *name))(void) {
     struct image image = {0};
     if (!read_image(&image, place))

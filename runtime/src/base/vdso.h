@@ -5,14 +5,14 @@
 
 #if defined(__aarch64__)
 #define REDCC_VDSO_CLOCK "__kernel_clock_gettime"
-#define REDCC_VDSO_NODE "__kernel_getcpu" /* there is none */
+#define REDCC_VDSO_NODE "__kernel_getcpu" /* does not exist here */
 #else
 #define REDCC_VDSO_CLOCK "__vdso_clock_gettime"
 #define REDCC_VDSO_NODE "__vdso_getcpu"
 #endif
 
-/** The function called `name` in the image at address `image` (AT_SYSINFO_EHDR; 0: none), according
- *  to vdso(7); a null pointer if there is none. */
+/** The function `name` in the image at address `image` (AT_SYSINFO_EHDR; 0: none), as in vdso(7); a
+ *  null pointer if it does not exist. */
 void (*redcc_vdso_find(unsigned long image, const char *name))(void);
 
 #endif

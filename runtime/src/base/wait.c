@@ -13,14 +13,15 @@
 
 enum {
     SPINS = 4000, /* some 20 to 100 microseconds: more than the skew of a balanced loop's threads */
-    IDLE = 1000,  /* docs/decisions/0002 */
+    IDLE = 1000,  /* spins of idle threads (docs/decisions/0002) */
     YIELDS = 4,   /* then yield the core to the awaited thread, then sleep */
     FULL = 1024
 };
 
-/* The fraction of FULL that a thread spins: exponential back-off. If another program holds the core
- * of the awaited thread, spinning is useless and occupies a core as well. So a wait that ended
- * asleep halves it. One that ended awake, or soon afterwards, doubles it. */
+/* A thread spins for part / FULL of the full number of spins: exponential back-off. If another
+ * program holds the core of the awaited thread, spinning is useless and occupies a second core. So
+ * a wait that ended asleep halves `part`; one that ended during the spins, or soon afterwards,
+ * doubles it. */
 struct spinning {
     int part;
 };
@@ -29,7 +30,7 @@ static _Thread_local struct spinning at_barriers
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
 static _Thread_local struct spinning in_between
     __attribute__((__tls_model__("initial-exec"))) = {FULL};
-static const double soon = 0.1e-3; /* the duration of all spins */
+static const double soon = 0.1e-3; /* s, the duration of all spins */
 
 static void note(struct spinning *it, bool was_worth_it) {
     const int next = was_worth_it ? 2 * it->part : it->part / 2;
@@ -54,8 +55,8 @@ static inline void relax(void) {
 #endif
 }
 
-/* Either this thread is counted as asleep before the word changes and is woken, or the kernel finds
- * the word changed and does not let it sleep. */
+/* No wake-up is lost: either this thread is counted as asleep before the word changes, and is
+ * woken, or the kernel finds the word changed and returns at once. */
 static void sleep_while(atomic_uint *word, unsigned value, atomic_int *asleep) {
     atomic_fetch_add(asleep, 1);
     while (atomic_load(word) == value) {

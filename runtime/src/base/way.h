@@ -10,8 +10,8 @@ enum way {
     /* With a plan, built by an inspection: */
     WAY_COPIES, /**< private copies */
     WAY_INDEX,  /**< LOCALWRITE, owners by address */
-    WAY_GRAPH,  /**< LOCALWRITE, owners cut from the access graph; wavefronts where these are uneven
-                 */
+    WAY_GRAPH, /**< LOCALWRITE, owners cut from the access graph; or wavefronts, if the owners' work
+                * would be uneven */
     /* Without inspection and plan, so that subscripts may change: */
     WAY_DIRECT, /**< LOCALWRITE, owners by address, without plan construction */
     WAY_BINS,   /**< in-order binning, whose trials may stop in the middle */

@@ -10,21 +10,22 @@
 #include <stdint.h>
 
 struct within {
-    uint64_t signals; /* the previous mask; if signals are held */
+    uint64_t signals; /* if holds_signals: the previous mask */
     bool holds_signals;
     bool was_within; /* within another execution */
 };
 
-/** Called if a region of `threads` threads may follow: from now on no handler may leave the
- *  execution, and none begins one of its own. always: block signals, even if no object refers to a
- *  function that leaves a handler. */
+/** Called before a possible region of `threads` threads: from now on no handler can leave the
+ *  execution or begin another one. always: block signals, even if no object refers to a function
+ * that leaves a handler. */
 void redcc_within_begin(struct within *within, bool always, int threads);
 
-/** The region's threads exist. is_long: a user may be waiting for the end of the execution. */
+/** Called when the region's threads exist. is_long: a user may be waiting for the end of the
+ * execution, so signals with the default action are unblocked. */
 void redcc_within_relax(struct within *within, bool always, bool is_long);
 
-/** Nothing of the execution is touched any more. A copy, because the execution may belong to
- *  another thread by now. */
+/** Called when the execution's data are not used any more. `within` is passed by value, because
+ *  another thread may use the execution already. */
 void redcc_within_end(struct within within);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Future iterations and their reads, for compiled executors (redcc/prefetch.h). */
+/** Iterates over later iterations and their reads, for compiled executors (redcc/prefetch.h). */
 #ifndef REDCC_EXECUTE_AHEAD_H
 #define REDCC_EXECUTE_AHEAD_H
 

@@ -4,8 +4,8 @@
  * Mechanik 54, 1974): the rounding errors of each element are accumulated in double and added at
  * the end of the loop.
  *
- * A contribution is rounded to the element's type. If a sum is infinite or NaN, no error is added:
- * the element has the value of the plain sum.
+ * A contribution is rounded to the element's type. If a sum is infinite or NaN, the error is not
+ * added, so that the element has the value of the plain sum.
  */
 #ifndef REDCC_COMPENSATE_H
 #define REDCC_COMPENSATE_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Execution, the same for all methods: chunks, stages between barriers, copies and their merge.
+ * The executor, the same for all methods: chunks, stages between barriers, copies and their merge.
  *
  *     STEP_BEGIN: the first call of redcc_next, which continues with
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
@@ -26,8 +26,8 @@ static int team_size(const struct plan *plan, int team) {
            redcc_team_first(plan->threads, plan->teams.count, team);
 }
 
-/* Sets the thread's write addresses: in place (number < 0), or the base of its copy if that were
- * the whole array. */
+/* Sets the bases to which the thread writes: those of the arrays (number < 0), or of a copy,
+ * extrapolated to the array's first element. */
 static void place_bases(struct runner *runner, int number) {
     const struct plan *plan = runner->plan;
     void *const *bases = runner->run->call->request.bases;
@@ -87,7 +87,7 @@ void redcc_run_begin(struct run *run) {
     atomic_store_explicit(&run->blocks_claimed, 0, memory_order_relaxed);
 }
 
-/* Called when all threads have arrived and none has written. */
+/* Saves the arrays for validation. Called when all threads have arrived and none has written. */
 static void take_snapshot(struct runner *runner) {
     struct run *run = runner->run;
     if (!redcc_barrier_arrive(run->barrier, runner->threads))
@@ -117,15 +117,15 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* Iterations that a thread executes; for stolen ones, the average. */
+/* The number of iterations that the thread executes; of stolen ones, the average. */
 static redcc_int iterations_of(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan->method->steals ? plan->executed / plan->threads
                                 : plan->schedule[runner->schedule].iterations;
 }
 
-/* If iterations that touch nothing must be executed, each thread has a share of them; otherwise
- * only the last iteration is, for the last values of the variables that it sets. */
+/* Begins a selection. If iterations that touch nothing must be executed, each thread gets a share
+ * of them; otherwise only the last iteration is executed by one thread, for live-out values. */
 static void begin_selecting(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -146,7 +146,7 @@ static void begin_running(redcc_worker *worker) {
     struct run *run = runner->run;
     if (runner->thread == 0)
         run->ready = redcc_seconds();
-    errno = 0; /* errno of the inspector does not belong to the loop */
+    errno = 0; /* discard the inspector's errno, which is not the loop's */
     runner->stage = 0;
     runner->runs = (struct run_reader){0};
     worker->position = 0;
@@ -178,7 +178,7 @@ static void begin_running(redcc_worker *worker) {
 }
 
 /* Hands out iterations [begin, end) in order and in place. */
-static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
+static void begin_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     errno = 0;
@@ -195,7 +195,7 @@ static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, r
 
 void redcc_run_stretch(redcc_worker *worker, redcc_int begin, redcc_int end) {
     assert(0 <= begin && begin <= end);
-    go_in_order(worker, STEP_REST, begin, end);
+    begin_in_order(worker, STEP_REST, begin, end);
 }
 
 void redcc_run_rest(redcc_worker *worker, redcc_int from) {
@@ -209,7 +209,7 @@ void redcc_run_check(redcc_worker *worker, redcc_int end) {
     assert(0 <= end && end <= runner->run->call->request.trip);
     runner->run->executed = redcc_seconds();
     redcc_validation_swap(&runner->run->validation);
-    go_in_order(worker, STEP_CHECK, 0, end);
+    begin_in_order(worker, STEP_CHECK, 0, end);
 }
 
 /* Hands out iterations in order. False: none is left. */
@@ -229,7 +229,7 @@ void redcc_run_own_nothing(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     assert(runner->step == STEP_END);
-    go_in_order(worker, STEP_END, 0, call->request.trip);
+    begin_in_order(worker, STEP_END, 0, call->request.trip);
     for (uint32_t array = 0; array < call->request.loop->array_count; array++)
         runner->owner[array] = (redcc_owner){.first = call->request.bases[array]};
 }
@@ -241,7 +241,8 @@ bool redcc_run_again(redcc_worker *worker) {
     return is_left;
 }
 
-/* Compares repeated iterations; then continues with the rest of a binned loop. */
+/* Hands out iterations in order; after repeated ones, compares results, then continues with the
+ * rest of a binned loop. */
 static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run *run = runner->run;
@@ -257,7 +258,7 @@ static int next_in_order(redcc_worker *worker) {
     return runner->step == STEP_REST ? next_in_order(worker) : 0;
 }
 
-/* Waits at `stage` for the others of the team. */
+/* Waits at `stage` for the team's other threads. */
 static void reach_stage(struct runner *runner, uint32_t stage) {
     const struct plan *plan = runner->plan;
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
@@ -291,13 +292,14 @@ static void finish(redcc_worker *worker) {
 }
 
 /* Raises the flag of the executed chunk. */
-static void pass_on(const struct plan *plan, const struct chunk *chunk) {
+static void raise_flag(const struct plan *plan, const struct chunk *chunk) {
     if (chunk->flag)
         redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
 }
 
-/* A single thread has one copy for all later shares: it is merged before the next one begins. */
-static void turn_to_share(struct runner *runner, uint32_t share) {
+/* A single thread has one copy for all shares after the first: merges it before the next one
+ * begins. */
+static void begin_share(struct runner *runner, uint32_t share) {
     const struct plan *plan = runner->plan;
     if (plan->method->copies == COPY_LATER && plan->threads == 1 && share > 1)
         redcc_copies_merge(plan, runner->thread, runner->run->call->request.bases);
@@ -305,36 +307,36 @@ static void turn_to_share(struct runner *runner, uint32_t share) {
 }
 
 /* Waits for the predecessors of `chunk`, and switches to the copy that it writes to. */
-static void get_ready(struct runner *runner, const struct chunk *chunk) {
+static void prepare_chunk(struct runner *runner, const struct chunk *chunk) {
     const struct plan *plan = runner->plan;
     const uint32_t *wait = plan->schedule[runner->schedule].wait;
     reach_stage(runner, chunk->stage);
     for (uint32_t w = chunk->wait_begin; w < chunk->wait_end; w++)
         redcc_flag_await(plan->flags, wait[w], plan->round, runner->threads);
     if (plan->method->copies == COPY_SHARE || plan->method->copies == COPY_LATER)
-        turn_to_share(runner, chunk->copy);
+        begin_share(runner, chunk->copy);
 }
 
-/* If the current part is done, begins the next one, in its variant. */
-static void turn_to_part(redcc_worker *worker) {
+/* If the current timing slice is done, begins the next one, in its variant. */
+static void advance_to_slice(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
-    if (parts->count > 0 && redcc_parts_turn(parts))
+    if (parts->count > 0 && redcc_parts_next(parts))
         worker->variant = redcc_run_variant(runner->run, runner->plan, parts->number);
 }
 
-/* Reads some runs, of one part. Returns how many. */
+/* Reads some runs of the current timing slice. Returns their number. */
 static size_t read_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct parts *parts = &runner->parts;
     if (parts->count == 0)
         return redcc_runs_read(&runner->runs, runner->piece, REDCC_RUNS);
-    turn_to_part(worker);
+    advance_to_slice(worker);
     return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
 }
 
-/* Hands out runs of the current chunk: all that are left if they can be executed unchanged, else
- * some of them. False: none is left. */
+/* Hands out runs of the current chunk: all remaining ones if they need no change, otherwise some of
+ * them. False: none is left. */
 static bool hand_out_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run_reader *runs = &runner->runs;
@@ -363,7 +365,7 @@ static bool steal(struct runner *runner) {
 }
 
 /* Advances to the next schedule of a plan with stealable blocks. False: none is left. */
-static bool turn_to_schedule(redcc_worker *worker) {
+static bool advance_to_schedule(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
     if (!plan->method->steals || !steal(runner))
@@ -376,23 +378,23 @@ static bool turn_to_schedule(redcc_worker *worker) {
 }
 
 /* Advances to the next chunk. False: none is left. */
-static bool turn_to_chunk(redcc_worker *worker) {
+static bool advance_to_chunk(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct schedule *schedule = &runner->plan->schedule[runner->schedule];
     if (worker->position > 0)
-        pass_on(runner->plan, &schedule->chunk[worker->position - 1]);
+        raise_flag(runner->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count)
-        return turn_to_schedule(worker) && turn_to_chunk(worker);
+        return advance_to_schedule(worker) && advance_to_chunk(worker);
     assert(worker->position >= 0 && (size_t)worker->position < schedule->chunk_count);
     const struct chunk *chunk = &schedule->chunk[worker->position++];
-    get_ready(runner, chunk);
+    prepare_chunk(runner, chunk);
     worker->origin = chunk->origin;
     runner->runs = redcc_runs_of(schedule, chunk);
     return true;
 }
 
 /* Hands out runs of the classified iterations or, if there are none, a request to classify the next
- * ones. errno of their slices does not belong to the loop. */
+ * ones. Discards errno of the slices. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -409,7 +411,7 @@ static int hand_out_selected(redcc_worker *worker) {
         worker->origin = worker->first;
         worker->run = runner->piece;
         worker->run_end = runner->piece + runs;
-        turn_to_part(worker);
+        advance_to_slice(worker);
         worker->variant.follows = selection->follows;
         parts->left -= parts->count > 0 ? iterations : 0;
         if (runs > 0)
@@ -418,7 +420,7 @@ static int hand_out_selected(redcc_worker *worker) {
     return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
-/* The run, of the same rows, is for errno. */
+/* Hands out the next tile. The run of its rows is set only for errno. */
 static int hand_out_tile(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_tile *tile =
@@ -437,7 +439,7 @@ static bool hand_out(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     if (is_hooked(runner->plan))
         redcc_hooks_settle(&runner->hooks);
-    return hand_out_runs(worker) || (turn_to_chunk(worker) && hand_out_runs(worker));
+    return hand_out_runs(worker) || (advance_to_chunk(worker) && hand_out_runs(worker));
 }
 
 static int next_chunk(redcc_worker *worker) {
@@ -466,8 +468,8 @@ static int next_chunk(redcc_worker *worker) {
 }
 
 /* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the last
- * failing chunk is kept with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 : 0). If
- * iterations fail in both ways in several threads, the kept error may be another than the
+ * failing chunk is stored with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 : 0). If
+ * iterations in several threads fail with different errors, the stored one may differ from the
  * sequential one. */
 void redcc_note_error(struct run *run, redcc_int end) {
     assert(end >= 0);

@@ -61,7 +61,7 @@ void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const red
         const struct rounding *rounding = plan->rounding ? &plan->rounding[group] : NULL;
         if (!hooks->locks && (!rounding || !rounding->value))
             continue;
-        /* Arrays that overlap use the same locks: those of the largest units. */
+        /* Overlapping arrays (a group) use the same locks, those of the group's units. */
         const uint32_t units = hooks->locks ? group : array;
         hooks->hook[array] = (struct redcc_hook){.of = hooks,
                                                  .owner = owner[array],

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Updates in which the runtime takes part. The owner-checked form of a body calls redcc_owns before
- * each update of an element, or of several in one unit (a row, by a function that gets its
- * address). An owner with a hook has an empty range, so that every such call reaches redcc_hooked.
- * Work after an update is done at the next call, or when the chunk is over (redcc_hooks_settle).
+ * Hooks let the runtime act before and after each update. The owner-checked form of a body calls
+ * redcc_owns before each update of an element, or of several in one unit (a row, by a function that
+ * gets its address). An owner with a hook has an empty range, so that every such call reaches
+ * redcc_hooked. Work after an update is done at the next call, or at the end of the chunk
+ * (redcc_hooks_settle).
  *
  * Compensated sums: from the given address to the end of its unit, elements are set to the neutral
- * element before the update, and so hold the contribution after it, for any form of update. Locks:
- * the unit's lock is held meanwhile.
+ * element before the update, so that they hold the contribution after it, for any form of update.
+ * Locks: the unit's lock is held during the update.
  */
 #ifndef REDCC_HOOK_H
 #define REDCC_HOOK_H
@@ -17,24 +18,24 @@
 struct redcc_hook {
     struct hooks *of;
     redcc_owner owner;               /* the range that the thread owns; unused with locks */
-    const struct rounding *rounding; /* compensated; NULL: not this array */
-    uintptr_t base;                  /* units begin at multiples of `unit` from here */
+    const struct rounding *rounding; /* compensated sums; NULL: not this array */
+    uintptr_t base;                  /* units begin at multiples of `unit` from this address */
     uint32_t unit;                   /* bytes */
-    uint32_t element;
+    uint32_t element;                /* bytes */
 };
 
 /** One thread's hooks. Zero: none. */
 struct hooks {
     bool locks;
-    atomic_uchar *held;              /* the lock that is held */
+    atomic_uchar *held;              /* the lock that the thread holds */
     const struct rounding *updating; /* compensated: the array whose elements are being updated */
     void *address;
     size_t count;
     struct redcc_hook *hook; /* [array_count] */
 };
 
-/** Installs hooks in `owner` [array_count], for the thread that has `hooks` (hooks->hook is
- *  allocated); arrays at `bases`. */
+/** Installs the thread's `hooks` (hooks->hook is allocated) in `owner` [array_count], for arrays at
+ *  `bases`. */
 void redcc_hooks_install(struct hooks *hooks, const struct plan *plan, const redcc_array *arrays,
                          void *const *bases, redcc_owner *owner);
 

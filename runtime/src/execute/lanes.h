@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Decides how many iterations of a loop are executed at once, with a reason (docs/lanes.md). */
+/** Decides the number of iterations that are executed at once, with a reason (docs/lanes.md). */
 #ifndef REDCC_EXECUTE_LANES_H
 #define REDCC_EXECUTE_LANES_H
 
@@ -7,7 +7,7 @@
 enum lanes_setting { LANES_OFF, LANES_AUTO /* if loop and processor permit it */ };
 
 /** Reasons for the number of lanes in an execution: identifier, slug, meaning. docs/report.md lists
- *  the slugs, and a test compares them. */
+ *  the slugs; a test compares the two lists. */
 #define REDCC_LANES_LIST(X)                                                                        \
     X(LANES_NOT_WRITTEN, "not-written", "the loop has no form for vectors")                        \
     X(LANES_SAID_OFF, "off", "`REDCC_LANES=off`")                                                  \
@@ -24,8 +24,8 @@ enum lanes_reason {
 /** The slug of a reason; "" for none. */
 const char *redcc_lanes_slug(enum lanes_reason reason);
 
-/** Iterations at once, from the flags of a redcc_loop; 0: one by one, with the reason in *reason.
- *  Thread-safe. */
+/** The number of iterations at once, from the flags of a redcc_loop; 0: one by one, with the reason
+ * in *reason. Thread-safe. */
 int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_reason *reason);
 
 #endif

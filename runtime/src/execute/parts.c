@@ -6,8 +6,8 @@
 #include <assert.h>
 #include <limits.h>
 
-/* Iterations of the current timing slice. The last slice has all remaining ones, including stolen
- * ones. */
+/* The number of iterations of the current timing slice. The last slice has all remaining
+ * iterations, including stolen ones. */
 static redcc_int slice_size(const struct parts *it) {
     return it->number + 1 == it->count ? LLONG_MAX : it->size;
 }
@@ -29,7 +29,7 @@ void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations) {
     begin_part(it, 0);
 }
 
-bool redcc_parts_turn(struct parts *it) {
+bool redcc_parts_next(struct parts *it) {
     assert(it->left >= 0);
     if (it->left > 0)
         return false;

@@ -10,22 +10,22 @@
 /** One thread's slices. A part is a timing slice. count 0: no trial. */
 struct parts {
     unsigned count;
-    unsigned number; /* of the current slice */
-    redcc_int size;  /* iterations of each; the last one has all that remain */
-    redcc_int left;  /* of the current slice */
-    double began;
+    unsigned number; /* index of the current slice */
+    redcc_int size;  /* iterations per slice; the last one has all that remain */
+    redcc_int left;  /* iterations left in the current slice */
+    double began;    /* s, start of the current slice */
     struct {
         double seconds;
         redcc_int iterations;
     } part[VARIANT_PARTS];
 };
 
-/** Begins slice 0 of `count` (at most VARIANT_PARTS) now, for this number of iterations in all. */
+/** Begins slice 0 of `count` (at most VARIANT_PARTS); iterations: the total number. */
 void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations);
 
 /** If the current slice has no iterations left, ends it and begins the next one. Returns whether it
  *  did. */
-bool redcc_parts_turn(struct parts *it);
+bool redcc_parts_next(struct parts *it);
 
 /** Ends the current slice, if any. */
 void redcc_parts_end(struct parts *it);

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/prefetch.h"
 
-/* The second-level caches of current cores hold 0.25 to 2 MiB; their data are loaded during other
- * operations, without a prefetch. */
+/* The second-level caches of current cores have 0.25 to 2 MiB. Accesses to these overlap with other
+ * operations, so that prefetches do not help. */
 enum { LEAST_BYTES = 1 << 20 };
 
-/* Random updates of light loops gained from 10 MB on, and lost with 5 (script/bench lanes, SIDE=650
- * and 467): the shared cache, of 32 MiB there, holds the data that are read as well. */
+/* For light loops with random updates, prefetches gained with 10 MB of arrays and lost with 5
+ * (script/bench lanes, SIDE=650 and 467). The shared cache of that machine, 32 MiB, also holds the
+ * data that are read. */
 enum { LEAST_BYTES_LIGHT = 8 << 20 };
 
 /* Average iterations of a run: longer runs mean regular accesses. */
 enum { SHORT_RUN = 4 };
 
 bool redcc_prefetch_is_possible(const struct plan *plan) {
-    return plan->copies.count == 0; /* the slice computes addresses in the arrays themselves */
+    return plan->copies.count == 0; /* the slice computes addresses in the arrays, not in copies */
 }
 
 static ptrdiff_t bytes_updated(const struct plan *plan) {

@@ -11,15 +11,16 @@
 /** Values of REDCC_PREFETCH. */
 enum prefetch_setting {
     PREFETCH_OFF,
-    PREFETCH_AUTO, /* if it has been found to pay (variant.h) */
-    PREFETCH_ON    /* wherever the loop permits it */
+    PREFETCH_AUTO, /* if trials show that it pays (variant.h) */
+    PREFETCH_ON    /* whenever the loop permits it */
 };
 
 /** Is it possible with this plan: does it write to the arrays directly? */
 bool redcc_prefetch_is_possible(const struct plan *plan);
 
-/** Can it pay with this plan: is it possible, and do the arrays exceed a core's caches? For light
- *  iterations: do they also exceed the shared cache, with irregular accesses? */
+/** Can it pay with this plan: is it possible, and are the arrays larger than a core's caches? For
+ * light iterations: are they also larger than a share of the shared cache, with irregular accesses?
+ */
 bool redcc_prefetch_is_of_use(const struct plan *plan, bool is_light);
 
 #endif

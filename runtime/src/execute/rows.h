@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Rows that a body updates instead of the arrays' own (redcc_row of redcc/parallel.h). */
+/** Scratch rows that a body updates instead of the arrays' rows (redcc_row of redcc/parallel.h). */
 #ifndef REDCC_ROWS_H
 #define REDCC_ROWS_H
 

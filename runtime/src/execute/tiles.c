@@ -8,8 +8,8 @@ void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid) {
     *walk = (struct tile_walk){.grid = grid};
 }
 
-/* At most as many bands as threads are in progress; the band above the first of them is read, too.
- */
+/* The flag of a band. Flags are reused: at most as many bands as threads are in progress, and the
+ * band above the first of these is read, too. */
 static uint32_t flag_of(const struct plan *plan, uint32_t band) {
     return TILE_FLAG_WORDS * (1 + band % ((uint32_t)plan->threads + 1));
 }
@@ -70,7 +70,7 @@ void redcc_tiles_pass_sums(const struct tile_walk *walk, const struct plan *plan
     redcc_flag_raise(plan->flags, sums_flag(plan), sums_of(walk, plan, walk->band + 1));
 }
 
-/* The band above is done with the block, unless that is none of its blocks. */
+/* Waits until the band above has done the block, if it has that block. */
 static void await_tile_above(const struct tile_walk *walk, const struct plan *plan) {
     const uint32_t above = walk->band - 1;
     if (walk->band == 0 || walk->block > last_block(&walk->grid, above))

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The tiles of a loop over pairs. Rows, the loop's iterations, are cut into bands, and columns, the
- * values of the inner counter, into blocks at the same places. Tile (I, J) is band I times block J:
+ * The tiles of a loop over pairs. Rows (the loop's iterations) are cut into bands, and columns (the
+ * values of the inner counter) into blocks at the same values. Tile (I, J) is band I times block J:
  *
- *     J    0  1  2  3            columns above their rows: a thread takes a band and executes its
- *   I 0    a  a  a  a            tiles from left to right, each after the tile above it. Then it
- *     1       b  b  b            takes the next band that no thread has. Thread b follows a, one
- *     2          a  a            block behind it.
+ *     J    0  1  2  3            Here columns are above their rows. A thread takes a band and
+ *   I 0    a  a  a  a            executes its tiles from left to right, each after the tile above
+ *     1       b  b  b            it. Then it takes the next band that no thread has taken. Thread b
+ *     2          a  a            follows a, one block behind it.
  *     3             b
  *
- * Before (I, J) all tiles (I', J') with I' <= I and J' <= J are done: those to the left by the
- * thread itself; and by induction those above. So of two pairs that have an element in common, the
- * one that comes first in the loop is executed first (docs/soundness.md).
+ * Before (I, J) all other tiles (I', J') with I' <= I and J' <= J are done: those on the left by
+ * the same thread, and by induction those above. So of two pairs that have an element in common,
+ * the one that comes first in the loop is executed first (docs/soundness.md).
  *
  * Bands are taken in order, and a thread waits only for a band before its own, so the thread
  * with the first unfinished band never waits. Floating sums get the operands of one band after the
@@ -25,28 +25,28 @@
 
 #include <stdbool.h>
 
-/** One thread's place in the grid. */
+/** One thread's position in the grid. */
 struct tile_walk {
     struct tile_grid grid;
     uint32_t band;
-    uint32_t block;  /* of its next tile */
-    redcc_tile tile; /* handed out */
+    uint32_t block;  /* block of its next tile */
+    redcc_tile tile; /* the tile handed out */
     bool has_band;
-    bool is_handed; /* the tile before `block` was handed out, and is done at the next call */
+    bool is_handed; /* the tile before `block` was handed out; it is done at the next call */
 };
 
 void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);
 
-/** Waits until the thread's next tile may be executed. *claimed counts the bands that threads have
- *  taken. NULL: no tile is left. */
+/** Waits until the thread's next tile may be executed, and returns it. *claimed counts the bands
+ * that threads have taken. NULL: no tile is left. */
 const redcc_tile *redcc_tiles_next(struct tile_walk *walk, const struct plan *plan,
                                    atomic_uint *claimed);
 
-/** The last tile of the thread's band is done: waits until the operands of all bands above have
- *  been added to the sums. */
+/** After the last tile of the thread's band: waits until the operands of all bands above have been
+ *  added to the sums. */
 void redcc_tiles_await_sums(struct tile_walk *walk, const struct plan *plan);
 
-/** The operands of the thread's band have been added as well. */
+/** Signals that the operands of the thread's band have been added. */
 void redcc_tiles_pass_sums(const struct tile_walk *walk, const struct plan *plan);
 
 #endif

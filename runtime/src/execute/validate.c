@@ -9,7 +9,7 @@
 
 #include <assert.h>
 #include <float.h>
-#include <math.h> /* HUGE_VAL; the library is linked to libc alone */
+#include <math.h> /* HUGE_VAL; no functions: the library links only to libc */
 #include <stdio.h>
 #include <string.h>
 
@@ -39,7 +39,7 @@ static void begin(struct validation *validation, uint32_t count, const char *met
     validation->count = count;
 }
 
-/* Replaces the saved bytes by a copy of `bytes` bytes at `place`. */
+/* Extends the saved range to `bytes` bytes at `place`. */
 static bool hold(struct held *held, char *place, size_t bytes) {
     char *memory = redcc_memory_take(bytes);
     if (!memory)
@@ -112,7 +112,8 @@ void redcc_validation_swap(struct validation *validation) {
 
 /* ---- differences --------------------------------------------------------------------------- */
 
-/* The number of floats or doubles from one to another: as integers, their bits are in order. */
+/* The number of representable values from one to the other: interpreted as integers, floats are in
+ * order. */
 #define STEPS(NAME, T, BITS, LOWEST)                                                               \
     static double NAME(const char *p, const char *q) {                                             \
         T a, b;                                                                                    \
@@ -148,7 +149,7 @@ static double larger(double a, double b) {
     return a > b ? a : b;
 }
 
-/* In units in the last place; for other types, 0 or infinity. */
+/* The difference in units in the last place; for types other than floating ones, 0 or infinity. */
 static double ulps(redcc_type type, size_t size, const char *p, const char *q) {
     switch (type) {
     case REDCC_FLOAT:
@@ -190,7 +191,7 @@ static size_t element_size(const redcc_array *array) {
     return rule ? rule->size : array->element;
 }
 
-/* Compares one array; returns whether its promise is kept. */
+/* Compares one array; returns whether the result is as promised. */
 static bool compare(const struct held *held, const redcc_array *array, const void *base,
                     struct validated *validated) {
     const size_t size = element_size(array);

@@ -3,8 +3,7 @@
 
 #include <assert.h>
 
-/* Iterations of a timing slice, so that it takes at least some microseconds: iterations of less
- * than 12 floating-point operations are not timed separately. */
+/* Least number of iterations of a timing slice, so that it takes at least some microseconds. */
 enum { LEAST_PART = 512 };
 
 /* The minimum number of rounds of a trial: the first slice of an execution finds cold caches. */
@@ -19,7 +18,7 @@ unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int ite
     if (!is_trial(it, open))
         return 0;
     const int lacking = VARIANT_PARTS - it->turns.timed;
-    assert(lacking > 0); /* else the trial is over */
+    assert(lacking > 0); /* the trial is not over */
     const redcc_int possible = iterations / LEAST_PART;
     return possible < 1 ? 1 : possible < lacking ? (unsigned)possible : (unsigned)lacking;
 }
@@ -29,7 +28,7 @@ bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
            (is_trial(it, open) ? redcc_turn_of(it->turns.timed + (int)part) == 0 : it->best);
 }
 
-/* A trial takes a whole execution: the next one waits for four times as many. */
+/* Ends a trial. The next one follows after four times as many executions. */
 static void end_trial(struct variants *it, bool best) {
     it->turns = (struct turns){0};
     it->best = best;

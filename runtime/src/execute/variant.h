@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Chooses between executing a loop with prefetches or without. Both give the same bits, so timing
- * slices of executions alternate (learn/turns.h), and the faster variant is kept for a while. A
- * long execution is sliced, and suffices for a trial.
+ * Chooses between executing a loop with prefetches or without. Both give the same bits. In a trial,
+ * timing slices alternate between the two (learn/turns.h); then the faster variant is used until
+ * the next trial. A long execution is divided into enough slices for a trial.
  */
 #ifndef REDCC_EXECUTE_VARIANT_H
 #define REDCC_EXECUTE_VARIANT_H
@@ -13,7 +13,7 @@
 
 #include <stdbool.h>
 
-/** Rounds of a long execution, in which each variant has one slice. */
+/** A round has one slice of each variant. A long execution has several rounds. */
 enum {
     VARIANTS = TURN_ARMS,
     VARIANT_ROUNDS = 2 * LEARN_PAIRS,
@@ -23,18 +23,18 @@ enum {
 /** Results over a loop's executions. Initially zero. */
 struct variants {
     struct turns turns;   /* of the current trial */
-    bool best;            /* with prefetches, according to the last trial */
-    long executions;      /* long enough for a difference */
-    struct back_off rest; /* executions until the next trial */
+    bool best;            /* the last trial's winner: with prefetches? */
+    long executions;      /* number of executions that were long enough to compare variants */
+    struct back_off rest; /* counts executions until the next trial */
 };
 
 /** The number of timing slices of an execution in which each thread executes `iterations` on
- *  average: as many as the trial still needs, or as the iterations permit; 0: no trial. `open`: the
- *  variants are to be compared. */
+ *  average: as many as the trial still needs, if the iterations suffice; 0: no trial. `open`:
+ * trials are allowed. */
 unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations);
 
-/** Does slice number `part` of that execution prefetch? Slice 0 of a loop that was never executed
- *  does, if the choice is open. */
+/** Does slice number `part` of the execution prefetch? If the choice is open, slice 0 of the loop's
+ *  first execution does. */
 bool redcc_variant_of(const struct variants *it, bool open, unsigned part);
 
 /** Records a finished execution: the seconds per iteration of each slice. One thread at a time. */

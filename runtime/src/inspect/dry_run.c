@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The dry run: does the loop update data that decide which addresses its slice reads? Touched and
- * read addresses are ranges, as for the guard that follows.
+ * The dry run: does the loop update data that determine which addresses its slice reads? Touched
+ * and read addresses are represented by ranges, as in the overlap guard.
  *
- * Most touches and reads need no call of the runtime. A touch lies in the array's window, or a read
- * in the source's clear range; no window overlaps a clear range. If all relevant read ranges are
+ * Most touches and reads need no call of the runtime: a touch in the array's window, and a read in
+ * the source's clear range. No window overlaps a clear range. If all relevant read ranges are
  * known, a window is the gap between two of them. Otherwise it is the touched range with a margin,
- * which doubles it but extends at most half the way to the next read range; clear ranges lie
- * between two windows. So a range that grows with each iteration is processed a logarithmic number
- * of times. A read in a margin may overlap nothing that was touched: then there is a second run
- * without margins.
+ * which doubles it but extends at most halfway to the next read range; clear ranges lie between two
+ * windows. So a range that grows with each iteration is processed a logarithmic number of times. A
+ * read in a margin need not overlap a touched address: then a second run without margins follows.
  */
 #include "inspect/inspection.h"
 
@@ -19,9 +18,9 @@
 
 #include <assert.h>
 
-static const redcc_int never_settled = -((redcc_int)1 << 62); /* all are recorded, none is probed */
+static const redcc_int never_settled = -((redcc_int)1 << 62); /* records all, probes none */
 
-/* From the first iteration on, with nothing touched or read. */
+/* Begins a run from the first iteration, with nothing touched or read. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
     struct dry_run *run = &inspector->dry_run;
     for (uint32_t array = 0; array < inspection->partition.array_count; array++)
@@ -52,8 +51,8 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     return !inspector->failed;
 }
 
-/* The next touch outside of all windows must be processed at once; an iteration's end follows
- * it. */
+/* Leaves room for one touch and an iteration's end, so that the next touch outside of the windows
+ * is processed immediately. */
 static void expect_one(const struct inspector *inspector, redcc_worker *worker) {
     worker->entry = inspector->entries;
     worker->entry_end = inspector->entries + 1;
@@ -100,7 +99,7 @@ static bool is_all_known(const struct inspection *inspection) {
     return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
 }
 
-/* A source's range: the known one, or the recorded one if that is relevant. */
+/* The range that is read of a source: the known one, or the recorded one if it is relevant. */
 static struct range range_read(const struct inspection *inspection,
                                const struct inspector *inspector, uint32_t source) {
     const redcc_extent known = inspection->call->request.known[source];
@@ -121,7 +120,7 @@ static void end_run(struct inspection *inspection, struct inspector *inspector,
     worker->last = 0;
 }
 
-/* The gap around `range` up to the nearest given bounds. */
+/* A range, and the free gap around it, up to the nearest other ranges. */
 struct gap {
     struct range range, free;
 };
@@ -143,7 +142,7 @@ static uintptr_t least(uintptr_t a, uintptr_t b) {
     return a < b ? a : b;
 }
 
-/* The range and a margin on each side. */
+/* The range with a margin on each side. */
 static struct range with_margin(const struct gap *gap) {
     const size_t size = redcc_range_size(gap->range);
     return (struct range){gap->range.first - least(size, (gap->range.first - gap->free.first) / 2),
@@ -154,7 +153,7 @@ static redcc_owner window_of(struct range range) {
     return (redcc_owner){.first = (const char *)range.first, .size = range.end - range.first};
 }
 
-/* A window has grown: clear ranges must end before it. The read range lies on one side of it. */
+/* Cuts clear ranges after a window has grown into them: each keeps the side with its read range. */
 static void clear_of(struct inspection *inspection, struct inspector *inspector,
                      struct range window) {
     for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {

@@ -19,7 +19,7 @@ void redcc_inspection_set_owners(struct inspection *inspection) {
                                        : (uint32_t)call->planned * each;
 }
 
-/* auto may choose stealable blocks after the cut. */
+/* The maximum number of owners: auto may choose stealable blocks after the cut. */
 static uint32_t most_owners(const struct call *call) {
     const uint32_t threads = (uint32_t)call->planned;
     if (!call->method)
@@ -29,8 +29,8 @@ static uint32_t most_owners(const struct call *call) {
     return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/* The owners of an earlier execution are reused if threads find their iterations during execution:
- * the result does not depend on who owns an element. */
+/* Begins a partition. If threads find their iterations during execution, the owners of an earlier
+ * execution are reused: the result does not depend on the owners. */
 static bool begin_partition(struct inspection *inspection, bool is_direct) {
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;

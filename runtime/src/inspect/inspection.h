@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * An inspection, in the threads of the region. Its steps, in this order:
+ * An inspection, by the threads of the region. Its steps, in this order:
  *
  *     dry run    all iterations' addresses, in order       if the slice may read stale values
  *                by one thread                             (REDCC_DRY_RUN)
@@ -28,40 +28,40 @@
 
 enum { REDCC_ENTRIES = 1024 };
 
-/** State of a dry run, in the thread that makes it. */
+/** State of a dry run, in the thread that executes it. */
 struct dry_run {
     redcc_owner *window;  /* [array_count] contains the touched range; a touch in it overlaps no
                            * read, except possibly reads in clear ranges */
     redcc_owner *clear;   /* [source_count] a read in it overlaps no window */
     bool has_margins;     /* windows are larger than the touched ranges */
-    bool ended_in_margin; /* by a read, which perhaps overlaps no touched range */
+    bool ended_in_margin; /* a read in a margin ended it, which may overlap no touched range */
     redcc_int block;      /* iterations until the deadline is checked again */
-    bool no_conflict;     /* no updated element was found to be read */
-    bool leaves;          /* an iteration was found to leave the loop */
+    bool no_conflict;     /* result: no updated element is read */
+    bool leaves;          /* result: an iteration leaves the loop */
     double seconds;       /* its duration, at the end */
 };
 
-/** Time of the slice of some iterations, executed again and again, so that it is not the time of
- *  fetching their data. */
+/** Times the slice of some iterations, repeatedly, so that cache misses are not included. */
 struct slice_timing {
     int passes;
-    redcc_int iterations; /* of a pass */
+    redcc_int iterations; /* per pass */
     double began;
     double least; /* seconds of the shortest pass; 0: none is complete */
 };
 
-/** One thread's part. Only it writes this; the other threads read it after the barrier. */
+/** One thread's part of the inspection. Only this thread writes it; others read it after a barrier.
+ */
 struct inspector {
     int thread;
     int threads;
-    bool failed;          /* no memory */
+    bool failed;          /* out of memory */
     bool recorded_all;    /* all requested iterations were recorded */
     bool late;            /* the deadline passed before that */
-    redcc_int next;       /* iterations handed out so far, by the sweep */
-    redcc_int handed;     /* in the current block */
-    redcc_int block;      /* at most; with a deadline it grows */
-    redcc_int largest;    /* up to this */
-    redcc_int at;         /* iterations handed out so far, by the sample */
+    redcc_int next;       /* the sweep's next iteration */
+    redcc_int handed;     /* iterations handed out in the current block */
+    redcc_int block;      /* maximum size of a block; with a deadline it grows */
+    redcc_int largest;    /* limit of this growth */
+    redcc_int at;         /* the sample's next iteration */
     redcc_entry *entries; /* [REDCC_ENTRIES] */
     struct range *seen;   /* [array_count] */
     redcc_int *executed;  /* [owners] iterations of this thread's share, by owner */
@@ -73,23 +73,23 @@ struct inspector {
     redcc_owner *nowhere;  /* [array_count] an empty window: all touches are recorded */
 };
 
-/** Freed as one. */
+/** An inspection, with memory that is freed as a whole. */
 struct inspection {
     const struct call *call;
     struct inspector *const *inspector; /* [threads] */
     struct barrier *barrier;
-    struct range *touched;  /* [array_count] by all threads; the loop's */
-    struct range *sources;  /* [source_count] their ranges; the loop's */
+    struct range *touched;  /* [array_count] ranges touched by all threads; owned by the loop */
+    struct range *sources;  /* [source_count] ranges read; owned by the loop */
     uint32_t stealable;     /* blocks to be cut for each thread (partition.stealable) */
     enum route route;       /* as decided so far */
     double deadline;        /* on the clock of redcc_seconds; 0: none */
-    bool no_copies;         /* the ranges of all iterations rule them out; */
-    bool no_graph;          /* nor can owners be cut from the access graph */
+    bool no_copies;         /* the ranges of all iterations rule out private copies */
+    bool no_graph;          /* owners cannot be cut from the access graph */
     bool is_exact;          /* unit numbers cover exactly the range touched by all iterations */
     struct touching each;   /* per iteration, according to the sample */
     struct overlap overlap; /* REASON_OVERLAP: the two that overlap */
     struct partition partition;
-    struct partition whole;           /* the same in one piece: for extents only */
+    struct partition whole;           /* a partition with one owner: only for extents */
     const struct sample **samples;    /* [threads] */
     const struct summary **summaries; /* [threads] */
     const struct range **seen;        /* [threads] */
@@ -97,9 +97,9 @@ struct inspection {
     struct levels levels;
 };
 
-/** Begins; is_direct: threads will find their iterations during execution, by owners of an earlier
- *  one if these are kept. Otherwise auto may cut the arrays for stealable blocks. False: no memory
- *  (call redcc_inspection_end all the same). */
+/** Begins an inspection. is_direct: threads will find their iterations during execution, by the
+ * kept owners of an earlier one if there are any. Otherwise auto may cut the arrays for stealable
+ * blocks. False: out of memory. Call redcc_inspection_end in either case. */
 bool redcc_inspection_begin(struct inspection *inspection, bool is_direct);
 
 /** Sets the number of owners for which the sample cuts the arrays. */
@@ -108,11 +108,11 @@ void redcc_inspection_set_owners(struct inspection *inspection);
 /** Frees the inspection and its inspectors, except for owners that are kept. */
 void redcc_inspection_end(struct inspection *inspection);
 
-/** Has it taken longer than auto allows? */
+/** Has the inspection taken longer than auto allows? */
 bool redcc_inspection_is_late(const struct inspection *inspection);
 
-/** With a deadline, the clock is read after so many iterations, then after twice as many each time,
- *  up to the second number (50 microseconds to a millisecond): iterations may be heavy. */
+/** With a deadline, the clock is first read after a few iterations, since they may be heavy, then
+ * at intervals that double up to the second number (50 microseconds to a millisecond). */
 enum { REDCC_FIRST_BEFORE_DEADLINE = 16, REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
 static inline redcc_int redcc_next_before_deadline(redcc_int block) {
     return block < REDCC_BLOCK_BEFORE_DEADLINE ? 2 * block : block;
@@ -125,7 +125,7 @@ bool redcc_inspection_failed(const struct inspection *inspection);
 redcc_int redcc_own_begin(const struct inspection *inspection, const struct inspector *inspector);
 redcc_int redcc_own_end(const struct inspection *inspection, const struct inspector *inspector);
 
-/** Has the worker record iterations first, first + stride, ... < last. A touch within `window`
+/** Makes the worker record iterations first, first + stride, ... < last. A touch within `window`
  *  [array_count] makes no entry. */
 void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int first,
                     redcc_int last, redcc_int stride, const redcc_owner *window);
@@ -138,25 +138,24 @@ void redcc_gather_touched(struct inspection *inspection);
 
 /* ---- dry run (dry_run.c) --------------------------------------------------------------------- */
 
-/** Begins it, in the one thread that makes it. False: no memory. */
+/** Begins the dry run, in the one thread that executes it. False: out of memory. */
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** Hands out the next iterations, all in order over several calls. False: none is left, or the run
- *  is over, or it will miss the deadline. */
+/** Hands out the next iterations, in order. False: none is left, or the run has ended, or it will
+ * miss the deadline. */
 bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker);
 
-/** Processes the addresses recorded since: one touch and perhaps an iteration's end. If it overlaps
- *  a read, sets worker->last to 0, and later records are ignored. */
+/** Processes the recorded entries: one touch and perhaps an iteration's end. If the touch overlaps
+ * a read, sets worker->last to 0, and later records are ignored. */
 void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspector,
                         redcc_worker *worker);
 
-/** Does the read range recorded for the source overlap a touched range? Then the run ends as
- *  well. */
+/** Does the read range recorded for the source overlap a touched range? If so, ends the run. */
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source);
 
-/** The fraction of the iterations that were recorded. */
+/** The fraction of the iterations that the dry run has recorded. */
 double redcc_dry_run_done(const struct inspection *inspection);
 
 /** Ends the run; returns OVERLAP (and which), DEADLINE, NO_MEMORY or NONE. */
@@ -164,15 +163,15 @@ enum reason redcc_dry_run_finish(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */
 
-/** Begins the thread's part. */
+/** Begins the thread's part of the sample. */
 void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** Hands out its iterations of the sample. False: none is left. */
+/** Hands out the thread's iterations of the sample. False: none is left. */
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
-/** After the sample: hands out some iterations once more, to time their slices. False: none is
- *  left, or no estimate needs it. */
+/** After the sample: hands out some iterations again, to time their slices. False: none is left, or
+ * no estimate needs the time. */
 bool redcc_timing_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
@@ -183,18 +182,18 @@ double redcc_slice_seconds(const struct inspection *inspection);
 void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
                        const redcc_entry *end);
 
-/** The sample is complete: scales all threads' samples to one weight per touch, and merges groups
- *  that overlap in it. */
+/** Completes the sample: scales all threads' samples to the same weight per touch, and merges
+ * groups that overlap. */
 enum reason redcc_sample_finish(struct inspection *inspection);
 
-/** Cuts the groups among the owners according to the sample, unless they are kept; estimate:
- *  statistics of the cut, or NULL. False: no memory. */
+/** Cuts the groups among the owners according to the sample, unless owners are kept. estimate: gets
+ *  statistics of the cut, if not NULL. False: out of memory. */
 bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
 
 /* ---- sweep (sweeping.c) ---------------------------------------------------------------------- */
 
-/** Begins the sweep of the route; this number of bytes of subscripts will be hashed meanwhile,
- *  block by block. */
+/** Begins the sweep for the current route; hashed: bytes of subscripts that are hashed at the same
+ *  time, block by block. */
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed);
 
@@ -206,15 +205,15 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
 void redcc_sweep_flush(struct inspection *inspection, struct inspector *inspector,
                        redcc_worker *worker);
 
-/** The block is complete. Returns the completed fraction of the thread's iterations if more than
- *  one block is handed out; else 0. */
+/** Completes a block. Returns the completed fraction of the thread's iterations if the sweep has
+ *  several blocks; otherwise 0. */
 double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector);
 
 /** The fraction of the iterations that are recorded, 0 to 1. */
 double redcc_sweep_done(const struct inspection *inspection);
 
-/** All iterations are recorded: computes the touched ranges and the sources' ranges, and checks the
- *  overlap guard. */
+/** After all iterations are recorded: computes the touched ranges and the sources' ranges, and
+ * checks the overlap guard. */
 enum reason redcc_sweep_finish(struct inspection *inspection);
 
 /* ---- log and partition (logging.c) ----------------------------------------------------------- */
@@ -222,34 +221,35 @@ enum reason redcc_sweep_finish(struct inspection *inspection);
 /** Does the sweep log all touches? */
 bool redcc_is_logged(const struct inspection *inspection);
 
-/** Before such a sweep, by all threads: numbers the units touched in the previous sweep (is_exact),
- *  or of the range that the sample predicts. */
+/** Before such a sweep: numbers the units touched in the previous sweep (is_exact), or those of the
+ *  range that the sample predicts. Called by all threads. */
 enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact);
 
-/** Begins the thread's part. False: no memory. */
+/** Begins the thread's part of the log. False: out of memory. */
 bool redcc_log_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** All is recorded: can the log be used? BEYOND: the sweep must be repeated with exact numbers. */
+/** After the sweep: can the log be used? BEYOND: the sweep must be repeated with exact numbers. */
 enum divide_result redcc_log_finish(const struct inspection *inspection);
 
-/** Cuts owners from the access graph; joined: without stealable blocks after all. */
+/** Cuts owners from the access graph; joined: stealable blocks are joined to their owners. */
 void redcc_partition_share(struct inspection *inspection, struct inspector *inspector, bool joined);
 
-/** Assigns the iterations to levels. False: no memory. */
+/** Assigns the iterations to levels. False: out of memory. */
 bool redcc_partition_levels(struct inspection *inspection);
 
 /* ---- statistics of all iterations (statistics.c) --------------------------------------------- */
 
-/** The number of iterations that all owners execute, as the inspectors counted them (executed). */
+/** The sum over all owners of the iterations that they execute, from inspector->executed. */
 redcc_int redcc_executed_in_all(const struct inspection *inspection);
 
-/** The same if the stealable blocks of the access graph's owners were joined to these. */
+/** The same if the stealable blocks of the access graph were joined to their owners. */
 redcc_int redcc_executed_joined(const struct inspection *inspection);
 
-/** The share of the iterations of the most loaded thread by LOCALWRITE. */
+/** The fraction of the iterations that the most loaded thread executes by LOCALWRITE. */
 double redcc_largest_share(const struct inspection *inspection);
 
-/** How often an iteration touches other owners than the preceding one, in all threads' shares. */
+/** The number of iterations, in all threads' shares, that touch other owners than the preceding
+ * one. */
 double redcc_count_runs(const struct inspection *inspection);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The access log, of a sweep that keeps all touches; and its uses: owners cut from the access
+/** The access log, of a sweep that stores all touches; and its uses: owners cut from the access
  *  graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h). Units are
- *  numbered before the sweep, over the range that the sample has seen and a little more. If a touch
- *  lies outside, the sweep is repeated with the then known extents. */
+ *  numbered before the sweep, over a range slightly larger than that of the sample. If a touch lies
+ *  outside, the sweep is repeated with the extents found. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
@@ -10,7 +10,8 @@
 #include <assert.h>
 #include <string.h>
 
-/* Approximate touches of leading or of further groups per iteration, according to the sample. */
+/* The approximate number of touches per iteration of the leading or of further groups, according to
+ * the sample. */
 static double touches_an_iteration(const struct inspection *inspection, bool leading) {
     const struct partition *partition = &inspection->partition;
     double touches = 0, iterations = 1;
@@ -24,7 +25,7 @@ static double touches_an_iteration(const struct inspection *inspection, bool lea
     return touches / iterations;
 }
 
-/* ... and of one thread in all. */
+/* The approximate number of these touches in one thread's share. */
 static size_t expected_touches(const struct inspection *inspection,
                                const struct inspector *inspector, bool leading) {
     const double share =
@@ -67,7 +68,7 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
     redcc_memory_give(range);
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->deadline;
-    if (inspection->route == ROUTE_LEVELS) /* at any cost: the method was named */
+    if (inspection->route == ROUTE_LEVELS) /* the method was named, so the memory is unlimited */
         divide->most_logged = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;
 }

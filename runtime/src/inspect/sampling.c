@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sample of the iterations, which decides how the arrays are cut among the owners. */
+/** The sample of the iterations, by which the arrays are cut among the owners. */
 #include "inspect/inspection.h"
 
 #include <assert.h>
@@ -11,25 +11,26 @@
 #include "plan/method.h"
 #include "plan/tile_grid.h"
 
-/* The fraction of the share that a map's owners leave at most, to be worth their longer checks. */
+/* A map of owners is used only if it reduces the most loaded share to this fraction, because its
+ * owner checks are slower. */
 #define WORTH_A_MAP 0.9
 
 enum {
-    SAMPLED_FOR_AN_OWNER = 512, /* iterations, of all threads together; */
-    SAMPLED_FOR_A_LOOK = 128,   /* of one thread, for an estimate only; the minimum */
-    SAMPLED_OF = 16,            /* one iteration in this many, between these two limits: a larger
-                                 * sample of a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128,         /* one iteration in this many for an estimate: a few iterations of a
-                                 * short loop may be heavy */
-    LOOKED_AT_LEAST = 16,
-    SAMPLED_MOST = 8192,
-    SAMPLED_TOUCHES = 32768,                    /* kept of them, with few owners; with many */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* with many owners: touches for each */
-    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* the maximum of these */
-    ROWS_OF_A_TOUCH = 64
+    SAMPLED_FOR_AN_OWNER = 512, /* iterations per owner, of all threads together; */
+    SAMPLED_FOR_A_LOOK = 128,   /* minimum number of iterations, if one thread makes an estimate */
+    SAMPLED_OF = 16,         /* one iteration in this number is sampled, within the limits: a larger
+                              * sample of a short loop would cost as much as the loop */
+    LOOKED_AT_OF = 128,      /* the same for an estimate: a few iterations of a short loop may be
+                              * heavy */
+    LOOKED_AT_LEAST = 16,    /* minimum number of iterations for an estimate */
+    SAMPLED_MOST = 8192,     /* maximum number of iterations */
+    SAMPLED_TOUCHES = 32768, /* touches kept, with few owners */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* touches kept per owner, with many owners */
+    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* maximum number of touches kept */
+    ROWS_OF_A_TOUCH = 64                        /* maximum weight of a touch, in rows */
 };
 
-/* Tiles have no owners, and the rows of a pair are many. */
+/* Is the sample only an estimate for tiles, which have no owners? */
 static bool is_for_tiles(const struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
     return !inspection->call->method && request->loop->flags & REDCC_TILES &&
@@ -37,8 +38,9 @@ static bool is_for_tiles(const struct inspection *inspection) {
 }
 
 /* Iterations 0, stride, 2 stride, ... are sampled, for any number of threads. The stride is odd,
- * because an even one might hit the same corner of each element again and again. Sorting more
- * touches than few owners need would cost more than the sweep of all iterations. */
+ * because an even one might always select the same corner of an element. The sample is small,
+ * because sorting more touches than the owners need would cost more than the sweep of all
+ * iterations. */
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     const redcc_int shares = partition->owners / (1 + partition->stealable);
@@ -52,15 +54,17 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     return trip / (looks ? redcc_min(few, seen) : redcc_min(even, most)) | 1;
 }
 
-/* The number of them before this thread's share. */
+/* The number of sampled iterations before this thread's share. */
 static redcc_int sampled_before(const struct inspection *inspection,
                                 const struct inspector *inspector) {
     const redcc_int stride = sample_stride(inspection);
     return (redcc_own_begin(inspection, inspector) + stride - 1) / stride;
 }
 
-/* Cuts cannot be more even than the touches from which they are chosen. (If results must not depend
- * on the number of threads, each thread has space for all touches, so these are few.) */
+/* The number of touches to keep: the evenness of cuts is limited by the number of touches. (If
+ * results must not depend on the number of threads, each thread has space for all touches, so these
+ * are few.)
+ */
 static size_t touches_to_keep(const struct inspection *inspection) {
     if (inspection->call->method && inspection->call->method->keeps == REDCC_ORDER_FIXED)
         return SAMPLED_TOUCHES;
@@ -69,8 +73,8 @@ static size_t touches_to_keep(const struct inspection *inspection) {
     return most < SAMPLED_TOUCHES ? SAMPLED_TOUCHES : most;
 }
 
-/* If results must not depend on the number of threads, each has space for all of its share that may
- * remain in the end. */
+/* The space of a thread's sample. If results must not depend on the number of threads, it is enough
+ * for all touches of its share that may be kept in the end. */
 static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
     const struct method *method = inspection->call->method;
     const size_t all = inspection->partition.share > 0 ? 1 : touches_to_keep(inspection);
@@ -116,7 +120,8 @@ bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector
     return true;
 }
 
-/* A touch of several rows has the weight of each, up to a limit: cuts lie between rows. */
+/* Adds a touch of several rows as one touch per row, up to a limit, because cuts lie between rows.
+ */
 static void sample_rows(const struct inspection *inspection, struct inspector *inspector,
                         const redcc_entry *entry) {
     const uint32_t unit = inspection->partition.arrays[entry->array].unit;
@@ -144,7 +149,7 @@ void redcc_sample_take(const struct inspection *inspection, struct inspector *in
     }
 }
 
-/* Groups were merged: merges the ranges that each thread has seen of them. */
+/* After groups were merged: merges each thread's ranges of these groups. */
 static void regroup_seen(struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
@@ -159,15 +164,15 @@ static void regroup_seen(struct inspection *inspection) {
     }
 }
 
-/* The sweep records the other ranges. */
+/* Sets the known ranges of sources; the sweep records the others. */
 static void place_known_sources(struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++)
         inspection->sources[s] = redcc_range_of(request->known[s]);
 }
 
-/* Are owners by votes better for threads that find their iterations during execution? Then keeps
- * their map. False: no memory. */
+/* Computes owners by majority votes, for threads that find their iterations during execution; keeps
+ * their map if it is better. False: out of memory. */
 static bool compare_votes(struct inspection *inspection, struct estimate *estimate) {
     struct partition *partition = &inspection->partition;
     const int threads = inspection->call->threads;
@@ -204,8 +209,8 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     return true;
 }
 
-/* One item represents the same number of touches in all samples, and together they have at most
- * touches_to_keep. */
+/* Thins the samples so that an item represents the same number of touches in each, and all together
+ * have at most touches_to_keep items. */
 static void thin_samples(struct inspection *inspection) {
     struct inspector *const *inspector = inspection->inspector;
     uint64_t keep_each = 1;

@@ -12,15 +12,16 @@
 
 enum { HASHED_AT_ONCE = 512 * 1024 /* bytes of subscripts that the caches hold */ };
 
-/* The number of iterations that read this many bytes of subscripts, which are hashed next. */
+/* The number of iterations per block, whose subscripts fit into the caches until they are hashed.
+ */
 static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
     const redcc_int blocks = (redcc_int)(hashed / HASHED_AT_ONCE) + 1;
     const redcc_int each = own / blocks + 1;
     return each < REDCC_BLOCK ? each : REDCC_BLOCK;
 }
 
-/* The owners by which iterations are summarised: only extents are needed if threads find their
- * iterations later. */
+/* The partition by which iterations are summarised. If threads find their iterations during
+ * execution, only extents are needed. */
 static const struct partition *swept_by(const struct inspection *inspection) {
     return inspection->route == ROUTE_DIRECT ? &inspection->whole : &inspection->partition;
 }
@@ -29,7 +30,7 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
                        size_t hashed) {
     const struct partition *partition = &inspection->partition;
     const redcc_int begin = redcc_own_begin(inspection, inspector);
-    redcc_sweep_end(&inspector->sweep); /* of the preceding sweep, if groups had to be merged */
+    redcc_sweep_end(&inspector->sweep); /* the sweep is repeated if groups had to be merged */
     memset(inspector->executed, 0, partition->owners * sizeof *inspector->executed);
     inspector->failed =
         redcc_is_logged(inspection)

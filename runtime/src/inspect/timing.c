@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The time of the slice, after the sample: the search of a nearest centre may take longer than the
- *  rows that it finds. */
+/** Times the slice, after the sample: a slice such as the search of a nearest centre may take
+ * longer than the updates. */
 #include "inspect/inspection.h"
 
 #include "base/clock.h"
@@ -8,11 +8,12 @@
 #include <assert.h>
 
 enum {
-    TIMED = 16, /* iterations of a thread, few enough for their data to stay in the caches */
-    PASSES = 3  /* over them: the first finds their data, one may be interrupted */
+    TIMED = 16, /* iterations per thread, so few that their data stay in the caches */
+    PASSES = 3  /* passes over these: the first loads their data, another may be interrupted */
 };
 
-/* A dry run was timed, too; and bins are not chosen by an estimate. */
+/* Does auto need the time for its estimates? Not with kept owners, or after a dry run, which is
+ * timed. */
 static bool is_wanted(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     return !call->method && !call->in_bins && inspection->partition.share == 0 &&

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Points along Hilbert's curve, in two dimensions or three, by the transposed index of Skilling,
- * Programming the Hilbert curve, AIP Conference Proceedings 707, 2004. */
+/* Orders points along Hilbert's curve, in two or three dimensions, by the transposed index
+ * (Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707, 2004). */
 #include "redcc/reorder.h"
 
 #include "base/memory.h"
@@ -10,15 +10,15 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { BITS = 20, MOST_DIMENSIONS = 3 }; /* of each coordinate */
+enum { BITS = 20, MOST_DIMENSIONS = 3 }; /* BITS: per coordinate */
 
 struct stop {
     uint64_t along; /* the position along the curve */
     int point;
 };
 
-/* From coordinates of BITS bits to the index: bit b of x[i] is its bit (b + 1) * dimensions - 1 -
- * i. */
+/* Converts coordinates of BITS bits to the transposed index: bit b of x[i] becomes the index's bit
+ * (b + 1) * dimensions - 1 - i. */
 static void transpose(uint32_t *x, int dimensions) {
     for (uint32_t bit = 1u << (BITS - 1); bit > 1; bit >>= 1) {
         const uint32_t below = bit - 1;
@@ -55,7 +55,7 @@ static uint64_t along_curve(uint32_t *x, int dimensions) {
 
 static uint32_t cell(double value, double least, double width) {
     const double cells = 1u << BITS, at = width > 0 ? (value - least) / width * cells : 0;
-    if (!(at > 0)) /* or NaN */
+    if (!(at > 0)) /* also if NaN */
         return 0;
     return at < cells ? (uint32_t)at : (1u << BITS) - 1;
 }
@@ -67,7 +67,7 @@ static int by_place(const void *a, const void *b) {
     return (p->point > q->point) - (p->point < q->point);
 }
 
-/* The width of one coordinate's range; infinite values count as far away. */
+/* The width of one coordinate's range; infinite values are limited to a quarter of DBL_MAX. */
 static double width_of(int count, int dimensions, const double *coordinate, double *least) {
     double low = DBL_MAX, high = -DBL_MAX;
     for (int p = 0; p < count; p++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Iterations by their rows, and records by an order. */
+/* Orders iterations by their rows, and permutes records. */
 #include "redcc/reorder.h"
 
 #include "base/memory.h"
@@ -11,7 +11,7 @@
 #include <string.h>
 
 struct iteration {
-    int lowest, next; /* of its rows */
+    int lowest, next; /* the lowest of its rows, and the next one */
     int number;
 };
 
@@ -49,7 +49,7 @@ int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_
     return 0;
 }
 
-/* Is it a permutation? -1 also without memory. */
+/* 0 if new_of_old is a permutation; otherwise, or if out of memory, -1. */
 static int check_permutation(int count, const int *new_of_old) {
     char *taken = redcc_memory_take_zeroed((size_t)count, 1);
     int wrong = !taken;

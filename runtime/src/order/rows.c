@@ -17,12 +17,12 @@ struct rows {
     int *iteration;
 };
 
-/* A search from a root, breadth first. */
+/* Breadth-first searches. */
 struct search {
-    int *order; /* rows, in the order of the search */
-    int *mark;  /* [rows] number of the search that reached it last */
+    int *order; /* rows in the order of the search */
+    int *mark;  /* [rows] number of the last search that reached the row */
     int *level; /* [rows] its distance from that search's root */
-    int number;
+    int number; /* of the current search */
 };
 
 static bool rows_begin(struct rows *rows, int trip) {
@@ -45,7 +45,7 @@ static size_t degree(const struct rows *rows, int row) {
     return rows->start[row + 1] - rows->start[row];
 }
 
-/* Insertion sort: stable, and few rows are reached from one row. */
+/* Insertion sort: stable, and fast because few rows are reached from one row. */
 static void sort_by_degree(const struct rows *rows, int *list, int count) {
     for (int i = 1; i < count; i++) {
         const int moving = list[i];
@@ -56,7 +56,7 @@ static void sort_by_degree(const struct rows *rows, int *list, int count) {
     }
 }
 
-/* Returns how many rows are reached. */
+/* Searches from a root; returns the number of rows reached. */
 static int search_from(const struct rows *rows, struct search *search, int *order, int root) {
     int reached = 1;
     assert(root >= 0 && root < rows->count);

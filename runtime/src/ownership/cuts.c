@@ -6,14 +6,14 @@
 #include <assert.h>
 #include <string.h>
 
-/* A sampled address in one group (ownership/partition.h), with the number of its iteration among
- * all threads' samples. */
+/* A sampled touch of one group (ownership/partition.h): its address, and the index of its iteration
+ * in the concatenated samples of all threads. */
 struct point {
     uintptr_t address;
     uint32_t iteration;
 };
 
-/* The owners in the leading group that an iteration touches; low > high: none. */
+/* The range of owners that an iteration touches in the leading group; low > high: none. */
 struct label {
     uint32_t low;
     uint32_t high;
@@ -29,11 +29,11 @@ struct work {
     struct partition *partition;
     const struct sample *const *sample;
     int threads;
-    struct points *points_of;     /* [array_count] of each group */
-    struct point *point;          /* their storage, one group's after another's */
+    struct points *points_of;     /* [array_count] the points of each group */
+    struct point *point;          /* their storage, group by group */
     struct point *spare;          /* scratch memory of the same length */
-    struct label *label_of;       /* [iterations] of the sample */
-    struct label *label_of_point; /* of the iteration of each of a group's points */
+    struct label *label_of;       /* [iterations of the sample] */
+    struct label *label_of_point; /* for each of a group's points: its iteration's label */
 };
 
 /* Collects the group's touches at `point`. */
@@ -53,7 +53,7 @@ static struct points gather(const struct work *work, uint32_t group, struct poin
     return points;
 }
 
-enum { MOST_BITS = 11 }; /* of a radix sort's digit, at most */
+enum { MOST_BITS = 11 }; /* maximum for a digit of the radix sort */
 
 /* Stable counting sort of points by bits [shift, shift + bits) of the address. */
 static void sort_by_digit(const struct point *from, struct point *to, size_t count, unsigned shift,
@@ -104,7 +104,7 @@ static void close_cuts(const struct partition *partition, uint32_t group) {
     cut[partition->owners] = UINTPTR_MAX;
 }
 
-/* Returns the number of different cuts. */
+/* Cuts a group at quantiles of its points; returns the number of different cuts. */
 static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     const struct partition *partition = work->partition;
     const struct points points = work->points_of[group];
@@ -134,8 +134,8 @@ static void label_iterations(const struct work *work, uint32_t group, size_t ite
     }
 }
 
-/* The cut between points that best separates the iterations wholly below owner `owner` from those
- * wholly at or above it. Among equally good places, the middle one. */
+/* The cut between points that best separates the iterations completely below owner `owner` from
+ * those completely at or above it. Of equally good positions, the middle one. */
 static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
     const struct points points = work->points_of[group];
     long cost = 0;
@@ -145,7 +145,7 @@ static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owne
     }
     long least = cost;
     size_t first = 0, last = 0;
-    for (size_t i = 0; i < points.count; i++) { /* the cut moves from before point i to after it */
+    for (size_t i = 0; i < points.count; i++) { /* moves the cut from before point i to after it */
         const struct label label = work->label_of_point[i];
         if (label.low <= label.high)
             cost += (label.low >= owner) - (label.high < owner);
@@ -172,7 +172,7 @@ static void cut_beside_leader(const struct work *work, uint32_t group) {
         labelled = labelled || work->label_of_point[i].low <= work->label_of_point[i].high;
     }
     if (!labelled)
-        return; /* never touched together with the leading group: keeps its own quantiles */
+        return; /* never touched together with the leading group: keeps its quantiles */
     uintptr_t *cut = redcc_cuts(partition, group);
     for (uint32_t owner = 1; owner < partition->owners; owner++)
         cut[owner] = best_cut(work, group, owner);

@@ -9,11 +9,11 @@
  * Cuts the groups of a partition, from the samples of `threads` threads (sample [threads]).
  *
  * The leading group is the first one that yields one part per owner. It is cut at quantiles of its
- * sampled touches. Each cut of another group is placed so as to best separate the touches of the
- * iterations on the two sides of the leading group's cut. Iterations that need two owners because
- * of one array then need the same two because of the others.
+ * sampled touches. Each cut of another group is placed so that it best separates the touches of the
+ * iterations on the two sides of the leading group's cut. So if an iteration needs two owners for
+ * one array, it usually needs the same two for the others.
  *
- * Returns false without memory. Cost: O(touches * owners), some 10^5 touches at most.
+ * Returns false if out of memory. Cost: O(touches * owners), at most some 10^5 touches.
  */
 bool redcc_choose_cuts(struct partition *partition, const struct sample *const *sample,
                        int threads);

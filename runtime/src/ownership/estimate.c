@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "ownership/owner_map.h"
 
-/* For each owner, and for each share (an owner with its stealable blocks): the number of its
+/* Counts of an owner, or of a share (an owner with its stealable blocks): the number of its
  * iterations, and the last one of them, counted from 1. */
 struct part {
     uint32_t iterations;
@@ -22,7 +22,7 @@ static void take_part(struct part *part, uint32_t iteration) {
     part->last = iteration;
 }
 
-/* The owners that an iteration touches, as far as relevant here. */
+/* The lowest and highest owner that an iteration touches. */
 struct span_of_owners {
     uint32_t low;
     uint32_t high;

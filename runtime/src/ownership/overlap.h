@@ -11,19 +11,20 @@
 
 #include "base/range.h"
 
-/** A range that is read and one that is written, which overlap. */
+/** Identifies a range that is read and a range that is written, which overlap. */
 struct overlap {
     uint32_t source;
     uint32_t array; /* below array_count: an array; otherwise array_count + s: source s, which is a
                      * scalar accumulator or an own element */
 };
 
-/** May the source overlap an array? False: the translator proved that it does not. */
+/** May the source overlap an array? False if the translator proved that it does not. */
 static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t source) {
     return !(loop->sources[source].flags & REDCC_MEETS_NO_ARRAY);
 }
 
-/** Must the source be compared with scalars? Every flag above REDCC_IS_SUBSCRIPT says so. */
+/** Must the source be compared with scalars? All flags greater than REDCC_IS_SUBSCRIPT imply this.
+ */
 static inline bool redcc_meets_scalars(const redcc_loop *loop, uint32_t source) {
     return loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
 }
@@ -37,8 +38,8 @@ static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source
            !are_behind_one;
 }
 
-/** Are the ranges of a source and of the scalar `kept` disjoint, or may they overlap? False:
- *  *overlap is this pair. */
+/** Are the ranges of a source and of the scalar `kept` disjoint, or proved to be? False: *overlap
+ * is this pair. */
 static inline bool redcc_are_disjoint(const redcc_loop *loop, uint32_t source, struct range read,
                                       uint32_t kept, struct range scalar, struct overlap *overlap) {
     if (!redcc_may_meet_scalar(loop, source, kept) || !redcc_ranges_overlap(read, scalar))

@@ -7,31 +7,32 @@
 #include <string.h>
 
 enum {
-    TOUCHES_A_BLOCK = 4,        /* sampled ones: with fewer, it is not clear who touches the block
-                                 * most */
-    LEAST_BLOCKS = 64,          /* of a group */
-    TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between blocks costs as much as to misplace
-                                 * one touch in this many */
-    VOTES_MOST = 1 << 22,       /* blocks, times owners and TOUCHES_A_BLOCK */
-    BLOCK_MOST = 1 << 30,       /* bytes */
-    UNITS_MOST = 1 << 20        /* of a group, in the end */
+    TOUCHES_A_BLOCK = 4, /* least number of sampled touches per block: with fewer, the majority
+                          * would be uncertain */
+    LEAST_BLOCKS = 64,   /* per group */
+    TOUCHES_OF_A_CHANGE = 8192, /* a change of owners between adjacent blocks costs as much as one
+                                 * misplaced touch in this number */
+    VOTES_MOST = 1 << 22,       /* limit of blocks * owners * TOUCHES_A_BLOCK */
+    BLOCK_MOST = 1 << 30,       /* maximum bytes of a block */
+    UNITS_MOST = 1 << 20        /* maximum units of a group in the extended map */
 };
 
-/* The votes for each block, and an election. */
+/* The votes for each block, and the state of an election. */
 struct poll {
     uint32_t owners;
-    uint32_t *votes;     /* [blocks * owners] */
-    unsigned char *from; /* [blocks * owners] the owner of the block before, if this has owner o */
-    uint64_t *most;      /* [owners] the votes of the best map up to a block that has owner o */
+    uint32_t *votes; /* [blocks * owners] */
+    unsigned char
+        *from;      /* [blocks * owners] best owner of the preceding block if this has owner o */
+    uint64_t *most; /* [owners] votes of the best map up to the current block with owner o */
 };
 
-/* Units of `bytes` bytes from `first` on that cover what is touched. */
+/* The number of units of `bytes` bytes from `first` on that cover the touched range. */
 static uint64_t units_to(uintptr_t first, struct range touched, uint32_t bytes) {
     return (touched.end - 1 - first) / bytes + 1;
 }
 
-/* Cuts the group into at most `most` blocks of rows, numbered from `begin` on. False: it is too
- * long. */
+/* Cuts the group into at most `most` blocks of rows, numbered from `begin` on. False: blocks would
+ * be too large. */
 static bool number_blocks(struct group_map *it, const struct partition *partition, uint32_t group,
                           struct range touched, uint32_t begin, uint64_t most) {
     const uintptr_t first = redcc_unit_begin(partition, group, touched.first);
@@ -46,7 +47,7 @@ static bool number_blocks(struct group_map *it, const struct partition *partitio
     return count <= most;
 }
 
-/* Cuts all groups into blocks. Returns how many; 0: there can be no map. */
+/* Cuts all groups into blocks. Returns their number; 0: no map is possible. */
 static uint32_t number_all(struct owner_map *map, const struct partition *partition,
                            const struct range *touched, size_t points, uint32_t owners) {
     const size_t votes = points < VOTES_MOST / owners ? points : VOTES_MOST / owners;
@@ -65,7 +66,8 @@ static uint32_t number_all(struct owner_map *map, const struct partition *partit
     return map->of ? count : 0;
 }
 
-/* The number in the map of the unit at `address`; outside of the group's units, of the nearest. */
+/* The index in the map of the unit at `address` or, outside of the group's units, of the nearest
+ * one. */
 static uint32_t unit_at(const struct partition *partition, uint32_t group, uintptr_t address) {
     const struct group_map *it = &partition->map.of[group];
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;
@@ -86,8 +88,8 @@ static size_t iteration_end(const struct sample *sample, size_t begin) {
     return end;
 }
 
-/* The iterations are cut into parts with equally many of the `all` touches; those of a part vote
- * for its owner. */
+/* Divides the iterations into consecutive parts, one per owner, with equal numbers of the `all`
+ * touches; each touch is a vote for its part's owner. */
 static void cast_votes(const struct partition *partition, const struct sample *const *samples,
                        int threads, size_t all, struct poll *poll) {
     size_t before = 0;
@@ -115,14 +117,14 @@ static uint32_t best_of(const struct poll *poll) {
     return best;
 }
 
-/* The owners of a group's blocks with the most votes, less `price` for each change from one block
- * to the next. So nearly even votes do not make owners alternate at random. (The most probable path
- * of a chain: Viterbi, 1967.) */
+/* Chooses the owners of a group's blocks that maximise the votes minus `price` per change of owners
+ * between adjacent blocks, so that nearly even votes do not make owners alternate at random.
+ * (Viterbi's algorithm, 1967.) */
 static void elect(unsigned char *owner, const struct poll *poll, const struct group_map *it,
                   uint64_t price) {
     const size_t owners = poll->owners;
     for (size_t o = 0; o < owners; o++)
-        poll->most[o] = price; /* so that none is below 0 */
+        poll->most[o] = price; /* so that no value becomes negative */
     for (size_t block = it->begin; block < it->begin + it->count; block++) {
         const uint32_t best = best_of(poll);
         const uint64_t changed = poll->most[best] - price;
@@ -174,8 +176,8 @@ void redcc_owner_map_vote(struct partition *partition, const struct range *touch
         redcc_owner_map_end(map);
 }
 
-/* The units that the map needs for what is touched: its own, and more of the same size. False: it
- * has none of the group. */
+/* Computes the units that the map needs to cover the touched range: its units, and more of the same
+ * size. False: it has no units of the group. */
 static bool widen(struct group_map *it, const struct partition *partition, uint32_t group,
                   struct range touched) {
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;

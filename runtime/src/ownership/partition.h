@@ -11,8 +11,8 @@
 #include "redcc/runtime.h"
 #include <assert.h>
 
-/** Is the array scattered, with elements at arbitrary addresses? Memory between them may belong to
- *  others, or be unmapped: only touched bytes may be read or written. */
+/** Is the array scattered, with elements at arbitrary addresses? Memory between these may belong to
+ *  other objects, or be unmapped, so only touched bytes may be read or written. */
 static inline bool redcc_is_scattered(const void *base) {
     return base == NULL;
 }
@@ -20,25 +20,25 @@ static inline bool redcc_is_scattered(const void *base) {
 /** Stealable blocks per share, if any. */
 enum { REDCC_STEALABLE = 2 };
 
-enum { REDCC_OWNERS_MOST = 256 }; /* of a map */
+enum { REDCC_OWNERS_MOST = 256 }; /* maximum number for a map */
 
-/** The part of a map with the owners of a group's units. */
+/** The part of a map for the units of one group. */
 struct group_map {
-    ptrdiff_t first; /* of the units, relative to the group's base */
-    uint32_t begin;  /* in the map */
-    uint32_t count;  /* of units */
-    uint32_t bytes;  /* of a unit, which is a row or several */
+    ptrdiff_t first; /* offset of the first unit from the group's base */
+    uint32_t begin;  /* its index in the map */
+    uint32_t count;  /* number of units */
+    uint32_t bytes;  /* of a unit, which is one row or several */
 };
 
 struct owner_map {
     unsigned char *owner; /* NULL: there is no map */
-    struct group_map *of; /* [array_count] of each group; with the map */
+    struct group_map *of; /* [array_count] for each group */
 };
 
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;
-    uint32_t room; /* allocated for this many owners */
+    uint32_t room; /* memory is allocated for this number of owners */
     uint32_t owners;
     uint32_t stealable; /* in every group of 1 + stealable consecutive owners the first has most,
                          * and the others are stealable blocks: small parts for threads that finish
@@ -50,13 +50,13 @@ struct partition {
                          * beginning of owner o; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */
     uint32_t leader;    /* the group that determines the cuts of the others */
-    struct owner_map map; /* if there is one, it has the owners (shares) instead of the cuts */
-    double share; /* fraction of the iterations of the most loaded owner in the execution for which
-                   * the owners were chosen, if they are kept for later ones; else 0 */
+    struct owner_map map; /* if present, it defines the owners (shares) instead of the cuts */
+    double share; /* if owners are kept for later executions: fraction of the iterations that the
+                   * most loaded owner executed in the first one; otherwise 0 */
 };
 
-/** The part of `amount` for the owners below `owner`: in each share the owner gets 84 %, its
- *  stealable blocks 10 and 6 %. Without stealable blocks all get the same. */
+/** The part of `amount` for all owners below `owner`: in each share the first owner gets 84 %, its
+ *  stealable blocks 10 and 6 %. Without stealable blocks all owners get the same. */
 static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, uint32_t owner,
                                           uint64_t amount) {
     static const uint64_t per_thousand[1 + REDCC_STEALABLE] = {0, 840, 940};
@@ -65,27 +65,27 @@ static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, u
     return (amount * (owner / each) + amount * per_thousand[owner % each] / 1000) / shares;
 }
 
-/** Makes every array a separate group, not yet cut. False: no memory (call redcc_partition_end all
- *  the same). */
+/** Makes every array a separate group, not yet cut. False: out of memory. Call redcc_partition_end
+ * in either case. */
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
 
-/** Moves the owners to the arrays' present places. */
+/** Adapts the owners to the arrays' current addresses. */
 void redcc_partition_move(struct partition *partition, void *const *bases);
 
-/** Makes a single owner of everything. To be cut again for at most the original number of owners,
- *  after setting partition->owners. */
+/** Makes a single owner of everything. It may be cut again, for at most the original number of
+ * owners, after partition->owners is set. */
 void redcc_partition_in_one(struct partition *partition);
 
-/** Makes *whole the partition in one piece; it borrows all but `cut`, which must be freed
- *  separately. False: no memory. */
+/** Makes *whole a partition with one owner. It borrows all memory except `cut`, which must be freed
+ *  separately. False: out of memory. */
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
 
 /** Merges owners[o * (1 + stealable)] and its stealable blocks into one owner, number o. */
 void redcc_partition_join_stealable(struct partition *partition);
 
-/** Gives every owner empty stealable blocks (they own nothing by address). There must be space for
- *  them. */
+/** Gives every owner empty stealable blocks, which own no addresses. There must be room for them.
+ */
 void redcc_partition_add_stealable(struct partition *partition);
 
 /** Removes the map. */
@@ -109,7 +109,7 @@ static inline bool redcc_leads_group(const struct partition *partition, uint32_t
 enum merge_result {
     MERGE_NOTHING, /* no two groups overlap */
     MERGE_DONE,    /* some were merged: their cuts and ranges must be recomputed */
-    MERGE_REFUSED  /* some overlap in such a way that no cut is safe for both */
+    MERGE_REFUSED  /* some overlap such that no cut is between units of both */
 };
 
 /** Merges groups that overlap in touched[group]. Updates touched [array_count]. */

@@ -17,16 +17,16 @@ void redcc_sample_end(struct sample *sample) {
     *sample = (struct sample){0};
 }
 
-/* True for one touch in `in` on average (a power of two); a larger `in` selects a subset. The
- * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, are evenly distributed in
- * every stretch of iterations and of touches (Roberts, The unreasonable effectiveness of
- * quasirandom sequences, 2018); here in units of 2^-64. */
+/* Selects one touch in `in` (a power of two) on average; a larger `in` selects a subset. The
+ * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, are evenly distributed over
+ * every interval of iterations and of touches (Roberts, The unreasonable effectiveness of
+ * quasirandom sequences, 2018). They are computed in units of 2^-64. */
 static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
     const uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     return fraction <= UINT64_MAX / in;
 }
 
-/* The same for `touch` + n of them from now on; returns n. */
+/* The least n such that touch number `touch` + n is selected; `count` if there is none below. */
 static uint32_t first_chosen(uint64_t iteration, uint32_t touch, uint32_t count, uint64_t in) {
     uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
     uint32_t n = 0;
@@ -42,7 +42,7 @@ static bool stays(const struct sample *sample, const struct sampled *item, uint6
 }
 
 size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
-    assert(keep_each >= sample->keep_each); /* what was dropped does not return */
+    assert(keep_each >= sample->keep_each); /* dropped items cannot be restored */
     size_t count = 0;
     if (keep_each == sample->keep_each)
         return sample->count;
@@ -55,7 +55,7 @@ void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
     assert(keep_each >= sample->keep_each && (keep_each & (keep_each - 1)) == 0);
     size_t kept = 0;
     if (keep_each == sample->keep_each)
-        return; /* they were selected in this way already */
+        return; /* the items were selected with this rate */
     for (size_t i = 0; i < sample->count; i++)
         if (stays(sample, &sample->item[i], keep_each))
             sample->item[kept++] = sample->item[i];

@@ -48,7 +48,7 @@ static void enter_slot(struct sets *sets, uint32_t set) {
     sets->slot[at] = set;
 }
 
-/* Keeps the table at most half full. */
+/* Ensures that the hash table is at most half full with one more set. */
 static bool room_for_slot(struct sets *sets) {
     const uint32_t kept = sets->count - (1 + sets->owners);
     if (kept < sets->slots / 2)

@@ -22,14 +22,14 @@ struct sets {
     uint32_t slots; /* a power of two */
 };
 
-/** Begins with the empty set and the sets of one owner. False: no memory (call redcc_sets_end all
- *  the same). */
+/** Begins with the empty set and the sets of one owner. False: out of memory. Call redcc_sets_end
+ * in either case. */
 bool redcc_sets_begin(struct sets *sets, uint32_t owners);
 
 /** Frees its memory. */
 void redcc_sets_end(struct sets *sets);
 
-/** The number of the set of `count` >= 2 owners, ascending. False: no memory. */
+/** *set: the number of the set of `count` >= 2 owners, ascending. False: out of memory. */
 bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t count, uint32_t *set);
 
 static inline uint32_t redcc_set_size(const struct sets *sets, uint32_t set) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The access summary: for the iterations that one thread inspected, in order, spans of consecutive
- * iterations that touch the same set of owners. A method needs no other facts about a loop.
+ * The access summary: the iterations that one thread inspected, in order, as spans of consecutive
+ * iterations that touch the same set of owners. Methods need no other information about a loop.
  */
 #ifndef REDCC_SUMMARY_H
 #define REDCC_SUMMARY_H
@@ -11,7 +11,7 @@
 #include "ownership/sets.h"
 #include <assert.h>
 
-/** Iterations from `begin` (relative to the block's origin) to the next span's. */
+/** Iterations from `begin` (relative to the block's origin) to the next span's `begin`. */
 struct span {
     uint32_t begin;
     uint32_t set;
@@ -37,16 +37,17 @@ struct summary {
     size_t block_capacity;
 };
 
-/** An empty summary for `owners` owners. False: no memory (call redcc_summary_end all the same). */
+/** Makes an empty summary for `owners` owners. False: out of memory. Call redcc_summary_end in
+ * either case. */
 bool redcc_summary_begin(struct summary *summary, uint32_t owners);
 
 /** Frees its memory. */
 void redcc_summary_end(struct summary *summary);
 
-/** The next block covers iterations origin, origin + 1, ... False: no memory. */
+/** Begins a block of iterations origin, origin + 1, ... False: out of memory. */
 bool redcc_summary_open_block(struct summary *summary, redcc_int origin);
 
-/** The block's next `count` >= 1 iterations touch `set`. False: no memory. */
+/** Adds the block's next `count` >= 1 iterations, which touch `set`. False: out of memory. */
 bool redcc_summary_add(struct summary *summary, uint32_t set, redcc_int count);
 
 static inline redcc_int redcc_span_count(const struct summary *summary, const struct block *block,

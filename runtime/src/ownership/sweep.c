@@ -62,8 +62,9 @@ void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner) {
     sweep->current = owner;
 }
 
-/* A touch outside the owned range: of another owner, of several, or outside of the range seen so
- * far. */
+/* Adds a touch outside of the window: of another owner, of several, or outside of the range seen so
+ * far.
+ */
 static void take_stray(struct sweep *sweep, uint32_t group, uintptr_t address, uint32_t bytes) {
     const struct range touch = {address, address + bytes};
     sweep->seen[group] = redcc_range_union(sweep->seen[group], touch);
@@ -89,8 +90,7 @@ static void sort_list(struct sweep *sweep) {
         sort_few(sweep->list, sweep->listed);
         return;
     }
-    uint32_t count = 0; /* many of them: iterates over all owners, and lists those that are
-                         * stamped */
+    uint32_t count = 0; /* the list is long: instead of sorting it, lists all stamped owners */
     for (uint32_t owner = 0; owner < sweep->partition->owners; owner++)
         if (sweep->stamp[owner] == sweep->iteration)
             sweep->list[count++] = owner;
@@ -183,7 +183,7 @@ void redcc_sweep_count(const struct sweep *sweep, redcc_int *executed) {
     }
 }
 
-/* The number of the set's owners if every `each` consecutive ones are merged. */
+/* The number of the set's owners if every `each` consecutive owners are merged. */
 static uint32_t count_joined(const struct sets *sets, uint32_t set, uint32_t each) {
     uint32_t count = 0;
     for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)

@@ -8,16 +8,16 @@
 /* Iterates over a schedule, piece by piece, in the order of execution. */
 struct walk {
     const struct schedule *schedule;
-    size_t chunk; /* the next one */
+    size_t chunk; /* index of the next chunk */
     struct run_reader runs;
     redcc_int origin;
-    redcc_int begin; /* of the rest of the current run */
-    redcc_int count;
+    redcc_int begin; /* the first remaining iteration of the current run */
+    redcc_int count; /* number of remaining iterations of the run */
     uint32_t stage;
     bool checked;
 };
 
-/* Advances to the next run if the current one is used up. False: there is none. */
+/* Advances to the next run if the current one has no iterations left. False: there is none. */
 static bool advance(struct walk *walk) {
     redcc_iterations run;
     while (walk->count == 0) {

@@ -115,7 +115,8 @@ static void copies_begun_by(const struct plan *plan, int thread, int *first, int
         *end = (int)redcc_part_first(count, plan->threads, thread + 1);
         return;
     }
-    if (plan->method->copies == COPY_LATER) { /* the thread's shares, but for the first one */
+    if (plan->method->copies ==
+        COPY_LATER) { /* the thread's shares, except the loop's first share */
         const uint32_t shares = (uint32_t)plan->parameter;
         const uint32_t begin = redcc_part_first(shares, plan->threads, thread);
         *first = plan->threads == 1 || begin == 0 ? 0 : (int)begin - 1;
@@ -167,13 +168,13 @@ bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
     return true;
 }
 
-/* The share of `part` of `parts` in `count` elements: [*first, *end). */
+/* Part number `part` of `count` elements divided into `parts`: [*first, *end). */
 static void share(size_t count, int part, int parts, size_t *first, size_t *end) {
     *first = (size_t)redcc_share((redcc_int)count, parts, part);
     *end = (size_t)redcc_share((redcc_int)count, parts, part + 1);
 }
 
-/* Sets the share of `part` of `parts` to the neutral element. */
+/* Sets part number `part` of `parts` of the copy to the neutral element. */
 static void fill_copy(const struct plan *plan, const struct copy *copy, int part, int parts) {
     for (uint32_t group = 0; group < plan->array_count; group++) {
         if (!copy->memory[group])
@@ -203,7 +204,7 @@ void redcc_copies_fill(const struct plan *plan, int thread) {
         fill_copy(plan, &plan->copies.copy[c], 0, 1);
 }
 
-/* Figure 9 (b): copy after copy, each over this thread's block [from, to) of the group. */
+/* Figure 9 (b) of the paper: adds copy after copy, each over this thread's block of the group. */
 static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
                                const struct element_rule *rule, char *base, struct offsets block) {
     for (int c = 0; c < plan->copies.count; c++) {
@@ -219,8 +220,8 @@ static void merge_copy_by_copy(const struct plan *plan, uint32_t group,
     }
 }
 
-/* Figure 9 (a): element after element, each from all copies, in their order. All of them contain
- * the whole group. */
+/* Figure 9 (a) of the paper: computes element after element from all copies, in their order. All
+ * copies must contain the whole group. */
 static void merge_element_by_element(const struct plan *plan, uint32_t group,
                                      const struct element_rule *rule, char *base,
                                      struct offsets block) {
@@ -250,7 +251,7 @@ void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases)
         if (plan->group_of[group] != group || touched.first >= touched.end)
             continue;
         const struct element_rule *rule = rule_of(&plan->copies.arrays[group]);
-        assert(rule); /* redcc_copies_possible */
+        assert(rule); /* checked by redcc_copies_possible */
         size_t first, end;
         share((size_t)(touched.end - touched.first) / rule->size, thread, plan->threads, &first,
               &end);

@@ -12,8 +12,8 @@ struct plan;
 
 /** A copy of all groups. */
 struct copy {
-    char **memory;        /* [array_count] of group g; NULL: it is not touched */
-    struct offsets *held; /* [array_count] the copied range of group g */
+    char **memory;        /* [array_count] for each group; NULL: the group is not touched */
+    struct offsets *held; /* [array_count] the copied range of each group */
 };
 
 struct copies {
@@ -21,26 +21,26 @@ struct copies {
     uint32_t array_count;
     struct copy *copy; /* [count] */
     const redcc_array *arrays;
-    bool is_neutral; /* COPY_LATER: all elements are, since the last merge */
+    bool is_neutral; /* COPY_LATER: all elements are neutral since the last merge */
 };
 
-/** As many copies as the plan's method needs, without memory for elements yet. False: no memory. */
+/** Makes the copies that the plan's method needs, without memory for elements yet. False: out of
+ *  memory. */
 bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays);
 
 /** Frees their memory. */
 void redcc_copies_end(struct copies *copies);
 
 /** Are private copies possible for the touched ranges of the partition's groups (touched
- *  [array_count])? Not for types without a rule, nor for elements that are out of step with each
- *  other. */
+ *  [array_count])? Not for types without an element_rule, nor if elements of overlapping arrays are
+ * not aligned with each other. */
 bool redcc_copies_possible(const struct partition *partition, const struct range *touched);
 
 /** Bytes of a copy of all touched ranges. */
 size_t redcc_copy_bytes(const struct partition *partition, const struct range *touched);
 
-/** Allocates the copy for which `thread` is the first user, if any; `seen` [array_count] is the
- *  range touched by this thread's iterations, base [array_count] the groups' addresses. False: no
- *  memory. */
+/** Allocates the copies that `thread` uses first, if any; `seen` [array_count] is the range touched
+ * by this thread's iterations, base [array_count] the groups' addresses. False: out of memory. */
 bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
                        const uintptr_t *base);
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* At -O2 gcc vectorises few loops. */
+/* gcc at -O2 vectorises few loops, so it is requested for these. */
 #if defined(__clang__)
 #define VECTORISED
 #else
@@ -16,12 +16,12 @@
 
 enum {
     PIECE = 1024
-}; /* elements that stay in the first cache while all copies are added to them */
+}; /* number of elements that stay in the first-level cache while all copies are added to them */
 
 #define ALWAYS_INLINE static inline __attribute__((__always_inline__))
 
-/* NAME, stored type, neutral element, is `x` neutral (then the element is not written, since
- * perhaps no iteration updated it), `b` combined with `x` */
+/* Rules: NAME; stored type; neutral element; is `x` neutral? (then the element is not written,
+ * since perhaps no iteration updated it); `b` combined with `x` */
 #define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
     X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \
@@ -43,8 +43,8 @@ enum {
       creal(x) == 0 && signbit(creal(x)) && cimag(x) == 0 && signbit(cimag(x)), b + x)             \
     X(T##_PRODUCT, S, 1, creal(x) == 1 && cimag(x) == 0, b * x)
 
-/* A counter that stops at the array's limit (tool/analysis/reduction/saturation.h): a copy has
- * counted x - LOWEST, or comes to the limit from wherever it begins. */
+/* A counter that stops at the array's limit (tool/analysis/reduction/saturation.h). A copy starts
+ * at LOWEST, so x - LOWEST is its number of increments, and the sum is limited. */
 #define COUNTER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
     X(T##_SATURATING, S, LOWEST, x == LOWEST || *to >= (S)limit,                                   \
       (U)((U)x - (U)LOWEST) >= (U)((U)limit - (U)b) ? (S)limit : (S)(U)((U)b + (U)x - (U)LOWEST))
@@ -94,7 +94,7 @@ enum {
             for (size_t copy = 0; copy < copies; copy++)                                           \
                 bring_##NAME(&element[i], ((const TYPE *)from[copy])[i], limit);                   \
     }                                                                                              \
-    /* One copy of one piece. */                                                                   \
+    /* Drains one piece of one copy. */                                                            \
     VECTORISED static void drain_piece_##NAME(TYPE *restrict to, TYPE *restrict from,              \
                                               size_t count, redcc_word limit) {                    \
         (void)limit;                                                                               \
@@ -123,7 +123,7 @@ enum {
             for (size_t i = 0; i < count; i++) {                                                   \
                 TYPE *const to = &row[i];                                                          \
                 const TYPE b = *to, x = records[k * count + i];                                    \
-                if (count == 1 || !(IS_NEUTRAL)) /* perhaps no iteration has updated it */         \
+                if (count == 1 || !(IS_NEUTRAL)) /* neutral: perhaps no iteration updated it */    \
                     *to = COMBINED;                                                                \
             }                                                                                      \
         }                                                                                          \
@@ -142,7 +142,7 @@ ALL_RULES(DEFINE_APPLY)
 
 enum { OPERATORS = REDCC_XOR + 1, NUMBERED = OPERATORS * (REDCC_OTHER_TYPE + 1) };
 
-/* REDCC_DOUBLE and REDCC_SUM from DOUBLE_SUM: one enumerator for each pair. */
+/* An enumerator PAIR_DOUBLE_SUM, ... for each pair of type and operator. */
 #define PAIRS(T)                                                                                   \
     PAIR_##T##_SUM = REDCC_##T * OPERATORS + REDCC_SUM,                                            \
     PAIR_##T##_PRODUCT = REDCC_##T * OPERATORS + REDCC_PRODUCT,                                    \

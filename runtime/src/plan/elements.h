@@ -3,8 +3,8 @@
  * Operations of private copies for each operator and type: the neutral element, and the merge of a
  * copy into the array. Integers are combined as unsigned numbers, so that nothing overflows.
  *
- * An element of a copy that still has the neutral value is skipped. So nothing is written where no
- * iteration updated: an array of structures has other data between its rows.
+ * An element of a copy that still has the neutral value is skipped, so that only updated elements
+ * are written: an array of structures has other data between its rows.
  */
 #ifndef REDCC_ELEMENTS_H
 #define REDCC_ELEMENTS_H
@@ -17,17 +17,17 @@ struct element_rule {
     size_t size; /* bytes of an element */
     /** Sets `count` elements to the neutral element. */
     void (*fill)(void *to, size_t count);
-    /** to[i] = to[i] op from[i]: figure 9 (b) of the paper does this copy by copy. limit: the
+    /** to[i] = to[i] op from[i], for a merge copy by copy (figure 9 (b) of the paper). limit: the
      *  array's. */
     void (*merge)(void *to, const void *from, size_t count, redcc_word limit);
-    /** to[i] = to[i] op from[0][i] op from[1][i] ...: figure 9 (a), element by element. */
+    /** to[i] = to[i] op from[0][i] op from[1][i] ..., element by element (figure 9 (a)). */
     void (*merge_all)(void *to, const void *const *from, size_t copies, size_t count,
                       redcc_word limit);
-    /** As merge_all, where every element is the array's: none is skipped, and the copies are
-     * neutral again afterwards. */
+    /** As merge_all, if all memory belongs to the array: no element is skipped. Makes the copies
+     * neutral again. */
     void (*drain)(void *to, void *const *from, size_t copies, size_t count, redcc_word limit);
-    /** Applies records of `count` elements each to rows of the same length, in order; NULL: such
-     *  updates have no records. */
+    /** Applies records of `count` elements each to rows of the same length, in order; NULL: not
+     *  supported. */
     void (*apply)(const redcc_applied *applied, size_t count);
 };
 

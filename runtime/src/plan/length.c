@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 
-/* A thread's position. */
+/* A thread's position in its schedule. */
 struct place {
     size_t chunk;
     redcc_int time;
@@ -19,7 +19,7 @@ static redcc_int iterations_of(const struct schedule *schedule, const struct chu
     return sum;
 }
 
-/* The least loaded thread takes the next stealable schedule. */
+/* The makespan with work stealing: the least loaded thread takes the next stealable schedule. */
 static redcc_int length_with_stealing(const struct plan *plan, struct place *place) {
     redcc_int length = 0;
     for (int thread = 0; thread < plan->threads; thread++)
@@ -43,7 +43,7 @@ static redcc_int most_iterations(const struct plan *plan, int first, int end) {
     return most;
 }
 
-/* The team's threads synchronise after each stage. */
+/* The makespan of a team, whose threads synchronise after each stage. */
 static redcc_int length_of_team(const struct plan *plan, int team, struct place *place) {
     const int first = redcc_team_first(plan->threads, plan->teams.count, team);
     const int end = redcc_team_first(plan->threads, plan->teams.count, team + 1);
@@ -65,8 +65,8 @@ static redcc_int length_of_team(const struct plan *plan, int team, struct place 
     return length;
 }
 
-/* Executes a thread's chunks up to the first that waits for a lowered flag. up [flags]: 1 + the
- * time at which each was raised; 0: not yet. Returns whether it advanced. */
+/* Simulates a thread's chunks up to the first that waits for a lowered flag. up [flags]: 1 + the
+ * time at which a flag was raised; 0: not yet. Returns whether it advanced. */
 static bool advance(const struct schedule *schedule, struct place *place, redcc_int *up) {
     const size_t before = place->chunk;
     for (; place->chunk < schedule->chunk_count; place->chunk++) {

@@ -5,8 +5,8 @@
 #include "plan/plan.h"
 
 /** The makespan of the plan, in iterations of equal length, without other costs; includes idle time
- *  at the end of a stage, or while a task's flag is awaited. Valid once the stages are numbered.
- *  Without memory for the computation: the largest number of iterations of a thread. */
+ *  at the end of a stage, or while a task's flag is awaited. The stages must be numbered. If out of
+ *  memory, returns the largest number of iterations of a thread. */
 redcc_int redcc_plan_length(const struct plan *plan);
 
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A reduction method: distributes the iterations of a loop among threads, given the access summary.
- * methods/ has one file for each, methods/list.c the list; docs/methods.md describes them.
+ * methods/ has one file per method, methods/list.c the list; docs/methods.md describes them.
  *
- * A method decides what each thread executes (prepare) and whether threads write to copies; the
- * executor (execute/executor.c) does the rest for all of them: chunks, stages, barriers, merges.
+ * A method determines what each thread executes (prepare) and whether threads write to copies. The
+ * executor (execute/executor.c) does the rest for all methods: chunks, stages, barriers, merges.
  */
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
@@ -25,35 +25,35 @@ struct evidence {
                                            * touches */
     int threads;
     redcc_int trip;
-    const struct levels *levels; /* if the method is in_levels */
-    bool every_iteration;        /* iterations that touch nothing must be executed as well */
+    const struct levels *levels; /* if the method has in_levels */
+    bool every_iteration;        /* iterations that touch nothing must be executed, too */
 };
 
 enum copy_kind {
     COPY_NONE,
     COPY_WHOLE,   /* each thread has a copy of everything touched */
     COPY_TOUCHED, /* each thread has a copy of the range that its iterations touch */
-    COPY_TEAM,    /* each team but the first, which writes in place, has a copy of everything */
+    COPY_TEAM,    /* each team except the first, which writes in place, has a copy of everything */
     COPY_SHARE,   /* each of `parameter` equal shares of the iterations has a copy of everything */
-    COPY_LATER /* the same, but the first share writes in place. What lies between touched elements
-                * belongs to the arrays, too. A single thread has one copy for all later shares */
+    COPY_LATER /* the same, but the first share writes in place. All memory between touched elements
+                * must belong to the arrays. A single thread has one copy for all later shares */
 };
 
 struct method {
     const char *name;      /* the literature's name; value of REDCC_METHOD */
-    const char *alias;     /* OPTIONAL; an older name that REDCC_METHOD accepts as well */
-    const char *parameter; /* "a|b", "N": what may follow after a colon; NULL: nothing */
+    const char *alias;     /* OPTIONAL; an older name that REDCC_METHOD also accepts */
+    const char *parameter; /* the parameter after a colon, as "a|b" or "N"; NULL: none */
 
     /* Promises */
-    redcc_order keeps;     /* the strongest order of its results. SERIAL also means that each
-                            * element's contributions are added in the order of the loop, as loops
-                            * with REDCC_ORDER_NEEDED require; a method that keeps FIXED is also
-                            * used with one thread */
-    enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
+    redcc_order keeps;     /* the strongest order that its results satisfy. SERIAL also means that
+                            * each element's contributions are added in the order of the loop, as
+                            * REDCC_ORDER_NEEDED requires. A method with FIXED is also used with one
+                            * thread */
+    enum copy_kind copies; /* all kinds except COPY_NONE require an element_rule for each array */
 
     bool by_graph;  /* owners are cut from the graph of a complete access log (inspect/logging.c,
                      * ownership/graph/divide.h); by address if that is impossible */
-    bool in_levels; /* iterations are put in levels by such a log (ownership/graph/levels.h) */
+    bool in_levels; /* iterations are assigned to levels by such a log (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
     bool in_bins;   /* it needs neither inspection nor plan: updates are recorded, and applied bin
                      * by bin (bins/binning.h) */
@@ -64,16 +64,16 @@ struct method {
     bool steals; /* each thread's owner has REDCC_STEALABLE stealable blocks, which threads that
                   * finish early execute. The function `owners` below is then ignored */
 
-    /** REQUIRED with parameter: its value from the text after the colon; 0: invalid. */
+    /** REQUIRED with `parameter`: parses the text after the colon; 0: invalid. */
     int (*parse)(const char *text);
     /** OPTIONAL; the text of a value that is neither a number nor a letter. */
     const char *(*spell)(int parameter);
-    /** The value without a colon. */
+    /** The parameter's default value. */
     int usual;
 
-    /** OPTIONAL; the number of teams of threads, 1 to `threads`. Without it: 1. */
+    /** OPTIONAL; the number of teams of threads, 1 to `threads`. Default: 1. */
     int (*teams)(int threads, int parameter);
-    /** OPTIONAL; the number of owners for which the arrays are cut. Without it: `threads`. */
+    /** OPTIONAL; the number of owners for which the arrays are cut. Default: `threads`. */
     uint32_t (*owners)(int threads, int parameter);
     /** OPTIONAL; the number of flags by which its tasks synchronise. */
     uint32_t (*flags)(uint32_t owners);
@@ -84,7 +84,7 @@ struct method {
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
-/** Do its threads find what they execute during the execution? */
+/** Do its threads find their work during execution, so that the plan has no schedules? */
 static inline bool redcc_goes_without_schedules(const struct method *method) {
     return method->selects || method->tiles;
 }
@@ -102,7 +102,8 @@ static inline enum way redcc_way_of(const struct method *method) {
 #include "plan/methods.def"
 #undef METHOD
 
-/** Not for REDCC_METHOD, since few loops have sections (choose/sections.h). */
+/** A method that REDCC_METHOD does not accept, since few loops have sections (choose/sections.h).
+ */
 extern const struct method redcc_method_sections;
 
 /** All methods; the last entry is NULL. */
@@ -113,11 +114,11 @@ static inline bool redcc_is_serial(const struct method *method) {
     return method && !method->prepare && !method->in_bins;
 }
 
-/** Do the first `length` letters of `text` name the method? */
+/** Are the first `length` characters of `text` the method's name or alias? */
 bool redcc_method_is_named(const struct method *method, const char *text, size_t length);
 
-/** Does the last iteration touch nothing? One thread executes it all the same, for the last values
- *  of the variables that it sets. */
+/** Does the last iteration touch nothing? Then one thread must execute it nevertheless, for
+ * live-out variables. */
 static inline bool redcc_last_touches_nothing(const struct evidence *evidence) {
     for (int thread = evidence->threads - 1; thread >= 0; thread--) {
         const struct summary *summary = evidence->summary[thread];

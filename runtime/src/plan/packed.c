@@ -12,15 +12,16 @@
  *     gap << 6 | count_and_check      gap < 2^10, 2 <= count_and_check < 2^6
  *
  * where gap is the number of iterations between the preceding run (or the chunk's origin) and this
- * one; a longer run is a word 0, then gap and count_and_check in two words each, the lower one
- * first. Gaps are modulo 2^32: tasks of one chunk may go back. */
+ * one. A longer run is a word 0, then gap and count_and_check in two words each, the lower one
+ * first. Gaps are modulo 2^32, because the next task of a chunk may begin at an earlier iteration.
+ */
 enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
 
 static bool is_short(redcc_u32 gap, redcc_iterations run) {
     return gap < GAPS && run.count_and_check < COUNTS;
 }
 
-/* Packs the chunk's runs at `to`, or only counts if that is NULL; returns the number of words. */
+/* Packs the chunk's runs at `to`, or only counts if `to` is NULL; returns the number of words. */
 static size_t pack_chunk(const struct schedule *schedule, const struct chunk *chunk, uint16_t *to) {
     size_t words = 0;
     redcc_u32 at = 0;
@@ -92,20 +93,20 @@ static size_t copy_runs(struct run_reader *reader, redcc_iterations *to, size_t 
 #endif
 
 #ifdef BY_FOUR
-/* Is none of four words the beginning of a longer run? */
+/* Are four words four short runs, that is, is none of them the 0 before a longer run? */
 static bool all_are_short(const uint16_t *word) {
     const uint64_t each = 0x0001000100010001u;
     uint64_t counts;
     memcpy(&counts, word, sizeof counts);
     counts &= each * (COUNTS - 1);
-    return ((counts - each) & each << 15) == 0; /* only 0 - 1 reaches the top bit */
+    return ((counts - each) & each << 15) == 0; /* only 0 - 1 sets the top bit */
 }
 
 typedef uint16_t four_words __attribute__((vector_size(8)));
 typedef uint32_t four __attribute__((vector_size(16)));
 
-/* Reads four runs of a word each, the first of which follows iteration at[0] (all of `at` are
- * equal). */
+/* Reads four runs of one word each; `at` (four equal values) is the iteration that the first gap is
+ * relative to. */
 static four read_four(const uint16_t *word, redcc_iterations *to, four at) {
     const four none = {0, 0, 0, 0};
     four_words words;
@@ -145,7 +146,7 @@ static size_t read_short(const struct run_reader *reader, const redcc_iterations
 }
 #endif
 
-/* A run of one word or of five. */
+/* Reads a run of one word or of five. */
 static redcc_iterations read_run(struct run_reader *reader) {
     const uint16_t *word = reader->word;
     const bool brief = *word & (COUNTS - 1);
@@ -175,7 +176,7 @@ static redcc_u32 length_of(redcc_iterations run) {
     return run.count_and_check / 2;
 }
 
-/* The next run, or the rest of one. False: there is none. */
+/* Reads the next run, or returns the rest of a split one. False: there is none. */
 static bool read_next(struct run_reader *reader, redcc_iterations *to) {
     *to = reader->rest;
     reader->rest = (redcc_iterations){0, 0};
@@ -187,7 +188,7 @@ static bool read_next(struct run_reader *reader, redcc_iterations *to) {
     return true;
 }
 
-/* Leaves all but the first `count` iterations to the reader. */
+/* Returns the run's first `count` iterations; the reader keeps the rest. */
 static redcc_iterations split(struct run_reader *reader, redcc_iterations run, redcc_u32 count) {
     const redcc_u32 checked = run.count_and_check & 1;
     reader->rest = (redcc_iterations){run.begin + count, run.count_and_check - 2 * count};

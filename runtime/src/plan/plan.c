@@ -148,8 +148,8 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_give(plan);
 }
 
-/* The lowest stage >= `from` in which some thread of the team has chunks; UINT32_MAX: none. `at`
- * [threads] is how far each thread's chunks are already numbered. */
+/* The lowest stage >= `from` in which some thread of the team has chunks; UINT32_MAX: none. at
+ * [threads]: index of each thread's first chunk that is not renumbered yet. */
 static uint32_t next_stage(const struct plan *plan, int first, int end, const size_t *at) {
     uint32_t lowest = UINT32_MAX;
     for (int thread = first; thread < end; thread++) {
@@ -179,7 +179,7 @@ static void number_stages(struct plan *plan, int team) {
         }
         plan->teams.stages[team]++;
     }
-    if (!at) /* no memory: unchanged, with the empty ones */
+    if (!at) /* out of memory: keeps the numbers, including empty stages */
         for (int thread = first; thread < end; thread++) {
             const struct schedule *schedule = &plan->schedule[thread];
             const size_t count = schedule->chunk_count;
@@ -216,7 +216,7 @@ void redcc_plan_finish(struct plan *plan) {
     for (int team = 0; team < plan->teams.count && !plan->method->steals; team++)
         number_stages(plan, team);
     if (plan->method->steals)
-        plan->teams.stages[0] = 1; /* in any order */
+        plan->teams.stages[0] = 1; /* stealable schedules have no order */
     plan->executed = 0;
     for (uint32_t s = 0; s < plan->schedules; s++)
         plan->executed += plan->schedule[s].iterations;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A plan: which thread executes which iterations of a loop, and where they write. All addresses in
- * it are relative to the arrays' first elements, so that it is valid for other arrays with the same
- * subscripts.
+ * A plan: the iterations that each thread executes, and whether it writes to arrays or copies. All
+ * addresses in it are relative to the arrays' first elements, so that it is valid for other arrays
+ * with the same subscripts.
  */
 #ifndef REDCC_PLAN_H
 #define REDCC_PLAN_H
@@ -22,7 +22,7 @@ struct rounding;
 /** Teams of threads, which synchronise after each stage. */
 struct teams {
     int count;
-    uint32_t *stages;        /* [count] number of each team's stages */
+    uint32_t *stages;        /* [count] each team's number of stages */
     struct barrier *barrier; /* [count] */
 };
 
@@ -34,31 +34,33 @@ struct plan {
     redcc_int trip;
     uint32_t array_count;
     uint32_t owners;
-    uint32_t *group_of;      /* [array_count] as partition.group_of */
-    ptrdiff_t *shift;        /* [array_count] bytes from its group's base to its own */
-    struct offsets *touched; /* [array_count] of each group, relative to its base */
-    ptrdiff_t *bound;        /* [array_count * (owners + 1)] owner o of group g writes from bound[g
-                              * * (owners + 1) + o] up to the next, relative to its base; unused
-                              * with a map */
+    uint32_t *group_of; /* [array_count] as partition.group_of */
+    ptrdiff_t *shift;   /* [array_count] bytes from its group's base to its own */
+    struct offsets
+        *touched;     /* [array_count] the touched range of each group, relative to its base */
+    ptrdiff_t *bound; /* [array_count * (owners + 1)] owner o of group g has the bytes from
+                       * bound[g * (owners + 1) + o] to the next bound, relative to the group's
+                       * base; unused with a map */
     struct owner_map map;
-    struct schedule *schedule; /* [schedules] of each thread; with stealable blocks of each owner */
+    struct schedule
+        *schedule; /* [schedules] for each thread; with stealable blocks, for each owner */
     uint32_t schedules;
-    struct flags *flags;       /* of tasks; NULL: there are none */
-    unsigned round;            /* of this execution: the value of a raised flag */
-    struct rounding *rounding; /* [array_count] of each group, of compensated sums; or NULL */
+    struct flags *flags;       /* flags of tasks; NULL: there are none */
+    unsigned round;            /* counts executions: the value of a raised flag */
+    struct rounding *rounding; /* [array_count] for each group, with compensated sums; or NULL */
     struct copies copies;
     redcc_int executed; /* iterations, counting replicated ones */
-    redcc_int length;   /* its makespan, in iterations (length.h) */
+    redcc_int length;   /* the makespan, in iterations (length.h) */
 };
 
-/** The schedule that a thread begins with; it also fills the stealable ones after it, if any. */
+/** The index of a thread's own schedule; its stealable schedules, if any, follow. */
 static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
     assert(0 <= thread && thread < plan->threads);
     return (uint32_t)thread * (plan->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/** The stealable schedule that is claimed after `claimed` others: first those of all threads that
- *  come first, which are the largest, then the second. UINT32_MAX: all are claimed. */
+/** The stealable schedule that is taken after `claimed` others: first the first one of each thread,
+ *  which are the largest, then the second ones. UINT32_MAX: all are taken. */
 static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_t claimed) {
     const uint32_t threads = (uint32_t)plan->threads;
     if (claimed >= plan->schedules - threads)
@@ -75,23 +77,22 @@ static inline int redcc_team_first(int threads, int teams, int team) {
 /** The team of a thread. */
 int redcc_team_of(int threads, int teams, int thread);
 
-/** An empty plan for `trip` iterations and the partition; group g is touched in touched[g];
- *  compensated: with storage for rounding errors. NULL: no memory. */
+/** Makes an empty plan for `trip` iterations and the partition; group g is touched in touched[g];
+ *  compensated: with storage for rounding errors. NULL: out of memory. */
 struct plan *redcc_plan_new(const struct method *method, int parameter, int threads, redcc_int trip,
                             const struct partition *partition, const struct range *touched,
                             bool compensated);
 
-/** From now on owners are assigned per unit, as divided; the plan takes the map of `divide`. False:
- *  no memory. */
+/** Takes over the map of `divide`, which assigns an owner to each unit. False: out of memory. */
 bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
                          struct divide *divide);
 
-/** The same by the partition's map, if it has one that can be extended to all that is touched. */
+/** The same with the partition's map, if it has one that can be extended to the touched ranges. */
 void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
                            const struct range *touched);
 
-/** After an execution for which threads found their iterations: keeps the partition with the plan's
- *  map while the most loaded thread executes no larger share than at first, by a 16th. */
+/** After an execution in which threads found their iterations: keeps the partition with the plan's
+ * map for later executions, unless the most loaded thread's share has grown by more than a 16th. */
 void redcc_plan_keep_owners(struct plan *plan, struct partition *partition);
 
 /** Frees a plan; NULL does nothing. */
@@ -101,7 +102,7 @@ void redcc_plan_free(struct plan *plan);
  *  the executed iterations. */
 void redcc_plan_finish(struct plan *plan);
 
-/** Bytes it takes, including copies. */
+/** The bytes of the plan, including copies. */
 size_t redcc_plan_bytes(const struct plan *plan);
 
 /** The largest number of a team's stages. */

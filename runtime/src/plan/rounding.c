@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "plan/plan.h"
 
-/* Can array `array` be its group's, or lie within it in step? */
+/* Is the array its group's first, or aligned with it, element by element? */
 static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
                  uint32_t array) {
     const redcc_array *it = &arrays[array], *lead = &arrays[group];

@@ -13,11 +13,11 @@ struct plan;
 
 /** Rounding errors of a group's elements. */
 struct rounding {
-    double *value;    /* of each touched element; NULL: the group is not compensated */
-    double *before;   /* of each element being updated: its previous value */
-    size_t count;     /* of elements */
-    ptrdiff_t offset; /* of the first one, relative to the group's base */
-    char *first;      /* its address in this execution */
+    double *value;  /* [count] error of each touched element; NULL: the group is not compensated */
+    double *before; /* [count] previous value of an element during its update */
+    size_t count;   /* number of elements */
+    ptrdiff_t offset; /* of the first element from the group's base */
+    char *first;      /* address of the first element in this execution */
     redcc_type type;  /* REDCC_FLOAT or REDCC_DOUBLE */
 };
 
@@ -27,14 +27,14 @@ static inline size_t redcc_rounding_element(redcc_type type) {
     return type == REDCC_FLOAT ? sizeof(float) : sizeof(double);
 }
 
-/** Allocates the errors for the plan's groups that are sums of floats or doubles. False: no
+/** Allocates the errors for the plan's groups that are sums of floats or doubles. False: out of
  *  memory. */
 bool redcc_rounding_new(struct plan *plan, const redcc_array *arrays);
 
-/** Frees them. */
+/** Frees the errors. */
 void redcc_rounding_free(struct plan *plan);
 
-/** Bytes they take. */
+/** The bytes of the errors. */
 size_t redcc_rounding_bytes(const struct plan *plan);
 
 #endif

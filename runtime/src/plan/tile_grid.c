@@ -4,9 +4,9 @@
 #include <assert.h>
 
 enum {
-    BANDS_OF_A_THREAD = 16, /* the last bands leave a thread without work for half a band */
-    LEAST_SIDE = 16,        /* handing over a tile of 16 x 16 pairs takes a tenth of its time */
-    USUAL_SIDE = 128        /* rows and columns of a tile stay in a core's first cache */
+    BANDS_OF_A_THREAD = 16, /* least number, since threads are idle for half a band at the end */
+    LEAST_SIDE = 16, /* synchronisation takes a tenth of the time of a tile of 16 x 16 pairs */
+    USUAL_SIDE = 128 /* rows and columns of a tile stay in a core's first-level cache */
 };
 
 redcc_int redcc_tile_side;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How a loop over pairs is cut into tiles, which execute/tiles.h draws. */
+/** The division of a loop over pairs into tiles, which execute/tiles.h draws. */
 #ifndef REDCC_PLAN_TILE_GRID_H
 #define REDCC_PLAN_TILE_GRID_H
 
@@ -10,13 +10,13 @@
 
 enum {
     TILES_MOST_BANDS = 8192,
-    TILE_FLAG_WORDS = 16 /* from one band's flag to the next: a cache line */
+    TILE_FLAG_WORDS = 16 /* words per band's flag: a cache line */
 };
 
 /** For tests: rows of a band; 0: the best number. */
 extern redcc_int redcc_tile_side;
 
-/** How a loop is cut. */
+/** The division of a loop into tiles. */
 struct tile_grid {
     redcc_int trip;
     redcc_int side; /* rows of a band, columns of a block */
@@ -24,7 +24,7 @@ struct tile_grid {
     bool below; /* columns are below their rows */
 };
 
-/** Can a loop of so many iterations be cut? */
+/** Can a loop with this number of iterations be divided into tiles? */
 static inline bool redcc_can_be_tiled(redcc_int trip) {
     return trip <= (redcc_int)TILES_MOST_BANDS * REDCC_TILE_ROWS;
 }

@@ -9,12 +9,12 @@
 
 enum { LANES = 8, STRIPE = LANES * 8 };
 
-/* Odd constants with well-mixed bits: the golden ratio's, and primes of xxHash. */
+/* Odd constants with well-mixed bits: from the golden ratio, and primes of xxHash. */
 #define FIRST 0x9e3779b97f4a7c15u
 #define SECOND 0xc2b2ae3d27d4eb4fu
 #define THIRD 0x165667b19e3779f9u
 
-/* A secret of this process and its children. */
+/* The secret key of this process and its children. */
 static uint64_t key[REDCC_WIDE_KEYS];
 
 static void make_key(void) {
@@ -70,7 +70,7 @@ static uint64_t mix(uint64_t value) {
     return value ^ value >> 32;
 }
 
-/* Hashes all whole blocks; returns their number of bytes. */
+/* Hashes all whole blocks by AVX2, if available; returns the number of bytes hashed. */
 static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t bytes) {
     if (bytes < REDCC_WIDE_BLOCK || !redcc_has_wide())
         return 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * A 128-bit hash of a piece of memory, at memory speed. A plan is reused if the fingerprints of its
- * subscripts are unchanged. The hash is keyed with a secret of the process, so that no colliding
- * contents can be prepared in advance.
+ * subscripts are unchanged. The hash is keyed with a secret of the process, so that nobody can
+ * prepare colliding contents in advance.
  */
 #ifndef REDCC_FINGERPRINT_H
 #define REDCC_FINGERPRINT_H
@@ -18,7 +18,7 @@ struct fingerprint {
 /** The fingerprint of `bytes` bytes at `data`. */
 struct fingerprint redcc_fingerprint(const char *data, size_t bytes);
 
-/** The fingerprint of a whole, from those of its parts in order (count >= 0). */
+/** The fingerprint of memory from the fingerprints of its parts in order (count >= 0). */
 struct fingerprint redcc_fingerprint_join(const struct fingerprint *parts, int count);
 
 static inline bool redcc_fingerprint_equal(struct fingerprint a, struct fingerprint b) {

@@ -28,7 +28,7 @@ WIDE __m256i other(__m256i words) {
     return _mm256_shuffle_epi32(words, 0x4e);
 }
 
-/* A bijection: no lane loses a difference. */
+/* Mixes a lane by a bijection, so that no difference is lost. */
 WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
     const __m256i odd = _mm256_set1_epi64x(0x9e3779b1);
     const __m256i mixed =
@@ -37,10 +37,10 @@ WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
     return _mm256_add_epi64(_mm256_mul_epu32(mixed, odd), _mm256_slli_epi64(high, 32));
 }
 
-/* As in XXH3 (Y. Collet, xxHash's specification), a lane adds the product of a word's halves under
- * a key of the stripe and, so that no single change is lost, the neighbouring word unchanged. Only
- * the products detect swapped words: so each half is also multiplied with a half of another
- * word. */
+/* As in XXH3 (Y. Collet, xxHash's specification), a lane adds the product of the halves of a word
+ * combined with the stripe's key and, so that no single change is lost, the neighbouring word
+ * unchanged. Only the products detect swapped words, so each half is also multiplied by a half of
+ * another word. */
 __attribute__((target("avx2"))) void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES],
                                                         const char *data, size_t blocks,
                                                         const uint64_t key[REDCC_WIDE_KEYS]) {

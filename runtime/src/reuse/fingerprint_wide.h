@@ -9,11 +9,11 @@
 
 enum { REDCC_WIDE_BLOCK = 1024, REDCC_WIDE_LANES = 16, REDCC_WIDE_KEYS = 24 };
 
-/** Does the processor support it? Always the same answer. */
+/** Does the processor support it? The answer never changes. */
 bool redcc_has_wide(void);
 
-/** Hashes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. With knowledge of the
- *  key, collisions can be constructed. Only if redcc_has_wide(). */
+/** Hashes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. Requires
+ * redcc_has_wide(). With knowledge of the key, collisions can be constructed. */
 void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks,
                         const uint64_t key[REDCC_WIDE_KEYS]);
 

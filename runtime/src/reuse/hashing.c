@@ -11,7 +11,8 @@ bool redcc_is_small(struct reading reading) {
     return redcc_range_bytes(reading.range) <= SMALL;
 }
 
-/* The share's first byte and size: whole stripes except for the last one. */
+/* The thread's share: its first byte, and *count, its size. All shares except the last are whole
+ * stripes. */
 static const char *share_of(struct reading reading, const struct hasher *hasher, size_t *count) {
     const size_t bytes = redcc_range_bytes(reading.range);
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
@@ -22,7 +23,7 @@ static const char *share_of(struct reading reading, const struct hasher *hasher,
     return (const char *)reading.range.first + first;
 }
 
-/* Continues in whole pieces to `part` of the share; 1: to its end. */
+/* Continues the hash, in whole pieces, up to the fraction `part` of the share; 1: to its end. */
 static void hash_up_to(struct partial_hash *partial, const struct hasher *hasher, double part) {
     size_t count;
     const char *const share = share_of(partial->reading, hasher, &count);
@@ -88,7 +89,7 @@ void redcc_hash_rest(struct hasher *hasher, const struct request *request,
                 hasher->fingerprint[s] = redcc_reading_fingerprint(reading);
             continue;
         }
-        if (!redcc_readings_equal(partial->reading, reading)) /* now all ranges are known */
+        if (!redcc_readings_equal(partial->reading, reading)) /* the range is different now */
             *partial = (struct partial_hash){.reading = reading};
         hash_up_to(partial, hasher, 1);
         hasher->fingerprint[s] = partial->so_far;
@@ -103,7 +104,7 @@ struct fingerprint redcc_hash_joined(struct hasher *const *hasher, int threads, 
     int count = 1;
     for (int thread = 0; thread < threads; thread++) {
         part[count++] = hasher[thread]->fingerprint[source];
-        if (count > AT_ONCE) { /* what is already hashed, then the next ones */
+        if (count > AT_ONCE) { /* joins the shares so far, to continue with the next ones */
             part[0] = redcc_fingerprint_join(part, count);
             count = 1;
         }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Fingerprints of the subscripts, each thread hashing its share. This is done piece by piece during
- * the inspection, following the thread's iterations: a loop mostly reads its subscripts in the
- * order of its iterations, so they are still in the caches.
+ * Computes fingerprints of the subscripts; each thread hashes a share. This is done piece by piece
+ * during the inspection, behind the thread's iterations: most loops read their subscripts in the
+ * order of the iterations, so that these are still in the caches.
  */
 #ifndef REDCC_HASHING_H
 #define REDCC_HASHING_H
@@ -12,8 +12,8 @@
 
 /** A partial hash: the fingerprint of the hashed span of a thread's share of a source. */
 struct partial_hash {
-    struct reading reading; /* of this source range; empty: none yet */
-    size_t taken;           /* hashed span, in bytes */
+    struct reading reading; /* the source's range; empty: none yet */
+    size_t taken;           /* length of the hashed span, in bytes */
     struct fingerprint so_far;
 };
 
@@ -21,8 +21,8 @@ struct partial_hash {
 struct hasher {
     int thread;
     int threads;
-    struct fingerprint *fingerprint; /* [source_count] of this thread's share */
-    struct partial_hash *partial;    /* [source_count] while all iterations are recorded */
+    struct fingerprint *fingerprint; /* [source_count] of this thread's share of each source */
+    struct partial_hash *partial;    /* [source_count] during the sweep */
 };
 
 /** Is a source so small that every thread hashes all of it rather than its share? That costs less
@@ -32,13 +32,13 @@ bool redcc_is_small(struct reading reading);
 /** The fingerprint of the thread's share of the range. */
 struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading reading);
 
-/** Called before the thread's iterations are recorded. Returns the bytes of its share that will be
- *  hashed meanwhile, of sources with a known range (sources [source_count]). */
+/** Called before the thread's iterations are recorded. Returns the number of bytes that will be
+ * hashed while they are: its shares of sources with a known range (sources [source_count]). */
 size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
                         const struct range *sources);
 
-/** The thread has recorded this fraction of its iterations, 0 to 1: hashes the same fraction of
- *  these sources. */
+/** Called when the thread has recorded this fraction of its iterations, 0 to 1: hashes the same
+ * fraction of its shares. */
 void redcc_hash_some(struct hasher *hasher, const redcc_loop *loop, double part);
 
 /** Hashes the rest of this thread's share of all subscripts, into hasher->fingerprint. */

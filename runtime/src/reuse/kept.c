@@ -11,8 +11,8 @@
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
 
-/* Sets sources [source_count] to the sources' ranges, if these are known in the same way as
- * before. */
+/* Sets sources [source_count] to the sources' ranges. False if the ranges of other sources are
+ * known than in the call for which the plan was built. */
 static bool sources_fit(const struct kept_plan *kept, const struct request *request,
                         struct range *sources) {
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
@@ -40,8 +40,9 @@ static struct range place_of(const struct plan *plan, const struct request *requ
     return (struct range){base + (uintptr_t)touched.first, base + (uintptr_t)touched.end};
 }
 
-/* Are the arrays' relative positions those for which the plan was built: groups contiguous, and
- * disjoint? Sets written [array_count] to their ranges. */
+/* Are the arrays' relative positions those for which the plan was built? The arrays of a group must
+ * have the same distances, and groups must be disjoint. Sets written [array_count] to the groups'
+ * ranges. */
 static bool arrays_fit(const struct plan *plan, const struct request *request,
                        struct range *written) {
     for (uint32_t a = 0; a < plan->array_count; a++) {
@@ -98,9 +99,9 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
     return hash ^ hash >> 31;
 }
 
-/* A hash of a few words of a subscript whose range the call gives; 0: it does not. */
+/* A hash of a few words of a subscript; 0 if the call does not give its range. */
 static uint64_t sample_source(redcc_source source, redcc_extent known) {
-    enum { WORDS = 32 }; /* some 3 microseconds if none is in the caches */
+    enum { WORDS = 32 }; /* takes some 3 microseconds if none is in the caches */
     uint64_t hash = 0;
     if (!(source.flags & REDCC_IS_SUBSCRIPT) || !known.end ||
         known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
@@ -140,7 +141,7 @@ static unsigned bit_of(const struct kept_plan *kept) {
 
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, unsigned *changed) {
     assert(threads >= 1 && reuse->changed_source < 0);
-    struct kept_plan *newest = NULL; /* the most recently used */
+    struct kept_plan *newest = NULL; /* the plan used most recently */
     *fits_now = *changed = 0;
     for (int p = 0; p < REDCC_PLANS; p++) {
         struct kept_plan *kept = reuse->cache->kept[p];
@@ -158,7 +159,7 @@ void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, un
     reuse->changed_source = changed_source(reuse, newest);
 }
 
-/* If other subscripts have the same sample, it is the most recently used plan. */
+/* Of several plans with the same sample, finds the one used most recently. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     struct plan_cache *cache = reuse->cache;
     struct kept_plan *found = NULL;
@@ -185,8 +186,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     ask_tracking(reuse);
 }
 
-/* Its beginning is known, and lies in a source with a known range: another part of the same
- * array. */
+/* Is the source a part of another one? Its beginning lies in a source with a known range. */
 static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known, uint32_t source) {
     const uintptr_t first = (uintptr_t)known[source].first;
     for (uint32_t s = 0; s < loop->source_count; s++)
@@ -233,8 +233,8 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
 
 /* ---- are its subscripts unchanged? ----------------------------------------------------------- */
 
-/* The range of the next source may depend on the contents of this one: no thread reads it before
- * all have found this one unchanged. */
+/* All threads compare a source. The range of the next source may depend on the contents of this
+ * one, so no thread reads that before all have found this one unchanged. */
 static bool verify_together(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const struct reading reading = reading_of(reuse, source);
     hasher->fingerprint[source] = redcc_hash_share(hasher, reading);
@@ -252,7 +252,8 @@ static bool verify_alone(const struct reuse *reuse, uint32_t source) {
                                    reuse->found->source[source].fingerprint);
 }
 
-/* The first thread writes the data for later calls; no other thread reads them in this one. */
+/* Compares a source by reading it. Only the first thread writes data for later calls; no other
+ * thread reads these in this call. */
 static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
     const bool same = redcc_is_small(reading_of(reuse, source))
                           ? verify_alone(reuse, source)
@@ -297,7 +298,7 @@ bool redcc_is_reusable(const struct request *request, const struct range *source
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
         const redcc_extent known = request->known[s];
         if (!known.end && !known.first && !redcc_range_empty(sources[s]))
-            return false; /* its range in a later call is unknown */
+            return false; /* its range in a later call could not be determined */
     }
     return true;
 }

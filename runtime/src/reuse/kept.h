@@ -18,9 +18,9 @@ enum { REDCC_PLANS = 4 };
 
 /** The record of a source. */
 struct source_record {
-    bool known;            /* its range comes with each call */
-    bool anchored;         /* known[].first gives an address to move with */
-    struct offsets extent; /* known: {0, its length}; else relative to that address */
+    bool known;            /* each call gives its range */
+    bool anchored;         /* known[].first is an address to which `extent` is relative */
+    struct offsets extent; /* if known: {0, its length} */
     struct fingerprint fingerprint;
     uint64_t sampled; /* a hash of a few of its words */
     struct tracking tracking;
@@ -29,19 +29,19 @@ struct source_record {
 struct kept_plan {
     struct plan *plan;
     redcc_word *key;                    /* [key_count] */
-    struct float_control float_control; /* of the thread that entered, because subscripts may be
-                                         * rounded */
+    struct float_control float_control; /* of the thread that entered, because subscripts may depend
+                                         * on the rounding mode */
     struct source_record *source;       /* [source_count] */
-    uint64_t sampled;                   /* of its subscripts, as reuse->sampled */
+    uint64_t sampled;                   /* the value of reuse->sampled at its construction */
     uint64_t last_use;
-    bool stale; /* found changed, and not used since */
+    bool stale; /* its subscripts were found changed, and it was not used since */
 };
 
 /** A loop's plans. */
 struct plan_cache {
     struct kept_plan *kept[REDCC_PLANS]; /* NULL: a free slot */
     uint64_t clock;
-    struct back_off rest; /* back-off of tracking that did not pay (tracking.c) */
+    struct back_off rest; /* back-off after write tracking that did not pay (tracking.c) */
 };
 
 /** One call's search for a plan; shared by all threads. */
@@ -51,33 +51,32 @@ struct reuse {
     struct hasher *const *hasher; /* [threads] */
     struct barrier *barrier;
     struct kept_plan *found; /* the candidate, or the plan in use; NULL: none */
-    struct range *sources;   /* [source_count] their ranges in this call */
-    struct range *written;   /* [array_count] ranges that its groups would write in this call */
+    struct range *sources;   /* [source_count] the sources' ranges in this call */
+    struct range *written;   /* [array_count] ranges that the plan's groups would write now */
     long skipped_calls;      /* calls before this one that auto executed sequentially */
-    double earned;           /* seconds that auto has saved by the plan, less its construction */
+    double earned;           /* seconds that auto has saved by the plan, minus its construction */
     uint64_t sampled;        /* a hash of a few words of the subscripts; 0: not sampled */
     bool same;               /* so far the subscripts are unchanged */
     int changed_source;      /* the source that invalidated a plan in this call; -1: none */
 };
 
-/** A hash of some words of each subscript whose range the call gives, reuse->sampled; 0: there are
- *  none. */
+/** A hash of some words of each subscript whose range the call gives, for reuse->sampled; 0: the
+ * call gives no range. */
 uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known);
 
-/** Hashes all subscripts, as far as their ranges are known; false if an array's is not, or the time
- *  limit in seconds is exceeded. */
+/** Hashes all subscripts; false if the range of one is unknown, or if the time limit in seconds is
+ *  exceeded. */
 bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, double seconds,
                              struct fingerprint *all);
 
-/** Searches for a plan of that strategy (SEQUENTIAL: of any) for the call and number of threads.
+/** Searches for a plan of this strategy (SEQUENTIAL: of any) for the call and number of threads.
  *  Compares everything except the subscripts' contents, which are only sampled, and checks the
- *  guard. Asks the system which subscripts are unmodified. Sets reuse->found and
- *  reuse->sources. */
+ *  overlap guard. Queries write tracking. Sets reuse->found and reuse->sources. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
-/** Sets bits for the strategies of plans that redcc_reuse_find would find, in *fits, and of plans
- *  that only the sample rules out, in *changed. If no plan remains for the first time, sets
- *  reuse->changed_source. */
+/** Sets bits for strategies: in *fits for plans that redcc_reuse_find would find, in *changed for
+ * plans that only the sample rules out. When the last plan is ruled out, sets
+ * reuse->changed_source. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of the plan found unchanged? Every thread calls it with its hasher and gets
@@ -90,11 +89,13 @@ void redcc_reuse_drop_found(struct reuse *reuse);
 /** The number of sources of the plan found that were not read in this call. */
 uint32_t redcc_reuse_skipped_sources(const struct reuse *reuse);
 
-/** May a plan for this call be kept at all? sources [source_count] are the ranges read. */
+/** Is a plan for this call worth keeping, because a later call could verify it? sources
+ * [source_count] are the ranges read. */
 bool redcc_is_reusable(const struct request *request, const struct range *sources);
 
 /** Takes ownership of `plan` and records the call, with the hashers' fingerprints. Replaces the
- *  least recently used plan in the cache. False: no memory, and the caller still owns the plan. */
+ *  least recently used plan in the cache. False: out of memory, and the caller still owns the plan.
+ */
 bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan);
 
 /** Frees all plans to make memory available for another. */

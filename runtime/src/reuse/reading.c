@@ -22,14 +22,14 @@ struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *know
         else if (shown.end >= it.end)
             rest.end = shown.first;
         else
-            continue; /* parts remain on both sides */
+            continue; /* the shared bytes are in the middle, and parts remain on both sides */
         return (struct reading){rest, has_gaps, s + 1, it.first - shown.first};
     }
     return (struct reading){it, has_gaps, 0, 0};
 }
 
-/* Can all of it be read without a fault, and from memory? The system loads its pages, as reading
- * would, and reports success (Linux from 5.14 on; madvise(2)). */
+/* Can the whole range be read without a fault, and is it memory? The system populates its pages, as
+ * a read would, and reports success (Linux 5.14 and later; madvise(2)). */
 static bool is_readable(struct range range) {
 #if defined(__linux__)
     enum { POPULATE_READ = 22 };

@@ -7,18 +7,18 @@
 #include "redcc/runtime.h"
 #include "reuse/fingerprint.h"
 
-/** Excludes bytes that an earlier source (counted from 1; 0: none) covers, as for row_start[i] and
- *  row_start[i + 1]. The distance between the two is compared too. */
+/** Excludes bytes that an earlier source covers, as for row_start[i] and row_start[i + 1]. Then the
+ *  distance between the two sources is compared, too. */
 struct reading {
     struct range range;
-    bool has_gaps; /* the inspection found its beginning and end: bytes between them need not have
-                    * been read, nor be readable */
-    uint32_t beside;
+    bool has_gaps;   /* beginning and end come from the inspection: bytes between them may not have
+                      * been   read, and may be unreadable */
+    uint32_t beside; /* 1 + the index of the earlier source; 0: none */
     uintptr_t distance; /* from the earlier source to this one */
 };
 
-/** For source number `source` of the loop; sources [source_count] are their ranges, known the
- *  ranges known before the inspection. */
+/** The reading of source number `source` of the loop; sources [source_count]: the sources' ranges;
+ *  known: those known before the inspection. */
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 
@@ -39,7 +39,8 @@ struct fingerprint redcc_part_fingerprint(const struct reading *reading, struct 
 /** The fingerprint of the whole reading. */
 struct fingerprint redcc_reading_fingerprint(struct reading reading);
 
-/** The fingerprint of the bytes before and after its whole pages; of all if it has none. */
+/** The fingerprint of the reading's bytes before and after its whole pages; of all bytes if it has
+ *  none. */
 struct fingerprint redcc_reading_ends(struct reading reading);
 
 #endif

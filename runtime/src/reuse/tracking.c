@@ -6,9 +6,9 @@
 #include "reuse/pages/watch.h"
 
 enum {
-    A_COMPARISON = 12, /* divisor: the cost of comparing a page relative to tracking it without
-                        * use */
-    A_SOURCE = 165,    /* pages whose cost equals the check whether a source may be tracked */
+    A_COMPARISON =
+        12,         /* tracking a page without use costs this many times as much as comparing it */
+    A_SOURCE = 165, /* the check whether a source may be tracked costs as much as this many pages */
     LEAST = 256 * 1024 /* bytes; comparing fewer costs little more than the query */
 };
 
@@ -16,9 +16,9 @@ static double pages_of(struct range pages) {
     return (double)(redcc_range_bytes(pages) / 4096);
 }
 
-/* The cost in seconds of tracking without use, which doubles with each consecutive failure.
- * Tracking begins once comparisons have cost as much: it then loses at most the same amount again
- * (ski rental). */
+/* The assumed cost in seconds of tracking without use, which doubles with each consecutive failure.
+ * Tracking begins when comparisons have cost as much, so that it loses at most the same amount
+ * again (ski rental). */
 static double price(struct range pages, const struct back_off *rest) {
     const double times = rest->length ? (double)rest->length / (LEARN_REST / 2.0) : 1;
     return times * LEARN_PAGE * (pages_of(pages) + (double)A_SOURCE);
@@ -33,7 +33,8 @@ static void back_off(struct tracking *tracking, struct back_off *rest) {
     rest->length = redcc_longer(rest->length);
 }
 
-/* The source was written: did tracking pay? */
+/* Called when the source was written: updates the back-off, depending on whether tracking has paid.
+ */
 static void end_tracking(struct tracking *tracking, struct range pages, struct back_off *rest) {
     if (compared(pages, tracking->skipped) < price(pages, &(struct back_off){0})) {
         back_off(tracking, rest);
@@ -44,9 +45,8 @@ static void end_tracking(struct tracking *tracking, struct range pages, struct b
     tracking->version = 0;
 }
 
-/* Begins tracking if it is time, and returns the version from which on the pages are tracked; 0:
- * not yet. It is time once the cost of comparisons, or the plan's savings, cover the cost. If they
- * cannot be tracked, the attempt has its cost as well. */
+/* Begins tracking if the past comparisons, or the plan's savings, cover the cost. Returns the
+ * version of the tracked pages; 0: not tracked. A failed attempt is charged as well. */
 static uint64_t begin_tracking(struct tracking *tracking, struct range pages, struct back_off *rest,
                                double *earned) {
     if (redcc_range_bytes(pages) < LEAST)

@@ -397,7 +397,7 @@ static int run_driven(unsigned seed, contact_method by, char *error) {
 }
 
 /* In a process of its own; the message comes back through a pipe. */
-static int run_apart(unsigned seed, int is_driven, contact_method by, char *error) {
+static int run_child(unsigned seed, int is_driven, contact_method by, char *error) {
     int ends[2], status;
     error[0] = '\0';
     if (pipe(ends) != 0)
@@ -438,7 +438,7 @@ int main(int argc, char **argv) {
         char error[256];
         const unsigned seed = first + (unsigned)n;
         const double before = children_seconds();
-        const int outcome = run_apart(seed, is_driven, by, error);
+        const int outcome = run_child(seed, is_driven, by, error);
         sums[outcome]++;
         if (outcome > REFUSED || is_driven)
             printf("scene %u: %s: %s; %.1f s\n", seed, outcomes[outcome], error,

@@ -16,7 +16,7 @@ static void assert_at(const collider *k, double time, double x, double y, double
     body_pose pose;
     motion_pose(k, time, &pose);
     for (int a = 0; a < 3; a++)
-        assert_near(pose.origin[a] + vector_dot(pose.turn[a], p), where[a], 1e-12);
+        assert_near(pose.origin[a] + vector_dot(pose.rotation[a], p), where[a], 1e-12);
     motion_to_body(k, time, where, back);
     for (int a = 0; a < 3; a++)
         assert_near(back[a], p[a], 1e-12);
@@ -38,7 +38,7 @@ static void S42_keyframes(void **state) {
     assert_at(&k, 3, 5, 2, 4);
     assert_at(&k, 4, 5, 3, 4);
     assert_at(&k, 9, 5, 3, 4);
-    assert_true(motion_turns(&k));
+    assert_true(motion_rotates(&k));
     assert_near(motion_end(&k), 4, 0);
 }
 
@@ -55,10 +55,10 @@ static void S42_step_of_a_turning_body(void **state) {
     motion_in_step(&k, 0.4, h, &m);
     motion_pose(&k, 0.4, &pose);
     for (int a = 0; a < 3; a++)
-        x[a] = pose.origin[a] + vector_dot(pose.turn[a], own);
+        x[a] = pose.origin[a] + vector_dot(pose.rotation[a], own);
     motion_pose(&k, 0.5, &pose);
     for (int a = 0; a < 3; a++) {
-        end[a] = pose.origin[a] + vector_dot(pose.turn[a], own);
+        end[a] = pose.origin[a] + vector_dot(pose.rotation[a], own);
         v[a] = (end[a] - x[a]) / h;
     }
     motion_enter(&k, &m, 0.4, h, x, v, p, u);

@@ -86,7 +86,7 @@ static void parts_of_ways_do_not_pass(void **state) {
         random_points(&seed, 0, way);
         const double(*begin)[3] = (const double(*)[3])x;
         const barrier b = one_pair(&pair, &m, &s, owner);
-        const double part = barrier_part_of_way(&b, begin, (const double(*)[3])way);
+        const double part = barrier_allowed_part(&b, begin, (const double(*)[3])way);
         const double first = sampled_distance(n % 2, begin);
         double least = INFINITY;
         for (int k = 0; k <= samples; k++) {
@@ -134,7 +134,7 @@ static void each_vertex_is_cut(void **state) {
             way[mover][2] = height;
             const barrier b = one_pair(&pair, &m, &s, owner);
             const double part =
-                barrier_part_of_way(&b, (const double(*)[3])x, (const double(*)[3])way);
+                barrier_allowed_part(&b, (const double(*)[3])x, (const double(*)[3])way);
             assert_true(part > 0.15 && part < 1.0 / 3);
         }
 }
@@ -151,7 +151,7 @@ static void many_ways_do_not_pass(void **state) {
     const barrier b = one_pair(&pair, &m, &s, owner);
     (void)state;
     for (int n = 0; n < 100; n++) {
-        const double part = barrier_part_of_way(&b, (const double(*)[3])x, way);
+        const double part = barrier_allowed_part(&b, (const double(*)[3])x, way);
         vector_add_scaled(x[0], part, way[0], x[0]);
         assert_true(x[0][2] > 0.99e-7);
     }
@@ -268,7 +268,7 @@ static void kept_candidates_miss_no_pair(void **state) {
     assert_int_equal(barrier_init(&fresh, &m, &s, mass, error), 0);
     fresh.margin = -1;
     x = kept.x;
-    way = kept.way;
+    way = kept.displacement;
     memcpy(x, m.position, sizeof(double[36][3]));
     barrier_place_bodies(&kept, 0, x);
     int reused = 0, pairs = 0;
@@ -327,10 +327,10 @@ static void pairs_on_the_way_are_listed(void **state) {
         for (int i = 0; i < 36; i++)
             for (int a = 0; a < 3; a++) {
                 from.x[i][a] = m.position[i][a];
-                from.way[i][a] = 0.008 * random_number(&seed);
-                to.x[i][a] = from.x[i][a] + from.way[i][a];
+                from.displacement[i][a] = 0.008 * random_number(&seed);
+                to.x[i][a] = from.x[i][a] + from.displacement[i][a];
             }
-        assert_int_equal(barrier_find_pairs(&from, read_only(from.x), read_only(from.way)), 0);
+        assert_int_equal(barrier_find_pairs(&from, read_only(from.x), read_only(from.displacement)), 0);
         assert_int_equal(barrier_find_pairs(&to, read_only(to.x), NULL), 0);
         qsort(from.list.pair, (size_t)from.list.pairs, sizeof *from.list.pair, by_bytes);
         for (int k = 0; k < to.list.pairs; k++)

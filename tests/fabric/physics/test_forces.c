@@ -32,7 +32,7 @@ static bench bench_of(mesh m) {
     bench b = {.m = m, .n = m.vertex_count};
     assert_int_equal(triangle_elements_init(&b.triangles, &m), 0);
     assert_int_equal(hinge_elements_init(&b.hinges, &m), 0);
-    assert_int_equal(hinge_elements_look_ahead(&b.hinges), 0);
+    assert_int_equal(hinge_elements_cache_angles(&b.hinges), 0);
     const element_list lists[2] = {{b.triangles.count, 3, &b.triangles.vertex[0][0]},
                                    {b.hinges.count, 4, &b.hinges.vertex[0][0]}};
     assert_int_equal(system_init(&b.system, b.n, 2, lists), 0);

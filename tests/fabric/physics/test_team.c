@@ -31,7 +31,7 @@ static void take_round(team *t, machine *m, long iterations) {
         const double took = alone / m->speed[level] * noise;
         now += took;
         solve += k == 2 ? took : 0;
-        team_look(t, now);
+        team_check(t, now);
     }
     const team_round round = {now - start, solve, iterations};
     team_end(t, &round);
@@ -50,7 +50,7 @@ static void one_thread_leaves_nothing_to_choose(void **state) {
         team t;
         team_start(&t, most, 1);
         team_begin(&t, 0);
-        team_look(&t, 1);
+        team_check(&t, 1);
         const team_round round = {1, 0.5, 3};
         team_end(&t, &round);
         assert_int_equal(team_threads(&t), 0);

@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 
-/* How far back an iteration's units are searched for duplicates. */
+/* Number of an iteration's latest units that are searched for duplicates. */
 enum { LOOK_BACK = 16 };
 
 static bool list_begin(struct unit_list *list, size_t capacity) {
@@ -58,7 +58,7 @@ void redcc_access_log_end(struct access_log *logged) {
     *logged = (struct access_log){0};
 }
 
-/* Is the list full? */
+/* Ensures space for one unit. False: the log has failed, or has become too long. */
 static bool room_for_unit(struct access_log *logged, struct unit_list *list) {
     if (logged->failed || logged->too_much)
         return false;
@@ -98,7 +98,7 @@ static inline void close_iteration(struct access_log *logged, struct unit_list *
     list->open = list->count;
 }
 
-/* A touch of several units, or of memory outside of units. */
+/* Adds a touch of several units, or of memory outside of units. */
 static void take_wide(struct access_log *logged, const struct logged_array *array, uint64_t into,
                       uint32_t bytes) {
     const struct group_units *units = &array->units;

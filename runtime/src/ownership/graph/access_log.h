@@ -11,8 +11,8 @@
 
 #include <assert.h>
 
-/** In a list: marks the iteration's last unit; REDCC_NO_UNIT represents an iteration without
- *  units. */
+/** In a list, REDCC_LAST marks the iteration's last unit; REDCC_NO_UNIT represents an iteration
+ * without units. */
 #define REDCC_LAST 0x80000000u
 #define REDCC_NO_UNIT 0x7fffffffu
 
@@ -20,10 +20,10 @@ struct unit_list {
     uint32_t *item;
     size_t count;
     size_t capacity;
-    size_t open; /* the beginning of the current iteration */
+    size_t open; /* index of the current iteration's first item */
 };
 
-/** Appends units item[0 .. count) of an iteration. False: no memory. */
+/** Appends units item[0 .. count) of an iteration. False: out of memory. */
 bool redcc_unit_list_add(struct unit_list *list, const uint32_t *item, size_t count);
 
 /** Frees its memory. */
@@ -38,11 +38,11 @@ static inline size_t redcc_iteration_length(const struct unit_list *list, size_t
     return last + 1 - at;
 }
 
-/** For one array: the data for looking up a touch. */
+/** The data for logging the touches of one array. */
 struct logged_array {
-    struct group_units units; /* its group's */
-    struct unit_list *list;   /* the list for them */
-    struct range *seen;       /* of its group, by this thread */
+    struct group_units units; /* its group's units */
+    struct unit_list *list;   /* the list to which they are appended */
+    struct range *seen;       /* the group's range that this thread has touched */
 };
 
 struct access_log {
@@ -52,15 +52,15 @@ struct access_log {
     struct unit_list further; /* unallocated if there is only one group */
     redcc_int begin;          /* the first iteration */
     redcc_int iterations;     /* number recorded */
-    size_t most;              /* items in either list */
-    bool too_much;            /* more than that */
-    bool beyond;              /* a touch outside of all units: the lists are unusable */
-    bool failed;              /* no memory */
+    size_t most;              /* maximum number of items in either list */
+    bool too_much;            /* a list would have more than that */
+    bool beyond;              /* there was a touch outside of all units: the lists are unusable */
+    bool failed;              /* out of memory */
 };
 
-/** Begins with iteration `begin`, for about leading + further touches and at most `most` of each;
- *  seen [array_count] belongs to the caller and is widened. False: no memory (call
- * redcc_access_log_end all the same). */
+/** Begins a log at iteration `begin`, with space for about `leading` and `further` touches and at
+ * most `most` of each; seen [array_count] belongs to the caller and is widened. False: out of
+ * memory. Call redcc_access_log_end in either case. */
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most);
@@ -68,7 +68,7 @@ bool redcc_access_log_begin(struct access_log *logged, const struct units *units
 /** Frees its memory. */
 void redcc_access_log_end(struct access_log *logged);
 
-/** Appends entries [first, end); one iteration's may come in several calls. */
+/** Appends entries [first, end); those of one iteration may be split over several calls. */
 void redcc_access_log_take(struct access_log *logged, const redcc_entry *first,
                            const redcc_entry *end);
 

@@ -11,7 +11,7 @@ struct division {
     const struct graph *graph;
     unsigned char *part;
     uint32_t *node;  /* [count] all nodes, grouped by part */
-    uint32_t *order; /* [count] of a search */
+    uint32_t *order; /* [count] nodes in the order of a search */
     uint32_t *seen;  /* [count] the number of the last search that reached the node */
     uint32_t search;
     uint32_t parts;
@@ -27,7 +27,7 @@ static uint32_t strength_of(const struct graph *graph, uint32_t edge) {
 /* The gain of a node in each part of [low, high): the strength of its edges into it. */
 struct gains {
     uint64_t to[REDCC_PARTS_MOST];
-    uint32_t count; /* number of parts with any */
+    uint32_t count; /* number of parts with a gain */
     uint32_t part[REDCC_PARTS_MOST];
 };
 
@@ -121,7 +121,8 @@ static uint32_t search_from(struct division *division, uint32_t first, const uin
     return farthest;
 }
 
-/* A node at the boundary: the farthest from the node farthest from an arbitrary one. */
+/* Orders nodes by a search from the graph's boundary: from the node that is farthest from the node
+ * farthest from an arbitrary one. */
 static void order_from_boundary(struct division *division, const uint32_t *node, uint32_t count,
                                 uint32_t within) {
     uint32_t outer = node[0];
@@ -130,7 +131,7 @@ static void order_from_boundary(struct division *division, const uint32_t *node,
     search_from(division, outer, node, count, within);
 }
 
-/* Slack above an equal share, so that refinement can move nodes. */
+/* The limit of a part's weight: an equal share plus slack, so that refinement can move nodes. */
 static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
     const uint64_t percent = share / 100;
     return share + (percent > heaviest ? percent : heaviest);
@@ -176,7 +177,7 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
         if (part != low && part != middle)
             division->load[part] = division->most[part] = 0;
     redcc_refine(graph, node, count, division->part, low, high, division->load, division->most, 8);
-    uint32_t kept = 0; /* move the lower part's nodes to the front again */
+    uint32_t kept = 0; /* moves the lower part's nodes to the front again */
     for (uint32_t i = 0; i < count; i++)
         if (division->part[node[i]] == low)
             division->order[kept++] = node[i];

@@ -9,9 +9,9 @@
 
 enum { ROUNDS = 6 }; /* a mesh needs two, a path four */
 
-#define NOTHING UINT32_MAX /* chosen */
+#define NOTHING UINT32_MAX /* no node is chosen */
 
-/* The rank of a node: a bijection of 31 bits, so that it can be inverted. */
+/* The rank of a node: a bijection on 31 bits, so that the node can be computed from the rank. */
 static uint32_t rank_of(uint32_t node) {
     const uint32_t mixed = node * 0x9e3779b1u & 0x7fffffffu;
     return mixed ^ mixed >> 16;
@@ -66,14 +66,14 @@ static inline uint32_t add(uint32_t weight, uint32_t more) {
     return sum < weight ? UINT32_MAX : sum;
 }
 
-/* All ones if the node is full: it no longer takes part. So a row that all iterations update is
- * soon in a cluster, and then joins no further nodes. */
+/* All ones if the node is full, so that it is not chosen. Otherwise a row that all iterations
+ * update would join all nodes. */
 static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
     return size && size[node] >= most ? NOTHING : 0;
 }
 
-/* Each node of an iteration considers the node of lowest rank. Without branches, which would be
- * unpredictable. */
+/* Each node of an iteration may choose the iteration's node of lowest rank. Without branches, which
+ * would be unpredictable. */
 static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, const uint32_t *node,
                         size_t count) {
     uint32_t first = NOTHING;
@@ -115,8 +115,8 @@ void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t en
 /* State while the next round's clusters are formed. */
 struct joining {
     struct clusters *clusters;
-    const uint32_t *size; /* of the nodes; NULL: 1 each */
-    uint32_t *joined;     /* of the clusters: units */
+    const uint32_t *size; /* units of each node; NULL: 1 */
+    uint32_t *joined;     /* units of each cluster so far */
     uint32_t count;
 };
 
@@ -135,7 +135,7 @@ static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     it->clusters->into[node] = cluster;
 }
 
-/* First the nodes on the path from this one. */
+/* Settles the node, after the nodes on the path of choices from it. */
 static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
     enum { PATH = 64 };
     uint32_t path[PATH], length = 0, cluster = NOTHING;
@@ -155,8 +155,8 @@ static void settle_from(struct joining *it, const uint32_t *choice, uint32_t nod
         settle(it, path[--length], cluster);
 }
 
-/* The weight of a cluster is the sum over its nodes; initially it comes from the access log
- * (redcc_clusters_retell). */
+/* Computes the clusters' weights as sums over their nodes. (The first weights come from the access
+ * log: redcc_clusters_map.) */
 static void add_up_weights(const struct clusters *clusters) {
     uint32_t *weight = clusters->share[0].weight, *sum = clusters->spare;
     memset(sum, 0, clusters->count * sizeof *sum);
@@ -199,7 +199,8 @@ void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t en
     }
 }
 
-/* Writes the clusters of an iteration to `to`, which may be its input. Are there several? */
+/* Writes the clusters of an iteration to `to`, which may be `node`. Returns whether there are
+ * several different ones. */
 static inline bool map_iteration(const uint32_t *into, const uint32_t *node, size_t count,
                                  uint32_t *to) {
     uint32_t differ = 0;
@@ -210,7 +211,7 @@ static inline bool map_iteration(const uint32_t *into, const uint32_t *node, siz
     return differ != 0;
 }
 
-void redcc_clusters_retell(struct clusters *clusters, int thread) {
+void redcc_clusters_map(struct clusters *clusters, int thread) {
     assert(0 <= thread && thread < clusters->threads && clusters->rounds > 0);
     struct cluster_share *share = &clusters->share[thread];
     const bool first = clusters->rounds == 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Clusters: groups of some dozens of units that iterations connect. Their graph is small enough to
- * be divided carefully at no noticeable cost, and its division is also one of the units. This is
+ * Clusters: sets of some dozens of units that iterations connect. Their graph is small enough to be
+ * partitioned carefully at low cost, and a partition of clusters is also one of the units. This is
  * the coarsening of multilevel partitioners (Karypis and Kumar), computed directly from the access
  * log, without a graph of the units.
  *
@@ -28,46 +28,46 @@
 struct cluster_share {
     const struct unit_list *logged; /* the units of each iteration */
     struct unit_list list;          /* the clusters of each iteration that has several */
-    uint32_t *choice;               /* [nodes] by this thread's iterations; of thread 0: by all */
-    uint32_t *weight;               /* [count] weight of each; of thread 0: of all */
+    uint32_t *choice; /* [nodes] by this thread's iterations; in thread 0, finally by all */
+    uint32_t *weight; /* [count] by this thread's iterations; likewise */
 };
 
 struct clusters {
     uint32_t units;
     uint32_t most;   /* maximum units of a cluster */
-    uint32_t nodes;  /* joined in the last round */
+    uint32_t nodes;  /* number of nodes before the last round */
     uint32_t count;  /* current number of clusters; before the first round: units */
-    uint32_t *of;    /* [units] the cluster of each; REDCC_NO_UNIT: it is not touched */
-    uint32_t *into;  /* [nodes] the cluster of each */
-    uint32_t *size;  /* [count] units of each */
-    uint32_t *spare; /* [count] */
+    uint32_t *of;    /* [units] the cluster of each unit; REDCC_NO_UNIT: it is not touched */
+    uint32_t *into;  /* [nodes] the cluster of each node */
+    uint32_t *size;  /* [count] number of units of each cluster */
+    uint32_t *spare; /* [count] scratch memory */
     int rounds;
     int threads;
     struct cluster_share *share; /* [threads] */
 };
 
 /** Begins with each of `units` units as a cluster; borrows the leading lists of logged [threads].
- *  False: no memory (call redcc_clusters_end all the same). */
+ *  False: out of memory. Call redcc_clusters_end in either case. */
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
                           const struct access_log *logged, int threads);
 
 /** Frees its memory. */
 void redcc_clusters_end(struct clusters *clusters);
 
-/** The units' choices by the thread's iterations. */
+/** Computes the units' choices by the thread's iterations. */
 void redcc_clusters_choose(struct clusters *clusters, int thread);
 
 /** Combines choices and weights of nodes [first, end) over all threads. */
 void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end);
 
-/** Joins nodes to clusters of at most `most` units. False: there are few enough, and nothing is
- *  done. */
+/** Joins nodes to clusters of at most `most` units. False: there are few enough clusters already,
+ * and nothing was done. */
 bool redcc_clusters_join(struct clusters *clusters);
 
 /** Stores the clusters of units [first, end). */
 void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t end);
 
 /** Maps the thread's iterations to clusters, and computes these clusters' choices. */
-void redcc_clusters_retell(struct clusters *clusters, int thread);
+void redcc_clusters_map(struct clusters *clusters, int thread);
 
 #endif

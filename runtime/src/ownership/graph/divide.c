@@ -13,8 +13,8 @@ enum {
     CLUSTERS_AN_OWNER = 128,
     CLUSTER_MOST = 256, /* units */
     NO_VOTE = 0xffff,
-    SEVERAL = 0x8000, /* flag of a vote: by an iteration that has several owners already */
-    ROUNDS = 8        /* of refinement, unit by unit */
+    SEVERAL = 0x8000, /* flag of a vote by an iteration that already has several owners */
+    ROUNDS = 8        /* maximum number of rounds of the unit-by-unit refinement */
 };
 
 /* The number of touches in all threads beyond which the access log is too expensive. */
@@ -91,8 +91,8 @@ static struct share share_of(const struct divide *divide, uint32_t count, int th
                           (uint32_t)redcc_share(count, divide->threads, thread + 1)};
 }
 
-/* A barrier; the last thread runs `alone` unless one has failed or the deadline has passed. Returns
- * the same to all: may they continue? */
+/* A barrier; the last thread runs `alone` unless a thread has failed or the deadline has passed.
+ * Returns, to all threads the same, whether they may continue. */
 static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *)) {
     if (!done)
         atomic_store(&divide->failed, true);
@@ -106,7 +106,9 @@ static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *
 
 /* ---- clusters of units ----------------------------------------------------------------------- */
 
-/* Small enough for balanced parts, and large enough to be few. */
+/* Begins clusters of a size that is small enough for balanced parts, and large enough for a small
+ * graph.
+ */
 static bool begin_clusters(struct divide *divide) {
     const struct units *units = &divide->units;
     const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
@@ -125,7 +127,8 @@ static bool join_clusters(struct divide *divide) {
     return true;
 }
 
-/* Each thread's part; returns to all whether it succeeded. */
+/* Computes the clusters; called by all threads, and returns the same to all: whether it succeeded.
+ */
 static bool cluster(struct divide *divide, int thread) {
     struct clusters *clusters = &divide->clusters;
     const struct share units = share_of(divide, divide->units.leading, thread);
@@ -138,16 +141,16 @@ static bool cluster(struct divide *divide, int thread) {
         if (divide->clustered)
             return true;
         redcc_clusters_place(clusters, units.first, units.end);
-        redcc_clusters_retell(clusters, thread);
+        redcc_clusters_map(clusters, thread);
     }
     return false;
 }
 
 /* ---- a graph, by all threads ----------------------------------------------------------------- */
 
-/* Its nodes exist, and the iterations are in boundary.logged. Counts the edges of this thread's
- * nodes, then stores them; both steps use all threads' iterations, with barriers between and after.
- */
+/* Builds the edges of a graph whose nodes exist, from the iterations in boundary.logged. Counts the
+ * edges of this thread's nodes, then stores them; both steps use all threads' iterations, with
+ * barriers between and after. */
 static void count_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
     redcc_graph_count(graph, divide->boundary.logged, divide->threads, nodes.first, nodes.end);
@@ -168,7 +171,7 @@ static bool begin_coarse(struct divide *divide) {
 }
 
 static bool take_coarse_edges(struct divide *divide) {
-    struct graph *coarse = &divide->coarse; /* its weights come from all iterations */
+    struct graph *coarse = &divide->coarse; /* weights include iterations without edges */
     memcpy(coarse->weight, divide->clusters.share[0].weight,
            coarse->count * sizeof *coarse->weight);
     return redcc_graph_take(coarse);
@@ -190,7 +193,7 @@ static bool divide_clusters(struct divide *divide, int thread) {
     return meet(divide, true, divide_coarse);
 }
 
-/* Each unit gets its cluster's owner; the owner of untouched units does not matter. */
+/* Assigns each unit to its cluster's owner; the owner of untouched units does not matter. */
 static void place_units(struct divide *divide, int thread) {
     const struct share share = share_of(divide, divide->units.leading, thread);
     const uint32_t *of = divide->clusters.of;
@@ -200,7 +203,7 @@ static void place_units(struct divide *divide, int thread) {
     }
 }
 
-/* ---- their boundaries ------------------------------------------------------------------------ */
+/* ---- boundaries of parts --------------------------------------------------------------------- */
 
 static void mark_boundary(struct divide *divide, int thread) {
     const struct unit_list *logged = &divide->logged[thread].leading;
@@ -216,7 +219,7 @@ static void mark_boundary(struct divide *divide, int thread) {
     }
 }
 
-/* The iterations that touch a boundary, including all those of boundary units. */
+/* Lists the iterations that touch a boundary unit. */
 static bool list_boundary(struct divide *divide, int thread) {
     const struct unit_list *logged = &divide->logged[thread].leading;
     struct unit_list *list = &divide->boundary.list[thread];
@@ -247,7 +250,7 @@ static bool take_rim_edges(struct divide *divide) {
 
 static bool refine_rims(struct divide *divide) {
     uint64_t load[REDCC_PARTS_MOST] = {0}, most[REDCC_PARTS_MOST], sum = 0;
-    uint32_t *const listed = divide->clusters.into; /* which is no longer needed */
+    uint32_t *const listed = divide->clusters.into; /* reuses its memory */
     uint32_t count = 0;
     for (uint32_t unit = 0; unit < divide->units.leading; unit++)
         if (divide->boundary.is_boundary[unit])
@@ -287,8 +290,8 @@ static void cast_vote(atomic_ushort *vote, unsigned short mine) {
         ;
 }
 
-/* The owner of all units of an iteration; NO_VOTE: none; else one of several, with the flag
- * SEVERAL. */
+/* The owner of an iteration's units; if there are several, one of them with the flag SEVERAL;
+ * NO_VOTE: there are no units. */
 static inline unsigned short common_owner(const struct divide *divide, const uint32_t *unit,
                                           size_t count) {
     if (unit[0] == (REDCC_NO_UNIT | REDCC_LAST))
@@ -300,8 +303,9 @@ static inline unsigned short common_owner(const struct divide *divide, const uin
     return differ ? owner | SEVERAL : owner;
 }
 
-/* Votes for the owners of further groups' units: the owner of an iteration that has only one by the
- * leading group; else one of its owners. The lowest wins, in any order of votes. */
+/* Votes for the owners of further groups' units: each iteration votes for its owner in the leading
+ * group. The lowest vote wins, whatever the order of votes; so votes of iterations with several
+ * owners (SEVERAL) count only if there are no others. */
 static void vote_further(struct divide *divide, int thread) {
     const struct unit_list *leading = &divide->logged[thread].leading;
     const struct unit_list *further = &divide->logged[thread].further;

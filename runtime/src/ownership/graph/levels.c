@@ -6,9 +6,10 @@
 
 #include <assert.h>
 
-enum { FEW = 64 }; /* iterations of a level that one thread executes */
+enum { FEW = 64 }; /* a level of fewer iterations is executed by one thread */
 
-/* In iterations: some 2 microseconds, at a light loop's 10 nanoseconds each. */
+/* The cost of a barrier in iterations: some 2 microseconds, at 10 nanoseconds per light iteration.
+ */
 static const double barrier_length = 200;
 
 static const uint32_t left_out = UINT32_MAX;
@@ -68,7 +69,8 @@ static void find_levels(struct levelling *it, const struct access_log *logged, i
     }
 }
 
-/* Consecutive levels of few iterations share a stage. Returns the number of stages. */
+/* Assigns levels to stages; consecutive levels of few iterations share one. Returns the number of
+ * stages. */
 static uint32_t find_stages(struct levelling *it) {
     uint32_t stages = 0;
     for (uint32_t t = 0; t < it->trip; t++)
@@ -93,8 +95,8 @@ static void put_in_stages(const struct levelling *it, struct levels *levels) {
     for (uint32_t t = 0; t < it->trip; t++)
         if (it->level[t] != left_out)
             levels->iteration[stage[it->stage[it->level[t]]].begin++] = t;
-    for (uint32_t s = levels->stages; s > 0; s--) /* each beginning has advanced to the next
-                                                   * one's */
+    for (uint32_t s = levels->stages; s > 0;
+         s--) /* each `begin` has advanced to the next stage's */
         stage[s].begin = stage[s - 1].begin;
     stage[0].begin = 0;
     levels->count = stage[levels->stages].begin;

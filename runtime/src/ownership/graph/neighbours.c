@@ -6,11 +6,13 @@
 #include <assert.h>
 #include <string.h>
 
-/* An iteration of up to CLIQUE units connects each pair of them; one of more connects each with the
- * next, so that the number of edges stays below that of touches. */
+/* An iteration of up to CLIQUE units adds an edge for each pair of them; one with more units adds
+ * edges only between consecutive units, so that the number of edges stays proportional to the
+ * touches. */
 enum { CLIQUE = 4 };
 
-/* A node with this many edges is a hub, adjacent to almost all nodes, and ignored. */
+/* A node with this number of edges is a hub, adjacent to almost all nodes; its edges are ignored.
+ */
 enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {
@@ -60,7 +62,7 @@ bool redcc_graph_take(struct graph *graph) {
     start[0] = 0;
     for (uint32_t node = 0; node < graph->count; node++) {
         const uint32_t degree = start[node + 2];
-        start[node + 1] = (uint32_t)sum; /* where filling begins; advances to its end */
+        start[node + 1] = (uint32_t)sum; /* the beginning; filling advances it to the end */
         sum += degree;
     }
     start[graph->count + 1] = (uint32_t)sum;
@@ -97,9 +99,9 @@ void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, 
         }
 }
 
-/* Merges the edges of node `node` and appends them to the `count` existing ones; place [nodes] is
- * the position of the edge to each node (below `count`: of another node). Returns the new
- * number. */
+/* Merges the edges of node `node` and appends them to the `count` existing ones. place [nodes]: the
+ * index of the last edge to each node, which is an edge of this node if it is at least `count`.
+ * Returns the new number. */
 static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, uint32_t end,
                             uint32_t count, uint32_t *place) {
     const uint32_t own = count;

@@ -3,10 +3,10 @@
  * A weighted graph: node n's neighbours are neighbour[start[n]] ... neighbour[start[n + 1] - 1].
  * Every edge is stored at both of its ends; there may be parallel edges.
  *
- * A node is a unit of the leading group, or a cluster of units. An edge is an iteration that
- * touches two of them (an iteration that touches more than a few counts as a ring). All threads
- * build it: each the nodes of its share, from all threads' access logs in the order of the loop, so
- * that the graph is independent of the number of threads.
+ * A node is a unit of the leading group, or a cluster of units. An edge represents an iteration
+ * that touches both ends (an iteration with more than a few units adds a ring of edges). Each
+ * thread builds the edges of its share of the nodes, from all threads' access logs in the order of
+ * the loop, so that the graph is independent of the number of threads.
  */
 #ifndef REDCC_NEIGHBOURS_H
 #define REDCC_NEIGHBOURS_H
@@ -20,17 +20,17 @@ struct graph {
     uint32_t *start; /* [count + 1] */
     uint32_t *neighbour;
     uint32_t *strength;        /* of each edge; NULL: 1 */
-    uint32_t *weight;          /* [count] of the nodes: their work */
-    const unsigned char *only; /* [count] borrowed: which nodes get edges; NULL: all */
+    uint32_t *weight;          /* [count] work of each node */
+    const unsigned char *only; /* [count] borrowed: nodes that may have edges; NULL: all */
 };
 
-/** Creates nodes for `count` units. False: no memory (call redcc_graph_end all the same). */
+/** Creates `count` nodes. False: out of memory. Call redcc_graph_end in either case. */
 bool redcc_graph_begin(struct graph *graph, uint32_t count);
 
 /** Frees its memory. */
 void redcc_graph_end(struct graph *graph);
 
-/** The work that an iteration with `units` units contributes to each. */
+/** The work that an iteration with `units` units contributes to each of them. */
 static inline uint32_t redcc_work_of(size_t units) {
     assert(units > 0);
     enum { WORK = 60 };
@@ -42,7 +42,7 @@ static inline uint32_t redcc_work_of(size_t units) {
 void redcc_graph_count(struct graph *graph, const struct unit_list *const *list, int lists,
                        uint32_t first, uint32_t end);
 
-/** After all edges are counted: allocates them. False: no memory, or too many edges. */
+/** After all edges are counted: allocates them. False: out of memory, or too many edges. */
 bool redcc_graph_take(struct graph *graph);
 
 /** Stores the edges of nodes [first, end). */

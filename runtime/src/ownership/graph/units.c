@@ -5,7 +5,8 @@
 
 #include "base/memory.h"
 
-/* Units of at least two bytes, and offsets below REDCC_UNITS_MOST of them. */
+/* The reciprocal for divisions by `bytes`, or 0. It is exact for units of 2 to 65535 bytes and
+ * offsets below REDCC_UNITS_MOST units. */
 static uint64_t reciprocal_of(uint32_t bytes) {
     const bool exact = bytes > 1 && bytes < 1u << 16;
     return exact ? UINT64_MAX / bytes + 1 : 0;

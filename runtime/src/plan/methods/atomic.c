@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * atomic: the baseline. Each thread executes an equal share of the iterations in the owner-checked
- * form. It holds a lock on a unit (a row) from before an update until the next one
- * (execute/hook.c), which makes updates atomic for every operator and type; few of these have an
- * atomic instruction.
+ * form, and locks a unit (a row) during each update (execute/hook.c). Locks work for every operator
+ * and type; only a few of these have atomic instructions.
  */
 #include "plan/methods/shares.h"
 

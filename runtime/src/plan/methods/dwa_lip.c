@@ -26,9 +26,9 @@ static uint32_t stage_of(uint32_t lowest, uint32_t delta) {
     return delta * (delta + 1) / 2 + lowest % (delta + 1);
 }
 
-/* Iterations of one thread, sorted by their pair. */
+/* One thread's iterations, sorted by their pair. */
 struct pairs {
-    uint32_t blocks;  /* in all */
+    uint32_t blocks;  /* total number */
     uint32_t members; /* of the team: block b belongs to member b % members */
     uint32_t member;
     struct schedule *pair; /* [(block / members) * blocks + deltaB] */

@@ -11,8 +11,8 @@
  */
 bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** Takes iterations [begin, begin + count), which write the blocks from `lowest` to `lowest` +
- *  `delta`. False: no memory. */
+/** Called with iterations [begin, begin + count), whose lowest written block is `lowest` and
+ * highest `lowest` + `delta`. False: out of memory. */
 typedef bool redcc_pair_taker(void *context, uint32_t lowest, uint32_t delta, redcc_int begin,
                               redcc_int count);
 

@@ -6,7 +6,7 @@
  *
  * There are no barriers: all iterations of one pair (Bmin, deltaB) are a task, executed by the
  * thread to which block Bmin belongs. Each thread executes its tasks in the order of the stages. A
- * task waits for the tasks before it in that order that last wrote one of its blocks.
+ * task waits for the last earlier tasks, in that order, that write its blocks.
  */
 #include "plan/methods/dwa_lip.h"
 
@@ -36,11 +36,11 @@ static uint32_t flags(uint32_t blocks) {
 struct view {
     uint32_t blocks;
     uint32_t first, end;   /* blocks that belong to the thread */
-    bool *filled;          /* [blocks * blocks] some iteration is of this pair */
-    struct schedule *pair; /* [(end - first) * blocks] iterations of its own pairs */
-    uint32_t *latest;      /* [blocks] 1 + the last pair that writes a block; 0: none yet */
-    uint32_t *wait;        /* [blocks] of the current task */
-    uint32_t waits;
+    bool *filled;          /* [blocks * blocks] has the pair any iterations? */
+    struct schedule *pair; /* [(end - first) * blocks] iterations of the thread's own pairs */
+    uint32_t *latest;      /* [blocks] 1 + the last pair that writes the block; 0: none yet */
+    uint32_t *wait;        /* [waits] tasks for which the current task waits */
+    uint32_t waits;        /* at most `blocks` */
 };
 
 static bool own(const struct view *view, uint32_t lowest) {
@@ -57,8 +57,8 @@ static bool take_pair(void *context, uint32_t lowest, uint32_t delta, redcc_int 
     return redcc_schedule_add(pair, 0, begin, count, false);
 }
 
-/* The pair is the next in the order of the stages: lists the tasks of other threads that last wrote
- * its blocks. Adjacent blocks may have the same task, which may be listed twice without harm. */
+/* Lists the tasks of other threads that last wrote the pair's blocks. Called for pairs in the order
+ * of the stages. A task that wrote several blocks may be listed more than once, without harm. */
 static void find_waits(struct view *view, uint32_t lowest, uint32_t delta) {
     uint32_t before = 0;
     view->waits = 0;

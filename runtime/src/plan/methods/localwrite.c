@@ -14,7 +14,8 @@
 
 enum { SKIP, PLAIN, CHECKED };
 
-/* The form in which `owner` executes the iterations of each set: [sets->count]. NULL: no memory. */
+/* For each set of owners, the form in which `owner` executes its iterations: [sets->count]. NULL:
+ * out of memory. */
 static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
     unsigned char *part = redcc_memory_take_zeroed(sets->count, 1);
     if (!part)
@@ -36,8 +37,8 @@ static void count_parts(const struct summary *summary, const unsigned char *part
     }
 }
 
-/* If most of an owner's iterations are owner-checked, all are: this costs no more, and avoids
- * ending runs where the form changes. */
+/* If most of an owner's iterations are owner-checked, makes all owner-checked: this costs no more,
+ * and gives longer runs. */
 static void check_most(const struct summary *summary, unsigned char *part) {
     redcc_int amount[CHECKED + 1] = {0};
     count_parts(summary, part, amount);
@@ -51,8 +52,8 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
     unsigned char *part = parts_in(&summary->sets, owner);
     bool enough = part != NULL;
     if (enough && takes_idle)
-        part[0] = PLAIN; /* iterations that touch nothing are executed by the thread that inspected
-                          * them */
+        part[0] =
+            PLAIN; /* set 0: iterations that touch nothing, which the inspecting thread executes */
     if (enough)
         check_most(summary, part);
     for (size_t b = 0; enough && b < summary->block_count; b++) {

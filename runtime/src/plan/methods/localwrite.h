@@ -5,11 +5,11 @@
 #include "plan/plan.h"
 
 /** Fills the schedule of `thread` with the iterations that touch elements it owns, in ascending
- *  order; those that touch others' too are owner-checked. False: no memory. */
+ * order; those that also touch elements of others are owner-checked. False: out of memory. */
 bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** The same for one owner: fills schedule[owner]. If iterations that touch nothing matter, it gets
- *  those recorded by thread `idle_of`; -1: none. */
+/** The same for one owner: fills schedule[owner]. If iterations that touch nothing must be
+ * executed, it also gets those that thread `idle_of` recorded; -1: none. */
 bool redcc_localwrite_select(struct plan *plan, const struct evidence *evidence, uint32_t owner,
                              int idle_of);
 

@@ -9,7 +9,8 @@
  */
 #include "plan/plan.h"
 
-/* Assumes that none is replicated; the actual number is known after the execution. */
+/* Sets the expected number of iterations, without replicated ones; the actual number is known after
+ * the execution. */
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     plan->schedule[thread].iterations = redcc_share(evidence->trip, evidence->threads, thread + 1) -
                                         redcc_share(evidence->trip, evidence->threads, thread);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * LOCALWRITE with work stealing: each thread owns most of an equal share of the arrays. The rest of
- * the shares is cut into stealable blocks, which no thread owns. A thread that finishes early
- * steals these blocks one by one, the larger ones first. So no thread waits long for one that had
- * more expensive iterations, or that lost its core for a while.
+ * each share is cut into stealable blocks, which no thread owns. Threads that finish early take
+ * these blocks one by one, the larger ones first. So no thread waits long for one that had more
+ * expensive iterations, or that lost its core for a while.
  *
- * A thread executes a whole block in ascending order: each element gets its contributions in the
- * order of the loop. The overhead: iterations that write to several blocks.
+ * One thread executes a whole block in ascending order, so that each element gets its contributions
+ * in the order of the loop. The overhead is that iterations that write to several blocks are
+ * replicated.
  */
 #include "plan/methods/localwrite.h"
 

@@ -19,7 +19,7 @@ static int teams(int threads, int parameter) {
     return parameter < threads ? parameter : threads;
 }
 
-/* For the largest team. */
+/* The number of owners: the threads of the largest team. */
 static uint32_t owners(int threads, int parameter) {
     const int count = teams(threads, parameter);
     return (uint32_t)((threads + count - 1) / count);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Array expansion with N shares of the iterations for any number of threads, as expansion-fixed,
- * where the program says which elements are updated at most: the first share writes in place, and
- * nothing is inspected (choose/sections.h makes the plan).
+ * for loops whose program declares the sections of the arrays that are updated. The first share
+ * writes in place, and there is no inspection (choose/sections.h makes the plan).
  */
 #include "plan/methods/shares.h"
 

@@ -4,15 +4,15 @@
 
 #include "plan/plan.h"
 
-/** Fills the schedule of `thread` with an equal share of the iterations. False: no memory. */
+/** Fills the schedule of `thread` with an equal share of the iterations. False: out of memory. */
 bool redcc_shares_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** The iterations in plan->parameter equal shares, in order; `thread` gets its part of them, each
- * into the copy of its number. The same shares at every number of threads. */
+/** Divides the iterations into plan->parameter equal shares, the same at every number of threads;
+ *  `thread` gets its part of the shares, in order, each with its own copy. */
 bool redcc_fixed_shares_prepare(struct plan *plan, const struct evidence *evidence, int thread);
 
-/** struct method.owners for methods that ignore ownership: a single owner. The inspection then has
- *  nothing to distinguish, and takes a fraction of the time on shuffled data. */
+/** `owners` of methods that ignore ownership: a single owner. The inspection then need not
+ * distinguish owners, and is much faster on shuffled data. */
 uint32_t redcc_one_owner(int threads, int parameter);
 
 #endif

@@ -2,7 +2,7 @@
 /**
  * tiles: a loop over pairs, `for (i ...) for (j = i + 1; ...) { f[i] += e; f[j] -= e; }`, is cut
  * into tiles, a band of rows times a block of columns. Threads follow each other from block to
- * block, each in a band of its own (execute/tiles.h). The inspection only finds extents for the
+ * block, each in a separate band (execute/tiles.h). The inspection only finds extents for the
  * overlap guard.
  *
  * Source: loop tiling with a wavefront of tiles: M. Wolfe, More iteration space tiling,
@@ -11,13 +11,13 @@
 #include "plan/plan.h"
 #include "plan/tile_grid.h"
 
-/* Flags for the progress of each thread's band and of the band before the first, and for that of
- * the sums: each in a separate cache line. */
+/* The number of flag words, with each flag in a separate cache line: flags for the progress of each
+ * thread's band, of the band before the first of these, and of the sums. */
 static uint32_t flags(uint32_t owners) {
     return TILE_FLAG_WORDS * (owners + 3);
 }
 
-/* The number of pairs is not known; threads share them evenly. */
+/* Sets the expected number of iterations: an equal share. (The number of pairs is unknown.) */
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     plan->schedule[thread].iterations = redcc_share(evidence->trip, evidence->threads, thread + 1) -
                                         redcc_share(evidence->trip, evidence->threads, thread);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Definitions from Linux's <linux/userfaultfd.h> and <linux/fs.h> since 6.7, for asynchronous
- * write-protection, which the kernel itself resolves and records: numbers and layouts of its binary
- * interface, under separate names, since older headers lack them. (ioctl_userfaultfd(2),
+ * write-protection, whose faults the kernel itself resolves and records: numbers and layouts of its
+ * binary interface, under separate names, since older headers lack them. (ioctl_userfaultfd(2),
  * PAGEMAP_SCAN(2const).)
  */
 #ifndef REDCC_PAGE_WATCH_ABI_H
@@ -21,8 +21,8 @@ struct watch_api {
     uint64_t ioctls;
 };
 #define WATCH_API_VERSION UINT64_C(0xAA)
-#define WATCH_FEATURE_UNPOPULATED (UINT64_C(1) << 13) /* unpopulated pages, too */
-#define WATCH_FEATURE_ASYNC (UINT64_C(1) << 15)       /* a fault is resolved by the kernel */
+#define WATCH_FEATURE_UNPOPULATED (UINT64_C(1) << 13) /* also protects unpopulated pages */
+#define WATCH_FEATURE_ASYNC (UINT64_C(1) << 15)       /* the kernel resolves faults */
 #define WATCH_IOCTL_API _IOWR(0xAA, 0x3F, struct watch_api)
 
 struct watch_range {
@@ -67,7 +67,7 @@ struct watch_region {
     uint64_t end;
     uint64_t categories;
 };
-#define WATCH_SCAN_ASYNC_ONLY (UINT64_C(1) << 1) /* fails if a part is not registered so */
+#define WATCH_SCAN_ASYNC_ONLY (UINT64_C(1) << 1) /* fails if a part is not registered as async */
 #define WATCH_IS_WRITTEN (UINT64_C(1) << 1)
 #define WATCH_IS_PRESENT (UINT64_C(1) << 3)
 #define WATCH_IOCTL_SCAN _IOWR('f', 16, struct watch_scan)

@@ -8,15 +8,14 @@ enum { WATCHED = 64 };
 
 struct watched {
     struct range pages;
-    uint64_t version; /* 0: touched since, or a free slot */
+    uint64_t version; /* 0: written since, or a free slot */
     uint64_t last_use;
 };
 
-/* A lock that is only tried: in a child of a process with several threads it may be held
- * forever. */
+/* Never waited for: in a child of a process with several threads it may be held forever. */
 static struct spin lock;
 static struct watched watched[WATCHED];
-static uint64_t versions; /* the last version given */
+static uint64_t versions; /* the last version assigned */
 static uint64_t uses;
 
 static struct watched *find(struct range pages) {
@@ -27,7 +26,7 @@ static struct watched *find(struct range pages) {
     return NULL;
 }
 
-/* Its version if it is untouched; otherwise 0, also from now on. */
+/* The range's version if it is untouched. Otherwise 0, and its version becomes 0. */
 static uint64_t version_of(struct watched *it) {
     if (!redcc_pages_untouched(it->pages))
         it->version = 0;
@@ -36,9 +35,9 @@ static uint64_t version_of(struct watched *it) {
     return it->version;
 }
 
-/* Protecting pages removes the marks of those that were written, and registering a mapping makes
- * addresses valid again that may have been remapped: touched ranges must be detected before that.
- * Ranges that overlap the new one lose their versions. */
+/* Detects touched ranges before new pages are protected: protecting removes the record of writes,
+ * and registering a mapping makes remapped addresses valid again. Ranges that overlap the new one
+ * lose their versions. */
 static void settle_others(struct range pages) {
     for (int i = 0; i < WATCHED; i++) {
         if (redcc_ranges_overlap(watched[i].pages, pages))
@@ -62,7 +61,7 @@ static struct watched *place_for_one(void) {
 static bool begun(void) {
     if (redcc_pages_begun())
         return true;
-    for (int i = 0; i < WATCHED; i++) /* in a child, the parent's ranges are not tracked */
+    for (int i = 0; i < WATCHED; i++) /* in a child process, the parent's ranges are not tracked */
         watched[i].version = 0;
     return redcc_pages_begin();
 }

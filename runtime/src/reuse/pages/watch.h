@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Dirty-page tracking (write-protection by the system), for all loops of the process. A range has a
- * version while nothing in it is written; versions are never reused. Every function is thread-safe
- * and never waits: if another thread is inside, the answer is negative.
+ * Dirty-page tracking (write-protection by the system), for all loops of the process. A range keeps
+ * its version until something in it is written; versions are never reused. Every function is
+ * thread-safe and never waits: if another thread is in one of them, the answer is negative.
  */
 #ifndef REDCC_WATCH_H
 #define REDCC_WATCH_H
@@ -12,12 +12,12 @@
 /** The whole pages in `range`; empty if there are none. */
 struct range redcc_whole_pages(struct range range);
 
-/** Starts tracking `pages` (whole ones). Contents read after this call remain valid while
+/** Starts tracking `pages` (whole pages). Contents read after this call remain valid while
  *  redcc_watch_ask returns WATCH_UNTOUCHED for the returned version. 0: tracking is impossible. */
 uint64_t redcc_watch_begin(struct range pages);
 
 /** The version of pages that are already tracked, for another loop, and untouched; 0: there is
- *  none. Free of cost if they are not tracked. */
+ * none. Makes no system call if they are not tracked. */
 uint64_t redcc_watch_share(struct range pages);
 
 enum watch_answer {

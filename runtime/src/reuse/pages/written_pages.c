@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A page is protected through a userfault descriptor in asynchronous mode: the first write to it
- * faults, and the kernel clears the page's mark and resumes the write. PAGEMAP_SCAN finds pages
- * without the mark.
+ * A page is write-protected through a userfault descriptor in asynchronous mode: the first write to
+ * it faults, and the kernel removes the page's mark (write protection) and resumes the write.
+ * PAGEMAP_SCAN finds pages without the mark.
  */
 #define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MREMAP_FIXED, struct statx */
 #include "reuse/pages/written_pages.h"
@@ -31,18 +31,20 @@ struct range redcc_whole_pages(struct range range) {
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-/* A file opened here, and its identity: the program may close any descriptor, and open another file
- * with its number. */
+/* A descriptor opened here, and the identity of its file, because the program may close any
+ * descriptor and open another file with the same number. */
 struct opened {
     int descriptor;
     uint64_t device;
     uint64_t number;
 };
 
-static struct opened faults;  /* for protecting pages */
-static struct opened pagemap; /* for scanning them */
+static struct opened faults;  /* the userfault descriptor, to protect pages */
+static struct opened pagemap; /* to scan them */
 
-/* A byte that is 1 in this process, and that the system clears in a child. NULL: not started. */
+/* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking never
+ * started.
+ */
 static volatile char *own_mark;
 
 static bool look_at(struct opened *opened) {
@@ -63,8 +65,8 @@ static int request_of(const struct opened *opened, unsigned long request, const 
     return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
-/* The lowest number for our descriptors, so that the program keeps getting the low ones: the last
- * two in the present table. */
+/* The lowest number for the descriptors opened here: the last two of the current descriptor table,
+ * so that the program continues to get the low numbers. */
 static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
@@ -75,7 +77,7 @@ static int first_number(void) {
                : from;
 }
 
-/* Moves `descriptor` to a number of at least `from`. */
+/* Moves `descriptor` to a number of at least `from`, and stores it in *opened. */
 static bool take(struct opened *opened, int descriptor, int from) {
     if (descriptor < 0)
         return false;
@@ -100,7 +102,7 @@ static bool open_both(void) {
            take(&pagemap, redcc_system_open("/proc/self/pagemap"), from);
 }
 
-/* EBUSY if the program tracks the range by its own descriptor. */
+/* Registers a mapping. Fails (EBUSY) if the program tracks the range by its own descriptor. */
 static bool enter(struct range mapping) {
     struct watch_register request = {
         {mapping.first, mapping.end - mapping.first}, WATCH_REGISTER_WRITES, 0};
@@ -112,8 +114,8 @@ static bool protect(struct range pages) {
     return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* A page counts as touched if it has no mark or is not present: for a whole page table that was
- * dropped, as by MADV_DONTNEED, kernels before July 2026 do not report the write. */
+/* A page counts as touched if it has no mark or is not present: if a whole page table was dropped,
+ * as by MADV_DONTNEED, kernels before July 2026 do not report the write. */
 static bool untouched(struct range pages) {
     struct watch_region found;
     struct watch_scan scan = {.size = sizeof scan,
@@ -151,8 +153,8 @@ static bool touch(char *trial) {
                         goal) == (long)goal;
 }
 
-/* Does all of it work here as documented? A page moved to another address must not keep its mark
- * (in kernels before 6.12.11 it does). */
+/* Tests that tracking works here as documented. For instance, a page moved to another address must
+ * not keep its mark (in kernels before 6.12.11 it does). */
 static bool passes_trial(char *trial) {
     for (int page = 0; page < TRIAL_PAGES; page++)
         ((volatile char *)trial)[(size_t)page * redcc_page_size()] = 1;
@@ -178,7 +180,7 @@ static bool try_out(void) {
     return passed;
 }
 
-/* A child uses the page again, and finds it cleared. */
+/* Makes the marked page, if there is none. A child finds it cleared, and uses it again. */
 static bool make_mark(void) {
     if (!own_mark)
         own_mark = redcc_wiped_page();
@@ -191,7 +193,8 @@ static bool is_under_valgrind(void) {
     return preloaded && strstr(preloaded, "vgpreload_");
 }
 
-static bool is_unavailable; /* no attempt is made, in this process or its children */
+static bool
+    is_unavailable; /* an attempt has failed: none follows in this process or its children */
 
 bool redcc_pages_begun(void) {
     return own_mark && *own_mark == 1;
@@ -200,7 +203,7 @@ bool redcc_pages_begun(void) {
 bool redcc_pages_begin(void) {
     if (is_unavailable)
         return false;
-    if (own_mark) { /* in a child: the parent's files are of no use */
+    if (own_mark) { /* in a child: the parent's descriptors refer to the parent's memory */
         close_opened(&faults);
         close_opened(&pagemap);
     }
@@ -223,7 +226,7 @@ bool redcc_pages_protect(struct range pages) {
     struct mappings mappings;
     if (redcc_is_confined() || !redcc_may_watch(&mappings, pages, faults.descriptor))
         return false;
-    for (int m = 0; m < mappings.count; m++) /* whole mappings, or the system would split them */
+    for (int m = 0; m < mappings.count; m++) /* whole mappings: the system would split others */
         if (!enter(mappings.whole[m]))
             return false;
     return protect(pages);

@@ -12,15 +12,15 @@
  *  descriptors, which refer to the parent's memory. */
 bool redcc_pages_begun(void);
 
-/** Opens the descriptors and tests them. False: the system does not support it, or must not be
- *  asked; no further attempt is made. */
+/** Opens the descriptors and tests them. False: the system does not support tracking, or the
+ * process must not try it (redcc_is_confined); no further attempt is made. */
 bool redcc_pages_begin(void);
 
 /** Protects these whole pages, so that writes to them are recorded. False on failure. */
 bool redcc_pages_protect(struct range pages);
 
 /** Are all pages present and unwritten since they were protected? False also if unknown, as for an
- *  address that was remapped meanwhile. */
+ *  address that was remapped since. */
 bool redcc_pages_untouched(struct range pages);
 
 #endif
