@@ -18,7 +18,8 @@ struct reading {
 };
 
 /** For source number `source` of the loop; sources [source_count] are their ranges, known the
- *  ranges known before the inspection. */
+ *  ranges known before the inspection. NULL: only these are known; nothing of the others is
+ *  read. */
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 
