@@ -413,12 +413,11 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
 
 void redcc_advise_check(const struct advice *entry, struct inspection *inspection) {
     const struct call *call = inspection->call;
-    const double whole = entry->usual * (double)call->request.trip;
-    const double gain = whole * (1 - LEARN_CONTENDED / call->threads);
-    if (call->method || entry->may_lose == 0 || gain <= 0)
+    const double most = LEARN_SHARE * entry->usual * (double)call->request.trip;
+    if (call->method || entry->may_lose == 0 || most == 0)
         return;
     inspection->pace.began = redcc_seconds();
-    inspection->pace.deadline = inspection->pace.began + gain;
+    inspection->pace.deadline = inspection->pace.began + most;
 }
 
 bool redcc_may_be_tiled(const struct inspection *inspection) {
