@@ -80,8 +80,11 @@ static enum stage begin_inspection(struct execution *execution) {
         return refuse(execution, REASON_TWO_ADDRESSES);
     execution->inspected = true;
     /* The sample has no deadline; auto sets one after it. */
-    execution->inspection.deadline =
-        is_dry && !named && !is_direct ? redcc_seconds() + execution->advice.deadline : 0;
+    execution->inspection.pace = (struct pace){
+        .usual = execution->advice.usual,
+        .began = redcc_seconds(),
+        .deadline =
+            is_dry && !named && !is_direct ? redcc_seconds() + execution->advice.deadline : 0};
     if (!redcc_inspection_begin(&execution->inspection,
                                 named ? execution->call.method->selects : is_direct))
         return refuse(execution, REASON_NO_MEMORY);
@@ -101,7 +104,7 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 
 static enum stage after_dry_run(struct execution *execution) {
     const enum reason reason = redcc_dry_run_finish(&execution->inspection);
-    execution->inspection.deadline = 0;
+    execution->inspection.pace.deadline = 0;
     if (reason == REASON_DEADLINE) /* it passed before a strategy was chosen */
         execution->inspection.route = ROUTE_SERIAL;
     return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
@@ -147,6 +150,7 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
 static enum stage sweep_for_extents(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     inspection->route = ROUTE_DIRECT;
+    redcc_advise_check(&execution->advice, inspection);
     const bool possible = redcc_cut(inspection, NULL) &&
                           (inspection->whole.cut ||
                            redcc_partition_see_whole(&inspection->whole, &inspection->partition));
@@ -289,6 +293,8 @@ static enum stage after_log(struct execution *execution) {
 static enum stage after_sweep(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     const enum reason reason = redcc_sweep_finish(inspection);
+    if (reason == REASON_DEADLINE && execution->call.in_bins)
+        return refuse(execution, REASON_SERIAL_FASTER);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
     if (execution->call.in_bins) /* its own guard checks arrays that overlap each other */

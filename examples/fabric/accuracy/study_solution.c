@@ -153,19 +153,17 @@ static int compare_solvers(study *of, const mesh *cloth) {
                    {"gauss-seidel to 1e-6", METHOD_CONJUGATE_GRADIENTS, 1e-6},
                    {"direct", METHOD_DIRECT, 0}};
     for (int h = of->quick ? 2 : 0; h < 4; h++)
-        for (int solver = 0; solver < 3; solver++) {
+        for (int k = 0; k < 3; k++) {
             scene s = of->base;
             s.time.integrator = INTEGRATOR_LINEAR_EULER;
             s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
             s.time.step = steps[h];
             s.time.steps = (int)fmax(4, ceil(shortest / steps[h]));
-            s.solution.method = solvers[solver].method;
-            s.solution.tolerance = solvers[solver].method == METHOD_DIRECT
-                                       ? of->base.solution.tolerance
-                                       : solvers[solver].tolerance;
+            s.solution.method = solvers[k].method;
+            s.solution.tolerance = solvers[k].method == METHOD_DIRECT ? of->base.solution.tolerance
+                                                                      : solvers[k].tolerance;
             if ((s.solution.method != METHOD_DIRECT || direct_solver_available()) &&
-                study_run(of, "solver", solvers[solver].name, &s, cloth,
-                          solvers[solver].tolerance) != 0)
+                study_run(of, "solver", solvers[k].name, &s, cloth, solvers[k].tolerance) != 0)
                 return -1;
         }
     return 0;

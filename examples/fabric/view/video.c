@@ -151,7 +151,7 @@ int video_write(const char *folder, int width, int height, const char *path, int
     *count = film_frames(of)->count;
     int status = fresh_file_open(&f, path);
     if (status == 0)
-        status = fresh_file_close(&f, encode(of, folder, width, height, f.beside));
+        status = fresh_file_close(&f, encode(of, folder, width, height, f.temporary));
     film_close(of);
     return status;
 }

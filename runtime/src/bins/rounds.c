@@ -16,8 +16,12 @@ enum {
     STRETCH = 64,   /* maximum iterations of a stretch */
     MEASURED = 64,  /* of a small share one iteration in this many is measured */
     LEAST_CHUNK = 512,
-    TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
-                * stretch compared with it; the next is as long as all before */
+    /* The first round of a trial is this fraction of the loop, as is the sequential stretch
+     * compared with it: with records of scattered rows it may take six times as long as in order.
+     * Private copies are filled and merged in every round, so that theirs are longer. */
+    TRIED = 128,
+    TRIED_IN_COPIES = 16,
+    GROWTH = 3 /* a later round has at most this many times the iterations before it */
 };
 
 /* Margins above the seen numbers. While a rate is at most this much too high it is kept, and with
@@ -161,17 +165,52 @@ static enum bins_phase end_with(struct binning *binning, enum reason reason) {
     return BINS_OVER;
 }
 
+double redcc_bins_usual(const struct binning *binning) {
+    const struct bins_trial *it = &binning->trial;
+    return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
+}
+
+/* Seconds that the trial may lose in all, */
+static double may_lose(const struct binning *binning) {
+    const double most = binning->trial.may_lose;
+    const double whole = redcc_bins_usual(binning) * (double)binning->call->request.trip;
+    return most < 0 && most >= -1 ? -most * whole : most;
+}
+
+/* and has lost so far. */
+static double lost_so_far(const struct binning *binning) {
+    const struct bins_trial *it = &binning->trial;
+    const redcc_int binned = binning->round.begin - it->stretch;
+    const double seconds = redcc_seconds() - it->began - it->sequential;
+    return seconds - redcc_bins_usual(binning) * (double)binned;
+}
+
+/* Iterations of a trial's next round. If these lose as much each as those before, the trial loses
+ * no more than it may. */
+static redcc_int tried_next(const struct binning *binning) {
+    const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
+    const redcc_int least = trip / (binning->copies ? TRIED_IN_COPIES : TRIED) + 1;
+    if (begin == 0)
+        return least;
+    if (binning->copies)
+        return begin;
+    const double lost = lost_so_far(binning), left = may_lose(binning) - lost;
+    const double each = lost / (double)(begin - binning->trial.stretch);
+    const double most = GROWTH * (double)begin;
+    return each * most <= left ? (redcc_int)most : redcc_max((redcc_int)(left / each), least);
+}
+
 /* Divides the remaining iterations into rounds of about equal size; in a trial takes a part of
  * them. Memory is allocated for all of them, so that parts use only what they need. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int trip = binning->call->request.trip, left = trip - round->begin;
     const redcc_int rounds = (left - 1) / round->most + 1, even = (left - 1) / rounds + 1;
-    const redcc_int tried = round->begin > 0 ? round->begin : trip / TRIED + 1;
+    const redcc_int tried = is_trial(binning) ? tried_next(binning) : trip;
     assert(left > 0 && round->most > 0);
     if (redcc_bins_is_whole(binning) && round->most < trip)
         return end_with(binning, REASON_NO_MEMORY);
-    const bool in_part = is_trial(binning) && !redcc_bins_is_whole(binning) && tried < even;
+    const bool in_part = !redcc_bins_is_whole(binning) && tried < even;
     round->end = round->begin + (in_part ? tried : even);
     round->error_before = atomic_load_explicit(binning->effects.error, memory_order_relaxed);
     atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
@@ -303,23 +342,6 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
-double redcc_bins_usual(const struct binning *binning) {
-    const struct bins_trial *it = &binning->trial;
-    return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
-}
-
-/* Losses so far are subtracted from the total that may be lost. */
-static bool is_too_slow(const struct binning *binning) {
-    const struct bins_trial *it = &binning->trial;
-    const redcc_int binned = binning->round.begin - it->stretch;
-    const double seconds = redcc_seconds() - it->began - it->sequential;
-    const double usual = redcc_bins_usual(binning);
-    const double whole = usual * (double)binning->call->request.trip;
-    const bool is_share = it->may_lose < 0 && it->may_lose >= -1;
-    const double most = is_share ? -it->may_lose * whole : it->may_lose;
-    return is_trial(binning) && seconds - usual * (double)binned > most;
-}
-
 /* The next iterations, the number of the first round: their time shows the round's gain,
  * independently of changes between executions of the loop. */
 static enum bins_phase begin_stretch(struct binning *binning) {
@@ -340,7 +362,7 @@ static enum bins_phase go_on(struct binning *binning) {
         return BINS_OVER;
     if (is_trial(binning) && binning->trial.stretch == 0)
         return begin_stretch(binning);
-    if (!is_too_slow(binning))
+    if (!is_trial(binning) || lost_so_far(binning) <= may_lose(binning))
         return round->shortened ? lengthen(binning) : begin_round(binning);
     binning->reason = REASON_SERIAL_FASTER;
     return BINS_OVER;

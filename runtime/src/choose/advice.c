@@ -73,8 +73,8 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
 static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) {
     double bytes = 0;
     for (uint32_t s = 0; s < loop->source_count; s++)
-        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && known[s].end)
-            bytes += (double)(known[s].end - known[s].first);
+        if (loop->sources[s].flags & REDCC_IS_SUBSCRIPT)
+            bytes += (double)redcc_range_size(redcc_reading_of(loop, known, NULL, s).range);
     return bytes;
 }
 
@@ -403,11 +403,21 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     }
     if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
-    inspection->deadline = redcc_seconds() + decision.deadline;
+    inspection->pace.began = redcc_seconds();
+    inspection->pace.deadline = inspection->pace.began + decision.deadline;
     if (entry->way != WAY_COPIES)
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
     redcc_partition_in_one(partition); /* owners do not matter, only the range */
     return ROUTE_COPIES;
+}
+
+void redcc_advise_check(const struct advice *entry, struct inspection *inspection) {
+    const struct call *call = inspection->call;
+    const double most = LEARN_SHARE * entry->usual * (double)call->request.trip;
+    if (call->method || entry->may_lose == 0 || most == 0)
+        return;
+    inspection->pace.began = redcc_seconds();
+    inspection->pace.deadline = inspection->pace.began + most;
 }
 
 bool redcc_may_be_tiled(const struct inspection *inspection) {
@@ -503,7 +513,7 @@ static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;
     if (call->method || share * call->threads <= 1 + LEARN_RISK ||
-        redcc_seconds() + inspection->each.touches * all * LEARN_ROW > inspection->deadline)
+        redcc_seconds() + inspection->each.touches * all * LEARN_ROW > inspection->pace.deadline)
         return false;
     return redcc_partition_levels(inspection) &&
            redcc_levels_length(&inspection->levels, call->threads) < LEARN_BETTER * share * all;

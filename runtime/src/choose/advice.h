@@ -97,6 +97,10 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
  * without a common row or column may then update one element. */
 bool redcc_may_be_tiled(const struct inspection *inspection);
 
+/** Limits the check of a loop on trial in bins, a sweep for its extents, which every execution
+ * needs: it is part of the trial, and may take what that may lose. */
+void redcc_advise_check(const struct advice *entry, struct inspection *inspection);
+
 /** Selects the method, given the access summaries. reusable: the plan can be kept. NULL: none, the
  *  original loop is expected to be faster. */
 const struct method *redcc_advise_swept(const struct chooser *chooser,

@@ -60,16 +60,6 @@ static void expect_one(const struct inspector *inspector, redcc_worker *worker) 
     worker->alike = never_settled;
 }
 
-/* Checks after 1/16 of the budget whether the deadline will be missed. */
-static bool will_be_late(const struct inspection *inspection, const struct inspector *inspector) {
-    if (inspection->deadline == 0)
-        return false;
-    const double left = inspection->deadline - redcc_seconds();
-    const double spent = redcc_seconds() + inspector->dry_run.seconds;
-    const double done = redcc_dry_run_done(inspection);
-    return left < 0 || (15 * spent > left && spent * (1 - done) > left * done);
-}
-
 bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker) {
     struct dry_run *run = &inspector->dry_run;
@@ -82,10 +72,10 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     assert(0 <= first && first <= trip);
     if (!run->no_conflict || first == trip)
         return false;
-    inspector->late = will_be_late(inspection, inspector);
+    inspector->late = redcc_inspection_will_be_late(inspection, redcc_dry_run_done(inspection));
     if (inspector->late)
         return false;
-    const bool at_once = inspection->deadline == 0 || trip - first <= run->block;
+    const bool at_once = inspection->pace.deadline == 0 || trip - first <= run->block;
     inspector->next = at_once ? trip : first + run->block;
     run->block = redcc_next_before_deadline(run->block);
     redcc_hand_out(inspector, worker, first, inspector->next, 1, run->window);

@@ -92,7 +92,15 @@ void redcc_inspection_end(struct inspection *inspection) {
 }
 
 bool redcc_inspection_is_late(const struct inspection *inspection) {
-    return inspection->deadline > 0 && redcc_seconds() > inspection->deadline;
+    return inspection->pace.deadline > 0 && redcc_seconds() > inspection->pace.deadline;
+}
+
+bool redcc_inspection_will_be_late(const struct inspection *inspection, double done) {
+    if (inspection->pace.deadline == 0)
+        return false;
+    const double now = redcc_seconds(), left = inspection->pace.deadline - now;
+    const double spent = now - inspection->pace.began;
+    return left < 0 || (15 * spent > left && spent * (1 - done) > left * done);
 }
 
 bool redcc_inspection_failed(const struct inspection *inspection) {

@@ -73,16 +73,23 @@ struct inspector {
     redcc_owner *nowhere;  /* [array_count] an empty window: all touches are recorded */
 };
 
+/** What an inspection may take. */
+struct pace {
+    double usual;    /* seconds of an iteration of the sequential loop; 0: unknown */
+    double began;    /* the stage with the deadline, on the clock of redcc_seconds */
+    double deadline; /* on the same clock; 0: none */
+};
+
 /** An inspection, with memory that is freed as a whole. */
 struct inspection {
     const struct call *call;
     struct inspector *const *inspector; /* [threads] */
     struct barrier *barrier;
-    struct range *touched;  /* [array_count] ranges touched by all threads; owned by the loop */
-    struct range *sources;  /* [source_count] ranges read; owned by the loop */
-    uint32_t stealable;     /* blocks to be cut for each thread (partition.stealable) */
-    enum route route;       /* as decided so far */
-    double deadline;        /* on the clock of redcc_seconds; 0: none */
+    struct range *touched; /* [array_count] ranges touched by all threads; owned by the loop */
+    struct range *sources; /* [source_count] ranges read; owned by the loop */
+    uint32_t stealable;    /* blocks to be cut for each thread (partition.stealable) */
+    enum route route;      /* as decided so far */
+    struct pace pace;
     bool no_copies;         /* the ranges of all iterations rule out private copies */
     bool no_graph;          /* owners cannot be cut from the access graph */
     bool is_exact;          /* unit numbers cover exactly the range touched by all iterations */
@@ -110,6 +117,9 @@ void redcc_inspection_end(struct inspection *inspection);
 
 /** Has the inspection taken longer than auto allows? */
 bool redcc_inspection_is_late(const struct inspection *inspection);
+
+/** Will it, at the pace of this fraction of the stage, 0 to 1? Says so after a 16th of the time. */
+bool redcc_inspection_will_be_late(const struct inspection *inspection, double done);
 
 /** With a deadline, the clock is first read after a few iterations, since they may be heavy, then
  * at intervals that double up to the second number (50 microseconds to a millisecond). */

@@ -67,7 +67,7 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
         redcc_divide_begin(divide, &inspection->partition, range, threads, trip, touches);
     redcc_memory_give(range);
     divide->barrier = inspection->barrier;
-    divide->deadline = inspection->deadline;
+    divide->deadline = inspection->pace.deadline;
     if (inspection->route == ROUTE_LEVELS) /* the method was named, so the memory is unlimited */
         divide->most_logged = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/share.h"
+#include "learn/constants.h"
 #include "ownership/cuts.h"
 #include "ownership/owner_map.h"
 #include "plan/method.h"
@@ -14,6 +15,10 @@
 /* A map of owners is used only if it reduces the most loaded share to this fraction, because its
  * owner checks are slower. */
 #define WORTH_A_MAP 0.9
+
+/* Seconds that a sample's iterations take in the loop, at most. Recording them and estimating from
+ * them takes about ten times as long, starting the threads the rest of LEARN_LOOK. */
+#define SAMPLED_SECONDS (LEARN_LOOK / 16)
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations per owner, of all threads together; */
@@ -37,6 +42,15 @@ static bool is_for_tiles(const struct inspection *inspection) {
            redcc_can_be_tiled(request->trip);
 }
 
+/* At most `most` iterations: heavy ones have many touches, of which fewer iterations say as much.
+ */
+static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
+    const double usual = inspection->pace.usual;
+    if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)
+        return most;
+    return redcc_min(most, redcc_max(few / 2, (redcc_int)(SAMPLED_SECONDS / usual)));
+}
+
 /* Iterations 0, stride, 2 stride, ... are sampled, for any number of threads. The stride is odd,
  * because an even one might always select the same corner of an element. The sample is small,
  * because sorting more touches than the owners need would cost more than the sweep of all
@@ -51,7 +65,8 @@ static redcc_int sample_stride(const struct inspection *inspection) {
     const redcc_int seen = redcc_max(shares * LOOKED_AT_LEAST, trip / LOOKED_AT_OF);
     if (is_for_tiles(inspection))
         return trip / (shares * LOOKED_AT_LEAST) | 1;
-    return trip / (looks ? redcc_min(few, seen) : redcc_min(even, most)) | 1;
+    return trip / (looks ? redcc_min(few, seen) : in_time(inspection, few, redcc_min(even, most))) |
+           1;
 }
 
 /* The number of sampled iterations before this thread's share. */

@@ -40,10 +40,19 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->handed = 0;
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
     inspector->largest = inspector->block;
-    if (inspection->deadline > 0 && inspector->block > REDCC_FIRST_BEFORE_DEADLINE)
+    if (inspection->pace.deadline > 0 && inspector->block > REDCC_FIRST_BEFORE_DEADLINE)
         inspector->block = REDCC_FIRST_BEFORE_DEADLINE;
     inspector->recorded_all = true;
     inspector->late = false;
+}
+
+/* A plan construction may go on to its deadline: an interruption at its beginning says nothing. */
+static bool is_late(const struct inspection *inspection, const struct inspector *inspector) {
+    const redcc_int begin = redcc_own_begin(inspection, inspector);
+    const redcc_int end = redcc_own_end(inspection, inspector);
+    const double done = (double)(inspector->next - begin) / (double)(end - begin);
+    return inspection->call->in_bins ? redcc_inspection_will_be_late(inspection, done)
+                                     : redcc_inspection_is_late(inspection);
 }
 
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
@@ -52,12 +61,12 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
     assert(first <= end);
     if (inspector->failed || !inspector->recorded_all || first == end)
         return false;
-    inspector->late = redcc_inspection_is_late(inspection);
+    inspector->late = is_late(inspection, inspector);
     if (inspector->late)
         return false;
     inspector->handed = end - first < inspector->block ? end - first : inspector->block;
     inspector->next = first + inspector->handed;
-    if (inspection->deadline > 0)
+    if (inspection->pace.deadline > 0)
         inspector->block =
             redcc_min(redcc_next_before_deadline(inspector->block), inspector->largest);
     assert(inspector->handed > 0 && inspector->next <= end);

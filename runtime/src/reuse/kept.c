@@ -224,10 +224,16 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
     *all = redcc_fingerprint(NULL, 0);
     if (!(loop->flags & REDCC_VERIFIABLE) || !are_known(loop, known))
         return false;
-    for (uint32_t s = 0; s < loop->source_count; s++)
-        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && known[s].end &&
-            !take_in(all, known[s].first, (size_t)(known[s].end - known[s].first), until))
+    for (uint32_t s = 0; s < loop->source_count; s++) {
+        if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT))
+            continue;
+        const struct reading reading = redcc_reading_of(loop, known, NULL, s);
+        const struct fingerprint parts[] = {*all, {{reading.beside, reading.distance}}};
+        *all = redcc_fingerprint_join(parts, 2);
+        if (!take_in(all, (const char *)reading.range.first, redcc_range_bytes(reading.range),
+                     until))
             return false;
+    }
     return true;
 }
 

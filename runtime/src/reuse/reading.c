@@ -7,25 +7,36 @@
 #include <assert.h>
 #include <stdatomic.h>
 
+/* Leaves out of *rest the bytes of `shown`; false if it has none of them, or parts would remain on
+ * both sides. */
+static bool leave_out(struct range *rest, struct range shown) {
+    if (!redcc_ranges_overlap(*rest, shown))
+        return false;
+    if (shown.first <= rest->first)
+        rest->first = shown.end < rest->end ? shown.end : rest->end;
+    else if (shown.end >= rest->end)
+        rest->end = shown.first;
+    else
+        return false;
+    return true;
+}
+
+static struct range range_of(const redcc_extent *known, const struct range *sources, uint32_t s) {
+    return sources ? sources[s] : redcc_range_of(known[s]);
+}
+
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source) {
     assert(source < loop->source_count);
-    const struct range it = sources[source];
+    const struct range it = range_of(known, sources, source);
     const bool has_gaps = known[source].end == NULL;
+    struct range rest = it;
     for (uint32_t s = 0; s < source; s++) {
-        const struct range shown = sources[s];
-        struct range rest = it;
-        if (!(loop->sources[s].flags & REDCC_IS_SUBSCRIPT) || !redcc_ranges_overlap(it, shown))
-            continue;
-        if (shown.first <= it.first)
-            rest.first = shown.end < it.end ? shown.end : it.end;
-        else if (shown.end >= it.end)
-            rest.end = shown.first;
-        else
-            continue; /* the shared bytes are in the middle, and parts remain on both sides */
-        return (struct reading){rest, has_gaps, s + 1, it.first - shown.first};
+        const struct range shown = range_of(known, sources, s);
+        if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && leave_out(&rest, shown))
+            return (struct reading){rest, has_gaps, s + 1, it.first - shown.first};
     }
-    return (struct reading){it, has_gaps, 0, 0};
+    return (struct reading){rest, has_gaps, 0, 0};
 }
 
 /* Can the whole range be read without a fault, and is it memory? The system populates its pages, as

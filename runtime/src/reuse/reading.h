@@ -18,7 +18,8 @@ struct reading {
 };
 
 /** The reading of source number `source` of the loop; sources [source_count]: the sources' ranges;
- *  known: those known before the inspection. */
+ *  known: those known before the inspection. sources is NULL: only these are known, and nothing of
+ *  the others is read. */
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Deadlines of inspections: a stage that will miss its deadline at its present pace ends early. */
+#include "base/clock.h"
+#include "inspect/inspection.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+
+#include <cmocka.h>
+
+/* Seconds so far, and until the deadline: so long that the test's own time does not count. */
+static bool will_be_late(double spent, double left, double done) {
+    const double now = redcc_seconds();
+    const struct inspection inspection = {.pace = {.began = now - spent, .deadline = now + left}};
+    return redcc_inspection_will_be_late(&inspection, done);
+}
+
+static void a_stage_ends_when_it_will_be_late(void **unused) {
+    (void)unused;
+    const struct inspection without = {.pace = {.began = redcc_seconds() - 1e6}};
+    assert_false(redcc_inspection_will_be_late(&without, 0.01));
+    assert_true(will_be_late(1e6, -1, 0.99));    /* the deadline has passed */
+    assert_true(will_be_late(1e6, 8e6, 0.1));    /* 9e6 more are needed */
+    assert_false(will_be_late(1e6, 10e6, 0.1));  /* 9e6 of 10e6 */
+    assert_false(will_be_late(1e6, 20e6, 1e-6)); /* less than a 16th of the time has passed */
+    assert_true(will_be_late(1e6, 14e6, 1e-6));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_stage_ends_when_it_will_be_late)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
