@@ -6,7 +6,6 @@
 
 #include "base/memory.h"
 #include "base/share.h"
-#include "learn/constants.h"
 #include "ownership/cuts.h"
 #include "ownership/owner_map.h"
 #include "plan/method.h"
@@ -17,8 +16,8 @@
 #define WORTH_A_MAP 0.9
 
 /* Seconds that a sample's iterations take in the loop, at most. Recording them and estimating from
- * them takes about ten times as long, starting the threads the rest of LEARN_LOOK. */
-#define SAMPLED_SECONDS (LEARN_LOOK / 16)
+ * them takes about ten times as long. `auto` expects a sample to take 0.4 ms, threads included. */
+#define SAMPLED_SECONDS 25e-6
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations per owner, of all threads together; */
