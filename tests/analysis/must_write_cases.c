@@ -1426,3 +1426,69 @@ void proved_break_of_the_loop(int n, const double *v) {
         use(f);
     }
 }
+
+/* ---- loops with the same header ------------------------------------------------------------- */
+
+void proved_read_by_the_same_header(int n, int m, const double *v) {
+    double f[9];
+    for (int t = 0; t < n; t++) {
+        for (int i = 0; i < m; i++)
+            f[i] = v[t];
+        for (int j = 0; j < m; j++)
+            use(f[j]);
+    }
+}
+
+void proved_read_by_two_counters(int n, unsigned low, unsigned high, const double *v) {
+    double f[9];
+    int i, k;
+    for (int t = 0; t < n; t++) {
+        for (k = 0, i = low; i <= high; ++i, ++k)
+            f[k] = v[t];
+        for (k = 0, i = low; i <= high; ++i, ++k)
+            f[k] += v[i];
+    }
+}
+
+void early_bound_of_the_header_changes(int n, const int *s, const double *v) {
+    double f[9];
+    for (int t = 0; t < n; t++) {
+        int m = s[t];
+        for (int i = 0; i < m; i++)
+            f[i] = v[t];
+        m++;
+        for (int i = 0; i < m; i++)
+            use(f[i]);
+    }
+}
+
+void early_other_condition(int n, int m, const double *v) {
+    double f[9];
+    for (int t = 0; t < n; t++) {
+        for (int i = 0; i < m; i++)
+            f[i] = v[t];
+        for (int i = 0; i <= m; i++)
+            use(f[i]);
+    }
+}
+
+void early_written_in_one_branch(int n, int m, const double *v) {
+    double f[9];
+    for (int t = 0; t < n; t++) {
+        if (v[t] > 0)
+            for (int i = 0; i < m; i++)
+                f[i] = v[t];
+        for (int i = 0; i < m; i++)
+            use(f[i]);
+    }
+}
+
+void early_element_behind_its_own(int n, int m, const double *v) {
+    double f[9] = {0};
+    for (int t = 0; t < n; t++) {
+        for (int i = 1; i < m; i++)
+            f[i] = v[t] + f[i - 1];
+        for (int i = 1; i < m; i++)
+            use(f[i]);
+    }
+}

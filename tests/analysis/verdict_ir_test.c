@@ -12,6 +12,7 @@
 
 #include "analysis/base/counted.h"
 #include "analysis/base/library.h"
+#include "analysis/base/reason.h"
 #include "expectation.h"
 #include "ir_reader/ir_read.h"
 
@@ -246,6 +247,8 @@ static void each_reason_is_documented_and_named_once(void **state) {
             arena_format(a, "\n## %s %s\n", reason_code((reason_id)id), reason_slug((reason_id)id));
         if (!strstr(text, heading))
             fail_msg("docs/reasons.md has no '%s'", heading);
+        if (!reason_make(a, (reason_id)id, "x", (ir_range){0}).advice && id != REASON_IGNORED)
+            fail_msg("'%s' has no advice", heading);
         for (int other = 1; other < id; other++) {
             assert_string_not_equal(reason_code((reason_id)id), reason_code((reason_id)other));
             assert_string_not_equal(reason_slug((reason_id)id), reason_slug((reason_id)other));

@@ -294,6 +294,7 @@ private_result must_write_check(must_write *prover, const ir_node *body,
         run r = {.prover = prover,
                  .function = variable->function,
                  .object = variable,
+                 .body = body,
                  .size = size,
                  .read = byte_set_new(prover->scratch, size),
                  .touched = byte_set_new(prover->scratch, size)};

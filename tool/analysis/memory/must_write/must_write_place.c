@@ -133,7 +133,9 @@ value run_load(run *r, state *s, const ir_node *node, const place *p) {
     if (p->kind == PLACE_OBJECT && check_bounds(r, node, p, type)) {
         const int64_t begin = p->is_exact ? p->offset : p->begin;
         const int64_t end = p->is_exact ? p->offset + type->size : p->end;
-        if (!p->is_exact || type->kind != IR_RECORD) {
+        if (!byte_set_has(s->written, begin, end) && run_repeats_write(r, node)) {
+            run_step(r, node, 64);
+        } else if (!p->is_exact || type->kind != IR_RECORD) {
             run_read(r, s, node, begin, end);
         } else if (run_step(r, node, 1 + (unsigned)((r->size + type->size) / 4))) {
             byte_set bytes = byte_set_new(r->prover->scratch, r->size);

@@ -41,6 +41,7 @@ typedef struct run {
     must_write *prover;
     const ir_function *function;
     const ir_variable *object; /* NULL in callees: they reach it by pointers only */
+    const ir_node *body;       /* of the loop; NULL in callees */
     int64_t size;              /* of the object, in bytes */
     bool is_open;              /* the object's true end is unknown, `size` is only a window */
     unsigned depth;            /* of calls */
@@ -120,6 +121,10 @@ place run_locate(run *r, state *s, const ir_node *node);
 value run_load(run *r, state *s, const ir_node *node, const place *p);
 /** Assigns to the lvalue `target` that lies there; returns the value it then has. */
 value run_store(run *r, state *s, const ir_node *target, const place *p, value v);
+
+/** Does the lvalue name an element that an earlier loop of the same body with the same header has
+ *  written (must_write_repeat.c)? */
+bool run_repeats_write(const run *r, const ir_node *read);
 
 /* ---- expressions and statements -------------------------------------------------------------- */
 
