@@ -241,9 +241,10 @@ double traced(double x) { return 0 ? dump(x) : x; }
 END
 cat >main.c <<'END'
 #include <stdio.h>
-enum { N = 100000, K = 1000, TRACED = 0 };
+enum { N = 100000, K = 1000 };
 static int k[N];
 static double h[K];
+static int never(int t) { return TRACED && t < 0; }
 double plain(double x, int i);
 double doubled(double x);
 double traced(double x);
@@ -252,8 +253,10 @@ int main(void) {
     double sum = 0;
     for (int t = 0; t < N; t++)
         k[t] = (int)((t * 7919LL + t / 3) % K);
-    if (TRACED)
+    if (never(0))
         sum = dump(sum);
+    for (int t = 0; t < N; t++)
+        h[k[t]] += 0.5;
     for (int t = 0; t < N; t++)
         h[k[t]] += plain(1.0 / (1 + t), t);
     for (int t = 0; t < N; t++)
@@ -265,9 +268,13 @@ int main(void) {
 }
 END
 echo 'double dump(double x); double dump(double x) { return x + 1; }' >dump.c # not linked
-gcc -O1 -ffp-contract=off main.c helper.c -o plain && ./plain >expected
+gcc -O1 -DTRACED=1 -ffp-contract=off main.c helper.c -o plain && ./plain >expected
 for compiler in gcc clang; do
-  for name in main helper; do "$redcc_cc" $compiler -O1 -Wall -Wextra -Werror -c $name.c || fail "$compiler: $name"; done
+  # clang forgets that a reference is weak where its optimiser removes the call
+  traced=$([ $compiler = clang ] || echo 1)
+  for name in main helper; do
+    "$redcc_cc" $compiler -O1 -Wall -Wextra -Werror -DTRACED=${traced:-0} -c $name.c || fail "$compiler: $name"
+  done
   "$redcc_cc" $compiler main.o helper.o -o program || fail "$case_name: $compiler"
   run_at_all_threads ./program "" # nobody knows what is not linked
 done
