@@ -93,6 +93,20 @@ static void of_two_types(int n, const struct counted *b, double *g, const long *
     }
 }
 
+/* The records are behind a record's pointer, which the contribution's text names again. */
+struct system {
+    struct body *all;
+};
+static void behind_a_record(int n, struct system *const *s, int here, const int *first, const double *near) {
+    float w;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        w = 2.0 - near[t];
+        w *= 0.75f;
+        (*s)->all[first[t]].spare[1] += w * (*s)->all[here].mass;
+        (*s)->all[here].spare[1] += w * (*s)->all[first[t]].mass;
+    }
+} // BINNED: 102
+
 static void fill(void) {
     for (int i = 0; i <= N; i++) {
         double *part = &memory[i].at.x;
@@ -105,6 +119,7 @@ static void fill(void) {
 
 int main(void) {
     static int first[4 * N], second[4 * N], begin[N], end[N];
+    static double near[4 * N];
     case_subscripts(first, 4 * N, N);
     case_subscripts(second, 4 * N, N);
     for (int t = 0; t < N; t++) {
@@ -113,6 +128,7 @@ int main(void) {
     }
     static struct counted counted[2 * N];
     static long doubles[4 * N], places[4 * N];
+    case_values(near, 4 * N);
     for (int t = 0; t < 4 * N; t++)
         doubles[t] = 3 * first[t] + t % 2, places[t] = second[t];
     for (int round = 0; round < 3; round++) {
@@ -134,6 +150,8 @@ int main(void) {
         by_parts(N, memory + round % 2, begin, end);
         by_pointers(N - round, memory + round / 2, 0.25);
         by_moved_pointers(4 * N, memory, first, second);
+        struct system inner = {memory}, *outer = &inner;
+        behind_a_record(4 * N, &outer, round * 50, first, near);
         CASE_PRINT(memory);
     }
 }

@@ -219,4 +219,64 @@ run_at_all_threads ./optimised "" # where the linker compiles, nothing is said o
 "$redcc_cc" -O1 -Iinclude src/*.c -o at-once 2>log || fail "$case_name: $(cat log)"
 run_at_all_threads ./at-once "assemble bins forces histogram"
 end
+
+# The programs link without a definition of these functions: what redcc writes may not ask for one.
+begin "functions that only dead or inlined calls name"
+echo '. | *.c' >Makefile
+cat >helper.c <<'END'
+double dump(double x);
+void missing(int i);
+static int never(void) { return 0; }
+inline double twice(double x) { return 2 * x; }
+double plain(double x, int i);
+double plain(double x, int i) {
+    if (never())
+        missing(i);
+    return x + i;
+}
+double doubled(double x);
+double doubled(double x) { return twice(x); }
+double traced(double x);
+double traced(double x) { return 0 ? dump(x) : x; }
+END
+cat >main.c <<'END'
+#include <stdio.h>
+enum { N = 100000, K = 1000 };
+static int k[N];
+static double h[K];
+static int never(int t) { return TRACED && t < 0; }
+double plain(double x, int i);
+double doubled(double x);
+double traced(double x);
+double dump(double x);
+int main(void) {
+    double sum = 0;
+    for (int t = 0; t < N; t++)
+        k[t] = (int)((t * 7919LL + t / 3) % K);
+    if (never(0))
+        sum = dump(sum);
+    for (int t = 0; t < N; t++)
+        h[k[t]] += 0.5;
+    for (int t = 0; t < N; t++)
+        h[k[t]] += plain(1.0 / (1 + t), t);
+    for (int t = 0; t < N; t++)
+        h[k[t]] += doubled(traced(t));
+    for (int i = 0; i < K; i++)
+        sum = sum * 0.5 + h[i];
+    printf("%a\n", sum);
+    return 0;
+}
+END
+echo 'double dump(double x); double dump(double x) { return x + 1; }' >dump.c # not linked
+gcc -O1 -DTRACED=1 -ffp-contract=off main.c helper.c -o plain && ./plain >expected
+for compiler in gcc clang; do
+  # clang forgets that a reference is weak where its optimiser removes the call
+  traced=$([ $compiler = clang ] || echo 1)
+  for name in main helper; do
+    "$redcc_cc" $compiler -O1 -Wall -Wextra -Werror -DTRACED=${traced:-0} -c $name.c || fail "$compiler: $name"
+  done
+  "$redcc_cc" $compiler main.o helper.o -o program || fail "$case_name: $compiler"
+  run_at_all_threads ./program "" # nobody knows what is not linked
+done
+end
 finish

@@ -242,3 +242,15 @@ void around(int n, const int *k, double *restrict h, const double *v) {
             h[list[q]] += v[t];
     }
 }
+
+/* A length's expression keeps an address, by which another iteration's value is read. */
+int kept_by_length(int *p);
+void length_keeps(int n, const int *k, double *restrict h) {
+    int q;
+    double other[kept_by_length(&q)];
+    other[0] = n;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse escapes
+        q = k[t];
+        h[q] += other[0];
+    }
+}

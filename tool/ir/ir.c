@@ -74,6 +74,12 @@ bool ir_is_statement_expression(const ir_node *node) {
     return node->kind == IR_OPAQUE && node->child_count == 1 && node->children[0]->kind == IR_BLOCK;
 }
 
+bool ir_is_lengths(const ir_node *node) {
+    const ir_node *above = node->parent;
+    return node->kind == IR_OPAQUE && above && above->kind == IR_DECLARATOR &&
+           above->variable->type->kind == IR_ARRAY && above->variable->type->size < 0;
+}
+
 static bool is_effect(const ir_node *node) {
     return node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
            ir_is_increment(node);

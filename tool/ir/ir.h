@@ -433,6 +433,10 @@ bool ir_continues(const ir_node *node);
 bool ir_leaves_loop(const ir_node *body);
 /** ({ ... }): opaque, but the block below it is complete. */
 bool ir_is_statement_expression(const ir_node *node);
+
+/** Does it stand for the lengths of a variable length array, at its declaration? They are its
+ * children. */
+bool ir_is_lengths(const ir_node *node);
 /** May evaluating the expression have a side effect: an assignment, a call, or an opaque part? */
 bool ir_has_effect(const ir_node *node);
 /** Does the parent use the value of this expression? (not: an expression statement, the left side

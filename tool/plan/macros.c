@@ -132,7 +132,7 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-/** The words in the macros of loop.h, without the runtime's own. */
+/** The words in the macros of loop.h, without the runtime's own, each with a byte that follows. */
 static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };

@@ -18,6 +18,12 @@ static bool has_macro_of_words(const ir_unit *unit) {
     return false;
 }
 
+typedef struct recorder {
+    arena *memory;
+    const ir_unit *unit;
+    const project *around;
+} recorder;
+
 typedef struct callees {
     arena *memory;
     bool *is_noted; /* by function */
@@ -46,6 +52,13 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
+/* It gets no record of its own, and the program may lack it: an inline definition, or a function of
+ * no source, whose calls the compiler removes. */
+static bool is_unrecorded(const recorder *r, const ir_function *f) {
+    return f->body ? !exported_is_plain(r->memory, r->unit, f)
+                   : !project_definer(r->around, f->name, NULL);
+}
+
 /* Is the function declared inside another one? Then it cannot be named at the file's end, and the
  * file gets no records. */
 static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
@@ -59,32 +72,53 @@ static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     return false;
 }
 
-static void write_record(arena *a, const ir_unit *unit, const ir_function *f, buffer *out) {
-    callees c = {
-        .memory = a, .unit = unit, .is_noted = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+/* The compiler may have left no call of a function that is only declared here, and the program need
+ * not have it: its address is asked for by a weak reference. */
+static void write_callees(const char *name, const callees *c, buffer *out) {
+    for (unsigned i = 0; i < c->found.count; i++) {
+        const char *callee = c->found.items[i]->name;
+        buffer_format(out,
+                      "extern const struct redcc__record redcc_record_%s "
+                      "__attribute__((__weak__));\n",
+                      callee);
+        if (!c->found.items[i]->body)
+            buffer_format(out,
+                          "static __typeof__(%s) redcc__callee%u_%s "
+                          "__attribute__((__weakref__(\"%s\")));\n",
+                          callee, i, name, callee);
+    }
+    if (c->found.count)
+        buffer_format(out, "static const struct redcc__callee redcc__callees_%s[] = {", name);
+    for (unsigned i = 0; i < c->found.count; i++) {
+        const ir_function *callee = c->found.items[i];
+        buffer_format(out, "%s{&redcc_record_%s, (void (*)(void))", i ? ", " : "", callee->name);
+        if (callee->body)
+            buffer_format(out, "%s}", callee->name);
+        else
+            buffer_format(out, "redcc__callee%u_%s}", i, name);
+    }
+    if (c->found.count)
+        buffer_text(out, "};\n");
+}
+
+static void write_record(const recorder *r, const ir_function *f, buffer *out) {
+    const ir_unit *unit = r->unit;
+    callees c = {.memory = r->memory,
+                 .unit = unit,
+                 .is_noted = ARENA_ARRAY(r->memory, bool, unit->function_count + 1)};
     c.is_noted[f->id] = true;
     ir_walk(f->body, note_callee, &c);
     if (c.has_directive)
         return;
     for (unsigned i = 0; i < c.found.count; i++)
-        if (!can_be_named(unit, c.found.items[i]) || declares_in_block(unit, c.found.items[i]))
+        if (!can_be_named(unit, c.found.items[i]) || declares_in_block(unit, c.found.items[i]) ||
+            is_unrecorded(r, c.found.items[i]))
             return;
     const uint64_t of = ir_digest(unit, f);
     const char *name = f->name;
     buffer_format(out, "static __typeof__(%s) redcc__own_%s __attribute__((__alias__(\"%s\")));\n",
                   name, name, name);
-    if (c.found.count) {
-        for (unsigned i = 0; i < c.found.count; i++)
-            buffer_format(out,
-                          "extern const struct redcc__record redcc_record_%s "
-                          "__attribute__((__weak__));\n",
-                          c.found.items[i]->name);
-        buffer_format(out, "static const struct redcc__callee redcc__callees_%s[] = {", name);
-        for (unsigned i = 0; i < c.found.count; i++)
-            buffer_format(out, "%s{&redcc_record_%s, (void (*)(void))%s}", i ? ", " : "",
-                          c.found.items[i]->name, c.found.items[i]->name);
-        buffer_text(out, "};\n");
-    }
+    write_callees(name, &c, out);
     buffer_format(out,
                   "extern const struct redcc__record redcc_record_%s;\n"
                   "const struct redcc__record redcc_record_%s __attribute__((__weak__, "
@@ -95,6 +129,7 @@ static void write_record(arena *a, const ir_unit *unit, const ir_function *f, bu
 }
 
 const char *records_write(arena *a, const ir_unit *unit, const project *around) {
+    const recorder r = {a, unit, around};
     buffer out = {0};
     if (has_macro_of_words(unit) || strstr(unit->source->text, "redcc__"))
         return NULL;
@@ -102,7 +137,7 @@ const char *records_write(arena *a, const ir_unit *unit, const project *around) 
         const ir_function *f = unit->functions[i];
         if (exported_is_plain(a, unit, f) && can_be_named(unit, f) &&
             project_calls_in_loop(around, f->name))
-            write_record(a, unit, f, &out);
+            write_record(&r, f, &out);
     }
     const char *text =
         out.length == 0

@@ -155,28 +155,23 @@ typedef struct nest_names {
     loop_text *loop;
     const bins_nest *nest;
     unsigned part;
-    ir_c_rename others; /* NULL: other names are kept */
+    ir_c_rename others;
 } nest_names;
 
 static const char *name_in_part(const ir_node *node, void *context) {
     const nest_names *its = context;
     const char *counter = nest_counter_text(its->loop, its->nest, node, its->part);
-    if (counter)
-        return counter;
-    if (its->others)
-        return its->others(node, its->loop);
-    const char *own = own_name(its->loop, node);
-    return own ? own : pointed_name(its->loop, node);
+    return counter ? counter : its->others(node, its->loop);
 }
 
 static const char *value_text(loop_text *loop, const bins_record *record, unsigned value,
-                              value_kind kind) {
+                              value_kind kind, ir_c_rename name) {
     arena *a = loop->arena;
     const unsigned parts = nest_part_count(record->nest);
     if (value >= record->operand_count * parts)
         return "0"; /* only other records of the stream use this value */
     const ir_node *operand = record->operands[value / parts];
-    nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts};
+    nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts, .others = name};
     const char *text = is_floating(kind) ? text_expression(a, operand, name_in_part, &names)
                                          : text_operand(a, operand, name_in_part, &names);
     if (!text) {
@@ -188,7 +183,7 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
 }
 
 /** The values of the record, as an argument of the appending macro. */
-static const char *values_text(loop_text *loop, const bins_record *record) {
+static const char *values_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const unsigned count = stream_value_count(stream);
     buffer out = {0};
@@ -196,7 +191,7 @@ static const char *values_text(loop_text *loop, const bins_record *record) {
         buffer_format(&out, "REDCC_VALUES_%u(", count);
     for (unsigned i = 0; i < count; i++)
         buffer_format(&out, "%s%s", i > 0 ? ", " : "",
-                      value_text(loop, record, i, stream->kinds[i]));
+                      value_text(loop, record, i, stream->kinds[i], name));
     if (count > 1)
         buffer_byte(&out, ')');
     return buffer_take(loop->arena, &out);
@@ -253,7 +248,7 @@ const char *bins_update(loop_text *loop, const reduction_update *update, const c
                             record->stream, record->tag, place);
     return arena_format(loop->arena, "REDCC_%s_BY(%u, %u, %u, %s, %s, %s)", macro, update->array,
                         record->stream, record->tag, place, record_name(loop, record->stream),
-                        values_text(loop, record));
+                        values_text(loop, record, name));
 }
 
 /** The text that appends the record of an update in a nest. */
@@ -270,9 +265,10 @@ static const char *append_text(loop_text *loop, const bins_record *record, ir_c_
                                      record->stream, record->tag, loop->arrays[update->array].local,
                                      address, row_type(loop, update->array),
                                      part_of_row(loop->facts, loop->bins, update, 0));
-    return has_values ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
-                                     record_name(loop, record->stream), values_text(loop, record))
-                      : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
+    return has_values
+               ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
+                              record_name(loop, record->stream), values_text(loop, record, name))
+               : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
 }
 
 /* ---- spans ---------------------------------------------------------------------------------- */

@@ -116,7 +116,8 @@ static bool visit_outside(ir_node *node, void *context) {
         return false;
     if (find->loop != NULL && node->id > last_id(find->loop))
         return false;
-    const bool is_unknown = node->kind == IR_OPAQUE && !ir_is_statement_expression(node);
+    const bool is_unknown =
+        node->kind == IR_OPAQUE && !ir_is_statement_expression(node) && !ir_is_lengths(node);
     if (is_unknown || (node->kind == IR_VARIABLE && node->variable == find->variable &&
                        address_is_kept(find, node)))
         find->found = node;

@@ -322,8 +322,7 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
     run_check_hidden(r, s, declarator, variable->type);
     if (variable->storage != IR_LOCAL)
         return; /* the initialiser of a static variable is constant */
-    if (initial != NULL && initial->kind == IR_OPAQUE && variable->type->kind == IR_ARRAY &&
-        variable->type->size < 0) { /* the lengths of a variable length array */
+    if (initial != NULL && ir_is_lengths(initial)) {
         for (unsigned i = 0; i < initial->child_count; i++)
             run_evaluate_closed(r, s, initial->children[i]);
         return;
