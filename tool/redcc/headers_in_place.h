@@ -16,8 +16,8 @@ typedef struct header_use {
 
 typedef VECTOR(header_use) header_uses;
 
-/** The headers with refused loops (R518) that may stand in the source's text, in its order: included
- *  once in all, directly, and with a text that means the same there. */
+/** The headers with refused loops (R518) that may stand in the source's text, in its order:
+ * included once in all, directly, and with a text that means the same there. */
 header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
 
 /** The source of `unit` with these of its headers in it. #line directives keep all places; with
