@@ -315,6 +315,7 @@ compile "another header, again" 0
 compile "-g" 1 -g
 compile "-g, again" 0 -g
 mkdir other && cp x.c h.h mycc other/ && cd other || exit 1
+compile "in another folder" 0
 compile "-g in another folder" 1 -g
 cd .. || exit 1
 "$redcc_cc" -O1 -c x.c -o x.o && cp x.o before && ln x.o other.o && "$redcc_cc" -O2 -c x.c -o x.o && "$redcc_cc" -O2 -c x.c -o x.o
@@ -374,7 +375,7 @@ sleep 4
 for name in $names; do cd "$work/settled $name" && expect "$name, first" "miss parallel" -Ione -Itwo -Ithree; done
 changed nothing "hit parallel" true
 if command -v strace >/dev/null && strace -o traced true 2>/dev/null; then
-  strace -o traced "$redcc_cc" --redcc-report -v -O1 -c -Ione -Itwo -Ithree x.c 2>notes
+  REDCC_BUILD_REPORT=$PWD/verdicts strace -o traced "$redcc_cc" --redcc-report -v -O1 -c -Ione -Itwo -Ithree x.c 2>notes
   expect_no_match traced 'open.*two/h\.h'
 fi
 with_old_times() { cp -p two/h.h old && echo "$no" >two/h.h && touch -r old two/h.h; }

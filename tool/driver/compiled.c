@@ -95,15 +95,26 @@ static const char *object_of_command(session *s, const translation *t) {
     return dot ? arena_format(s->memory, "%.*s.o", (int)(dot - base), base) : NULL;
 }
 
+static bool has_debugging_information(const command *c) {
+    for (unsigned i = 0; i < c->count; i++)
+        if (c->items[i].kind == INPUT_NOT && strncmp(c->items[i].text, "-g", 2) == 0)
+            return true;
+    return false;
+}
+
 /* What an object depends on beside the sources and the command: debugging information names the
  * folder, by $PWD if that is another name of it. False: it is unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
     digester d = digest_begin();
-    if (!getcwd(here, sizeof here) || !answerers_add_assembler(s, &d))
+    if (!answerers_add_assembler(s, &d))
         return false;
-    digest_text(&d, here);
-    digest_text(&d, getenv("PWD"));
+    if (has_debugging_information(&s->command)) {
+        if (!getcwd(here, sizeof here))
+            return false;
+        digest_text(&d, here);
+        digest_text(&d, getenv("PWD"));
+    }
     *found = digest_end(&d);
     return true;
 }
