@@ -19,7 +19,7 @@ void count(int n, const int *restrict key, int *restrict h) {
 }
 '
 yes='#define PARALLEL 1'
-no=' #define SERIAL 1' # as long as the other
+no='  #define SERIAL 1' # as long as the other
 
 fresh() { # CASE: a folder with a source of its own, and the header
   begin "$1"

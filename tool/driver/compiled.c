@@ -27,7 +27,7 @@ static bool is_plain(const item *one) {
     static const char *const with_value[] = {"-falign-",
                                              "-fcf-protection=",
                                              "-fdebug-prefix-map=",
-                                             "-fdiagnostics-",
+                                             "-fdiagnostics-color=",
                                              "-fexcess-",
                                              "-ffile-prefix-map=",
                                              "-ffp-contract=",
