@@ -97,7 +97,7 @@ cached *cached_begin(session *s, const item *source, const char *file) {
     c->request = (closure_request){.file = file, .name = is_input ? "stdin" : source->text};
     const char *why = answerers_add_folders(s, &c->request);
     if (!why) {
-        c->found = closure_known(s->memory, answerers_store(s), &c->request);
+        c->found = closure_find(s->memory, answerers_store(s), &c->request);
         why = c->found.unknown;
         c->project = digest_around(s, file);
     }
@@ -312,7 +312,7 @@ void cached_end(session *s, cached *c) {
                         c->stranger);
         return;
     }
-    const closure now = closure_find(s->memory, &c->request);
+    const closure now = closure_find(s->memory, answerers_store(s), &c->request);
     if (now.unknown || memcmp(&now.state, &c->found.state, sizeof now.state) != 0)
         return;
     for (unsigned i = 0; i < c->fresh.count; i++)

@@ -257,10 +257,6 @@ static closure find(arena *a, const closure_request *request, lookups *seen) {
     return s.found;
 }
 
-closure closure_find(arena *a, const closure_request *request) {
-    return find(a, request, lookups_new(a));
-}
-
 static void add_words(digester *d, const word_list *words) {
     for (unsigned i = 0; i < words->count; i++)
         digest_text(d, words->items[i]);
@@ -285,7 +281,7 @@ static void add_place(void *data, const struct stat *about) {
     *map_at(data, &p, sizeof p) = data;
 }
 
-closure closure_known(arena *a, const store *kept, const closure_request *request) {
+closure closure_find(arena *a, const store *kept, const closure_request *request) {
     enum { STATE, SEEN, PARTS };
     store_part parts[PARTS];
     const digest key = key_of(request);

@@ -31,11 +31,8 @@ typedef struct closure {
     map *files;          /**< their devices and inodes */
 } closure;
 
-/** Finds the closure by reading its files. */
-closure closure_find(arena *a, const closure_request *request);
-
 /** Finds the closure, without reading a file if none has changed since it was found before. */
-closure closure_known(arena *a, const store *kept, const closure_request *request);
+closure closure_find(arena *a, const store *kept, const closure_request *request);
 
 /** Whether `path` is one of its files. */
 bool closure_has(const closure *c, const char *path);
