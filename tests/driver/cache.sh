@@ -19,7 +19,7 @@ void count(int n, const int *restrict key, int *restrict h) {
 }
 '
 yes='#define PARALLEL 1'
-no=' #define SERIAL 1' # as long as the other
+no='  #define SERIAL 1' # as long as the other
 
 fresh() { # CASE: a folder with a source of its own, and the header
   begin "$1"
@@ -285,6 +285,113 @@ expect_empty 3.messages
 cc -Wall -O1 -c x.c 2>expected
 expect_same expected 2.messages
 unset REDCC_CC
+end
+
+make_counting_compiler() {
+  printf '#include <stdio.h>\n#include <string.h>\n#include <unistd.h>\nint main(int n, char **a) { FILE *f = fopen("compiled", "a"); a[0] = "cc"; a[n] = 0;
+    for (int i = 1; i < n; i++) if (strcmp(a[i], "-c") == 0) fputs("run\\n", f);
+    fclose(f); return execvp("cc", a); }\n' | cc -x c - -o mycc || fail "$case_name"
+  export REDCC_CC="$PWD/mycc"
+}
+fresh "the object of a source with parallel loops"
+make_counting_compiler
+compile() { # WHAT RUNS [ARGUMENTS...]: the compilations it takes; without the cache the object is the same
+  local what=$1 runs=$2
+  shift 2
+  rm -f compiled
+  "$redcc_cc" -O1 "$@" -c x.c -o x.o 2>messages || fail "$case_name, $what: $(cat messages)"
+  expect_equal "$case_name, $what: compilations" "$runs" "$(cat compiled 2>/dev/null | wc -l)"
+  mv x.o kept.o
+  REDCC_CACHE=off "$redcc_cc" -O1 "$@" -c x.c -o x.o 2>expected || fail "$case_name, $what"
+  expect_same x.o kept.o
+  expect_same expected messages
+  nm kept.o | grep -q redcc_run || fail "$case_name, $what: not translated"
+}
+compile first 1
+compile second 0
+sed -i 's/PARALLEL 1/PARALLEL 2/' h.h
+compile "another header" 1
+compile "another header, again" 0
+compile "-g" 1 -g
+compile "-g, again" 0 -g
+mkdir other && cp x.c h.h mycc other/ && cd other || exit 1
+compile "in another folder" 0
+compile "-g in another folder" 1 -g
+cd .. || exit 1
+# other names of the object keep their bytes
+"$redcc_cc" -O1 -c x.c -o x.o && cp x.o before && "$redcc_cc" -O2 -c x.c -o x.o && cp x.o second && ln x.o other.o &&
+  "$redcc_cc" -O1 -c x.c -o x.o || fail "$case_name"
+expect_same second other.o
+expect_same before x.o
+"$redcc_cc" -O2 -c x.c && cmp -s x.o before && fail "$case_name: the object of -O1"
+"$redcc_cc" -O1 -c x.c
+expect_same before x.o
+# a command that may read or write more, or whose object depends on the machine
+for option in -march=native -Wa,-adhl=list -save-temps; do
+  compile "$option" 1 "$option"
+  compile "$option, again" 1 "$option"
+done
+expect_file list
+mkdir bin && cp "$(command -v as)" bin/ && echo >>bin/as
+(export PATH="$PWD/bin:$PATH" && compile "another assembler" 1 && compile "another assembler, again" 0)
+printf 'one' >bytes
+echo '__asm__(".section .rodata\n.incbin \"bytes\"\n.text");' >>x.c
+compile "a file that the assembler reads" 1
+printf 'two' >bytes
+compile "a file that the assembler reads, changed" 1
+end
+
+fresh "the dependency file of a source with parallel loops"
+make_counting_compiler
+for time in 1 2; do "$redcc_cc" -O1 -MD -MP -MF $time.d -MT x.o -c x.c -o x.o || fail "$case_name"; done
+expect_same 1.d 2.d
+cc -O1 -MD -MP -MF expected.d -MT x.o -c x.c -o x.o
+for time in 1 2; do
+  rm -f compiled
+  "$redcc_cc" -O1 -MD -MP -MF x.d -MT x.o -c x.c -o x.o || fail "$case_name"
+  expect_same expected.d x.d
+done
+expect_no_file compiled
+unset REDCC_CC
+end
+
+# A file that has lain for some seconds is known by its times, and a folder by its own; the cases above change
+# files before that.
+begin "what has settled is not read again, and every change is seen"
+settled() { # folder one comes first and has no h.h; two has it; three/ is not there
+  rm -rf ./* && mkdir one two && echo "$yes" >two/h.h && printf '%s/* %s */\n' "$source" "settled $1" >x.c
+  if [ "$1" = deep ]; then sed -i 's|"h.h"|"deep/h.h"|' x.c && mkdir two/deep && mv two/h.h two/deep/; fi
+  if [ "$1" = dangling ]; then ln -s ../elsewhere one/h.h; fi
+}
+changed() { # NAME EXPECTED COMMAND...: what the change does to a translation that is known
+  local name=$1 expected=$2
+  cd "$work/settled $name" || exit 1
+  shift 2
+  expect "$name, again" "hit parallel" -Ione -Itwo -Ithree
+  "$@" || fail "$case_name: $name"
+  expect "$name" "$expected" -Ione -Itwo -Ithree
+  expect "$name, again" "hit ${expected#* }" -Ione -Itwo -Ithree
+}
+names="nothing contents earlier deep dangling folder precompiled source"
+for name in $names; do mkdir "$work/settled $name" && cd "$work/settled $name" && settled $name; done
+sleep 4
+for name in $names; do cd "$work/settled $name" && expect "$name, first" "miss parallel" -Ione -Itwo -Ithree; done
+changed nothing "hit parallel" true
+if command -v strace >/dev/null && strace -o traced true 2>/dev/null; then
+  REDCC_BUILD_REPORT=$PWD/verdicts strace -o traced "$redcc_cc" --redcc-report -v -O1 -c -Ione -Itwo -Ithree x.c 2>notes
+  expect_no_match traced 'open.*two/h\.h'
+fi
+with_old_times() { cp -p two/h.h old && echo "$no" >two/h.h && touch -r old two/h.h; }
+changed contents "miss serial" with_old_times
+changed earlier "miss serial" sh -c 'echo "$0" >one/h.h' "$no"
+changed deep "miss serial" sh -c 'mkdir one/deep && echo "$0" >one/deep/h.h' "$no"
+changed dangling "miss serial" sh -c 'echo "$0" >elsewhere' "$no"
+changed folder "miss parallel" mkdir three
+changed source "miss serial" sed -i 's/PARALLEL/PARALLEK/' x.c
+cd "$work/settled precompiled" && touch two/h.h.gch
+expect "a precompiled header" "miss serial" -Ione -Itwo -Ithree
+expect "a precompiled header, again" "miss serial" -Ione -Itwo -Ithree
+cd "$work/case" || exit 1
 end
 
 begin "a function of another file"

@@ -130,6 +130,16 @@ static bool find_compiler(session *s, struct cache *c) {
     return printed != NULL;
 }
 
+bool answerers_add_assembler(session *s, digester *d) {
+    static const char *const ask[] = {"-print-prog-name=as", NULL};
+    const struct cache *c = s->cache;
+    if (s->real.is_clang) /* it has it in itself */
+        return true;
+    const char *name = ask_compiler(s, &c->kept, &c->compiler, ask);
+    return name && identity_add_program(s->memory, &c->kept, d,
+                                        arena_copy(s->memory, name, strcspn(name, "\n")));
+}
+
 /* ---- the translator -------------------------------------------------------------------------- */
 
 /* Reads the translator's list: identifies its libraries by their contents, and adds its folders. */

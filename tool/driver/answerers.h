@@ -21,6 +21,9 @@ const store *answerers_store(const session *s);
 /** The identity of the program, a digest of its contents. */
 const digest *answerers_identity(const session *s, cache_program program);
 
+/** Adds the assembler that the compiler runs, by contents; false if it is unknown. */
+bool answerers_add_assembler(session *s, digester *d);
+
 /** Adds all folders that are searched for headers of the command's sources, and the headers that
  *  are included without being named in a source. Returns the reason if they are unknown, or
  *  NULL. */

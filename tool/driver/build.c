@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "driver/cache.h"
+#include "driver/compiled.h"
 #include "driver/files.h"
 #include "driver/linked_loops.h"
 #include "support/source.h"
@@ -15,14 +16,15 @@
 /* One run of the compiler, whose messages are held back until its result is accepted. */
 typedef struct attempt {
     int status;
+    bool same; /* of a text: the compiler read the source's headers */
     const char *output;
     const char *error;
 } attempt;
 
 static attempt new_attempt(session *s) {
     unsigned number = s->attempts++;
-    return (attempt){0, arena_format(s->memory, "%s/output-%u", s->folder, number),
-                     arena_format(s->memory, "%s/error-%u", s->folder, number)};
+    return (attempt){.output = arena_format(s->memory, "%s/output-%u", s->folder, number),
+                     .error = arena_format(s->memory, "%s/error-%u", s->folder, number)};
 }
 
 static attempt try_command(session *s, const word_list *words, const char *input) {
@@ -172,12 +174,21 @@ static attempt compile_for_messages(session *s, const translation *t) {
     return made;
 }
 
+static attempt try_text(session *s, const translation *t, const word_list *words,
+                        const char *object) {
+    attempt made = new_attempt(s);
+    made.status = compiled_text(
+        s, t, words, object,
+        (process_streams){t->is_input ? t->text : NULL, made.output, made.error}, &made.same);
+    return made;
+}
+
 /* Compiles a translated text. It contains a loop's body several times, and would repeat every
  * warning. So the messages shown are those of the source itself. With -Werror, the text may fail by
  * warnings that the source does not have: then it is compiled once more without warnings. */
-static attempt compile_text(session *s, const translation *t, word_list *words) {
-    const char *input = t->is_input ? t->text : NULL;
-    attempt made = try_command(s, words, input);
+static attempt compile_text(session *s, const translation *t, word_list *words,
+                            const char *object) {
+    attempt made = try_text(s, t, words, object);
     if (s->show || s->verbose || was_interrupted(&made) ||
         (made.status == 0 && file_is_empty(made.error)))
         return made;
@@ -191,7 +202,7 @@ static attempt compile_text(session *s, const translation *t, word_list *words) 
     }
     if (made.status != 0) {
         words_add(s->memory, words, "-w");
-        made = try_command(s, words, input);
+        made = try_text(s, t, words, object);
     }
     if (made.status == 0)
         made.error = plain.error;
@@ -209,12 +220,13 @@ static void note_liberty(const session *s, const translation *t) {
 }
 
 /* Compiles a translated text; on success its messages are shown, on failure nothing is. */
-static bool compile(session *s, const translation *t, word_list *words) {
-    attempt made = compile_text(s, t, words);
+static bool compile(session *s, const translation *t, word_list *words, const char *object) {
+    attempt made = compile_text(s, t, words, object);
     if (was_interrupted(&made))
         session_end(s, made.status);
-    bool same = made.status == 0 && translation_read_same(s, t);
+    const bool same = made.status == 0 && made.same;
     if (same) {
+        cached_end(s, t->cached);
         show_attempt(s, &made);
         note_liberty(s, t);
     } else if (made.status == 0)
@@ -229,13 +241,13 @@ static bool compile(session *s, const translation *t, word_list *words) {
 
 /* Has the compiler write the requested dependency files for the sources themselves, so that their
  * names and contents are the compiler's own. */
-static bool write_dependencies(session *s) {
+static bool write_dependencies(session *s, const translation *first) {
     if (!(s->command.meaning & OPTION_DEPENDENCY))
         return true;
     word_list words = {0};
     session_add_original(s, &words);
     words_add(s->memory, &words, "-fsyntax-only");
-    return session_run(s, &words, (process_streams){s->input, "/dev/null", "/dev/null"}) == 0;
+    return compiled_dependencies(s, first, &words) == 0;
 }
 
 /* Runs the original command although sources were translated, and reports the reason for each. */
@@ -252,9 +264,9 @@ static const char no_dependencies[] = "its dependency file cannot be written";
 static _Noreturn void build_one(session *s, const translation *t) {
     word_list words = {0};
     add_replaced(s, &words, t);
-    if (!write_dependencies(s))
+    if (!write_dependencies(s, t))
         build_untranslated(s, t, 1, no_dependencies);
-    if (!compile(s, t, &words))
+    if (!compile(s, t, &words, NULL))
         build_original(s);
     session_end(s, 0);
 }
@@ -338,15 +350,16 @@ static _Noreturn void build_several(session *s, const translation *translations,
                            "compiled and linked in one command");
     if (!s->command.links && s->command.output)
         build_original(s); /* one name for several objects: the compiler will report it */
-    if (!write_dependencies(s))
+    if (!write_dependencies(s, translations))
         build_untranslated(s, translations, count, no_dependencies);
     for (unsigned i = 0; i < count; i++) {
         const translation *t = &translations[i];
         if (!t->text)
             continue;
         word_list words = {0};
-        add_alone(s, &words, t, s->command.links ? object_of(s, t) : NULL);
-        done[i] = compile(s, t, &words);
+        const char *object = s->command.links ? object_of(s, t) : NULL;
+        add_alone(s, &words, t, object);
+        done[i] = compile(s, t, &words, object);
     }
     if (s->command.links)
         build_linked(s, translations, done, count);

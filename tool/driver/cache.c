@@ -2,7 +2,9 @@
 #include "driver/cache.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -25,6 +27,7 @@ struct cached {
     closure found;
     digest project;       /* of the inputs read about functions of other files */
     const char *stranger; /* a file that was read but is not in the closure; NULL: none */
+    digest asked;         /* the key of the last run that was asked for */
     VECTOR(kept_answer) fresh;
 };
 
@@ -40,8 +43,26 @@ struct cache *cache_open(session *s) {
 
 /* ---- a source -------------------------------------------------------------------------------- */
 
-/* The files of the project are read once, not for each of its sources. */
-static const project *project_of(session *s, const char *file) {
+/* The files of the project are read once, not for each of its sources. `key`: of all files, NULL if
+ * one has just changed. */
+static const project *project_of(session *s, const char *file, const word_list *list,
+                                 const digest *key) {
+    arena *a = s->memory;
+    store_part part;
+    if (key && store_get(a, answerers_store(s), key, 1, &part)) {
+        const project_scan known = project_read(a, &part);
+        return project_from(a, file, &known);
+    }
+    const project_scan files = project_scan_files(a, list);
+    part = project_write(a, &files);
+    if (key)
+        store_put(a, answerers_store(s), key, 1, &part);
+    return project_from(a, file, &files);
+}
+
+/* What the files of the project say about the functions that the source calls. It is kept for each
+ * source: to read what is known of hundreds of files would take longer than all else. */
+static digest digest_around(session *s, const char *file) {
     arena *a = s->memory;
     const word_list list = project_list(a, file);
     const digest *translator = answerers_identity(s, CACHE_TRANSLATOR);
@@ -49,17 +70,23 @@ static const project *project_of(session *s, const char *file) {
     digest_text(&d, "functions of a project's files");
     digest_add(&d, translator->bytes, sizeof translator->bytes);
     const bool is_settled = identity_add_times(&d, &list);
-    const digest key = digest_end(&d);
+    digester of_source = d;
+    const digest all = digest_end(&d);
+    char real[PATH_MAX];
+    digest_text(&of_source, realpath(file, real) ? real : file);
+    const digest key = digest_end(&of_source);
     store_part part;
-    if (is_settled && store_get(a, answerers_store(s), &key, 1, &part)) {
-        const project_scan known = project_read(a, &part);
-        return project_from(a, file, &known);
+    digest found;
+    if (is_settled && store_get(a, answerers_store(s), &key, 1, &part) &&
+        part.length == sizeof found) {
+        memcpy(&found, part.bytes, sizeof found);
+        return found;
     }
-    const project_scan files = project_scan_files(a, &list);
-    part = project_write(a, &files);
+    found = project_digest(project_of(s, file, &list, is_settled ? &all : NULL));
     if (is_settled)
-        store_put(a, answerers_store(s), &key, 1, &part);
-    return project_from(a, file, &files);
+        store_put(a, answerers_store(s), &key, 1,
+                  &(store_part){(const char *)found.bytes, sizeof found});
+    return found;
 }
 
 cached *cached_begin(session *s, const item *source, const char *file) {
@@ -70,9 +97,9 @@ cached *cached_begin(session *s, const item *source, const char *file) {
     c->request = (closure_request){.file = file, .name = is_input ? "stdin" : source->text};
     const char *why = answerers_add_folders(s, &c->request);
     if (!why) {
-        c->found = closure_find(s->memory, &c->request);
+        c->found = closure_find(s->memory, answerers_store(s), &c->request);
         why = c->found.unknown;
-        c->project = project_digest(project_of(s, file));
+        c->project = digest_around(s, file);
     }
     if (why)
         session_explain(s, "%s: not cached: %s", source->text, why);
@@ -112,6 +139,8 @@ static digest key_of(session *s, const cached *c, cache_program program, const c
     digest_add(&d, c->found.state.bytes, sizeof c->found.state.bytes);
     if (program == CACHE_TRANSLATOR)
         digest_add(&d, c->project.bytes, sizeof c->project.bytes);
+    if (run && run->beside)
+        digest_add(&d, run->beside->bytes, sizeof run->beside->bytes);
     for (unsigned i = 0; i < words->count; i++)
         add_word(s, &d, run, words->items[i]);
     return digest_end(&d);
@@ -133,7 +162,9 @@ static store_part part_of_file(session *s, const cached *c, const char *path) {
     return (store_part){part, length + 1};
 }
 
+/* As compilers write an object: other names of a file that is there keep its bytes. */
 static bool write_file(const char *path, const char *bytes, size_t length) {
+    unlink(path);
     FILE *file = fopen(path, "wb");
     if (!file)
         return false;
@@ -168,9 +199,11 @@ static void keep(session *s, cached *c, const kept_answer *answer) {
     VECTOR_PUSH(s->memory, &c->fresh, *answer);
 }
 
-/* An answer that names this call's folder is invalid in the next call. */
+/* An answer that names this call's folder is invalid in the next call. The part of the name that no
+ * other call has is looked for: the rest may be written with backslashes. */
 static bool names_folder(const session *s, const store_part *part) {
-    return memmem(part->bytes, part->length, s->folder, strlen(s->folder)) != NULL;
+    const char *own = path_base(s->folder);
+    return memmem(part->bytes, part->length, own, strlen(own)) != NULL;
 }
 
 /* Does the run's answer depend only on its inputs? A translator may fail once because of a full
@@ -200,12 +233,25 @@ static void check_list(session *s, cached *c, const char *list) {
             check_file(c, at + 1);
 }
 
-static void keep_run(session *s, cached *c, const cached_run *run, const digest *key, int status) {
-    kept_answer answer = {.key = *key, .count = PARTS};
+bool cached_restore(session *s, cached *c, const cached_run *run, int *status) {
+    store_part parts[PARTS];
+    c->asked = key_of(s, c, run->program, "a run", run->words, run);
+    if (!store_get(s->memory, answerers_store(s), &c->asked, PARTS, parts) ||
+        parts[0].length != 1 || !write_outputs(s, c, run, parts))
+        return false;
+    *status = parts[0].bytes[0] - '0';
+    return true;
+}
+
+void cached_keep(session *s, cached *c, const cached_run *run, int status) {
+    if (!is_lasting(s, run, status))
+        return;
+    kept_answer answer = {.key = c->asked, .count = PARTS};
     answer.parts[0] = (store_part){arena_format(s->memory, "%d", status), 1};
     for (unsigned i = 0; i < OUTPUTS; i++) {
         answer.parts[i + 1] = part_of_file(s, c, run->outputs[i]);
-        if (names_folder(s, &answer.parts[i + 1]))
+        const bool is_missing = run->outputs[i] && answer.parts[i + 1].bytes[0] == 'a';
+        if (names_folder(s, &answer.parts[i + 1]) || (is_missing && run->program == CACHE_COMPILER))
             return;
     }
     keep(s, c, &answer);
@@ -213,23 +259,20 @@ static void keep_run(session *s, cached *c, const cached_run *run, const digest 
 
 int cached_run_program(session *s, cached *c, const cached_run *run) {
     assert(run->words->count > 0);
+    int status;
     if (!c)
         return session_run(s, run->words, run->streams);
     if (run->read)
         unlink(run->read);
-    store_part parts[PARTS];
-    const digest key = key_of(s, c, run->program, "a run", run->words, run);
-    if (store_get(s->memory, answerers_store(s), &key, PARTS, parts) && parts[0].length == 1 &&
-        write_outputs(s, c, run, parts)) {
+    if (cached_restore(s, c, run, &status)) {
         if (run->program == CACHE_TRANSLATOR)
             session_explain(s, "%s: translated before, from the cache", c->request.name);
-        return parts[0].bytes[0] - '0';
+        return status;
     }
-    const int status = session_run(s, run->words, run->streams);
+    status = session_run(s, run->words, run->streams);
     if (run->read)
         check_list(s, c, run->read);
-    if (is_lasting(s, run, status))
-        keep_run(s, c, run, &key, status);
+    cached_keep(s, c, run, status);
     return status;
 }
 
@@ -269,7 +312,7 @@ void cached_end(session *s, cached *c) {
                         c->stranger);
         return;
     }
-    const closure now = closure_find(s->memory, &c->request);
+    const closure now = closure_find(s->memory, answerers_store(s), &c->request);
     if (now.unknown || memcmp(&now.state, &c->found.state, sizeof now.state) != 0)
         return;
     for (unsigned i = 0; i < c->fresh.count; i++)

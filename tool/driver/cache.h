@@ -9,6 +9,7 @@
 #ifndef DRIVER_CACHE_H
 #define DRIVER_CACHE_H
 
+#include "driver/digest.h"
 #include "driver/session.h"
 
 /** The program that answers. */
@@ -22,8 +23,9 @@ typedef struct cached_run {
     cache_program program;
     const word_list *words;
     process_streams streams; /**< files of standard output and error are among the outputs */
-    const char *outputs[3];  /**< in the session's folder; NULL for none */
+    const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
+    const digest *beside;    /**< of what else the outputs depend on; NULL: of nothing */
 } cached_run;
 
 /** Opens the store and identifies the programs. NULL if nothing is to be cached. */
@@ -35,6 +37,13 @@ cached *cached_begin(session *s, const item *source, const char *file);
 
 /** Runs a program (session_run), or restores its outputs. Returns its exit status. */
 int cached_run_program(session *s, cached *c, const cached_run *run);
+
+/** Restores the outputs and the exit status of an earlier run; false if none is kept. */
+bool cached_restore(session *s, cached *c, const cached_run *run, int *status);
+
+/** Keeps the outputs of the run for which cached_restore was asked last, which has ended so, if
+ * they depend on its inputs alone. */
+void cached_keep(session *s, cached *c, const cached_run *run, int status);
 
 /** Fetches a text by its subject and by the words that it depends on. NULL: not in the cache. */
 const char *cached_text(session *s, cached *c, const char *about, const word_list *words);

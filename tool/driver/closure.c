@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include "driver/include_names.h"
 #include "support/source.h"
 
+/* Of a file among those found. */
 typedef struct place {
     dev_t device;
     ino_t inode;
@@ -28,6 +30,7 @@ typedef struct search {
     arena *arena;
     word_list folders; /* the search folders that exist */
     closure found;
+    lookups *seen; /* what state depends on */
     digester state;
     map *tried;       /* the paths already tried */
     word_list texts;  /* the texts of files */
@@ -65,8 +68,12 @@ static char *read_open(arena *a, int file, size_t size) {
 static bool is_new_in_folder(search *s, const char *name, const struct stat *about) {
     struct stat folder;
     const char *path = path_folder(s->arena, name);
-    if (stat(*path ? path : ".", &folder) != 0)
+    path = *path ? path : ".";
+    if (stat(path, &folder) != 0) {
+        lookups_spoil(s->seen);
         return true;
+    }
+    lookups_note(s->seen, path, &folder);
     const place places[] = {place_of(&folder), place_of(about)};
     void **met = map_at(s->met, places, sizeof places);
     const bool is_first = *met == NULL;
@@ -81,6 +88,7 @@ static void add_file(search *s, const char *name, int file) {
         s->found.unknown = arena_format(s->arena, "%s is no plain file", name);
         return;
     }
+    lookups_note(s->seen, name, &about);
     digest_text(&s->state, name);
     if (S_ISDIR(about.st_mode)) {
         digest_text(&s->state, "a folder");
@@ -112,6 +120,8 @@ static void check_precompiled(search *s, const char *path, const char *ending) {
     const char *other = arena_format(s->arena, "%s.%s", path, ending);
     if (access(other, F_OK) == 0)
         s->found.unknown = arena_format(s->arena, "%s is precompiled", other);
+    else
+        lookups_note(s->seen, other, NULL);
 }
 
 /* Does the folder of `path` not exist? Half of all names begin with bits/ or sys/, which most
@@ -123,8 +133,11 @@ static bool folder_is_absent(search *s, const char *path) {
         return false;
     void **known = map_at(s->below, path, (size_t)(slash - path));
     if (!*known) {
-        const bool is_there = access(arena_copy(s->arena, path, (size_t)(slash - path)), F_OK) == 0;
-        *known = is_there || (errno != ENOENT && errno != ENOTDIR) ? (void *)s : (void *)absent;
+        const char *folder = arena_copy(s->arena, path, (size_t)(slash - path));
+        const bool is_there = access(folder, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
+        *known = is_there ? (void *)s : (void *)absent;
+        if (!is_there)
+            lookups_note(s->seen, folder, NULL);
     }
     return *known == (const void *)absent;
 }
@@ -138,6 +151,7 @@ static void try_path(search *s, const char *path) {
     if (file < 0) {
         if (errno != ENOENT && errno != ENOTDIR)
             s->found.unknown = arena_format(s->arena, "%s cannot be read", path);
+        lookups_note(s->seen, path, NULL);
         return;
     }
     add_file(s, path, file);
@@ -194,11 +208,13 @@ static void find_folders(search *s, const word_list *all) {
     for (unsigned i = 0; i < all->count; i++) {
         struct stat about;
         const char *folder = all->items[i];
-        const bool is_there = stat(folder, &about) == 0 && S_ISDIR(about.st_mode);
+        const bool is_found = stat(folder, &about) == 0;
+        const bool is_there = is_found && S_ISDIR(about.st_mode);
         if (!is_new(s->tried, arena_format(s->arena, "%s/", folder)))
             continue;
         if (source_ends_with(folder, ".hmap"))
             s->found.unknown = arena_format(s->arena, "%s is a map of headers", folder);
+        lookups_note(s->seen, folder, is_found ? &about : NULL);
         digest_text(&s->state, folder);
         digest_text(&s->state, is_there ? "there" : "absent");
         if (is_there)
@@ -221,9 +237,10 @@ static void check_macros(search *s, const word_list *words) {
     }
 }
 
-closure closure_find(arena *a, const closure_request *request) {
+static closure find(arena *a, const closure_request *request, lookups *seen) {
     search s = {.arena = a,
                 .found = {.files = map_new(a)},
+                .seen = seen,
                 .state = digest_begin(),
                 .tried = map_new(a),
                 .met = map_new(a),
@@ -242,6 +259,48 @@ closure closure_find(arena *a, const closure_request *request) {
     check_macros(&s, &request->words);
     s.found.state = digest_end(&s.state);
     return s.found;
+}
+
+static void add_words(digester *d, const word_list *words) {
+    for (unsigned i = 0; i < words->count; i++)
+        digest_text(d, words->items[i]);
+    digest_text(d, NULL);
+}
+
+static digest key_of(const closure_request *request) {
+    char here[PATH_MAX];
+    digester d = digest_begin();
+    digest_text(&d, "a closure, " REDCC_VERSION);
+    digest_text(&d, getcwd(here, sizeof here));
+    digest_text(&d, request->file);
+    digest_text(&d, request->name);
+    add_words(&d, &request->included);
+    add_words(&d, &request->folders);
+    add_words(&d, &request->words);
+    return digest_end(&d);
+}
+
+static void add_place(void *data, const struct stat *about) {
+    const place p = place_of(about);
+    *map_at(data, &p, sizeof p) = data;
+}
+
+closure closure_find(arena *a, const store *kept, const closure_request *request) {
+    enum { STATE, SEEN, PARTS };
+    store_part parts[PARTS];
+    const digest key = key_of(request);
+    closure known = {.files = map_new(a)};
+    if (store_get(a, kept, &key, PARTS, parts) && parts[STATE].length == sizeof known.state &&
+        lookups_hold(a, &parts[SEEN], add_place, known.files)) {
+        memcpy(&known.state, parts[STATE].bytes, sizeof known.state);
+        return known;
+    }
+    lookups *seen = lookups_new(a);
+    const closure found = find(a, request, seen);
+    parts[STATE] = (store_part){(const char *)found.state.bytes, sizeof found.state};
+    if (!found.unknown && lookups_write(seen, &parts[SEEN]))
+        store_put(a, kept, &key, PARTS, parts);
+    return found;
 }
 
 bool closure_has(const closure *c, const char *path) {

@@ -11,6 +11,8 @@
 #include <stdbool.h>
 
 #include "driver/digest.h"
+#include "driver/lookups.h"
+#include "driver/store.h"
 #include "driver/words.h"
 #include "support/map.h"
 
@@ -29,7 +31,8 @@ typedef struct closure {
     map *files;          /**< devices and inodes of the files */
 } closure;
 
-closure closure_find(arena *a, const closure_request *request);
+/** Finds the closure, without reading a file if none has changed since it was found before. */
+closure closure_find(arena *a, const store *kept, const closure_request *request);
 
 /** Whether `path` is one of the closure's files. */
 bool closure_has(const closure *c, const char *path);

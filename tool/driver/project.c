@@ -39,7 +39,8 @@ static bool list_folder(listing *all, const char *folder, int depth) {
         return true;
     for (struct dirent *entry; is_small && (entry = readdir(stream));) {
         struct stat about;
-        if (entry->d_name[0] == '.')
+        if (entry->d_name[0] == '.' || (entry->d_type == DT_REG && !is_c_source(entry->d_name)) ||
+            entry->d_type == DT_LNK)
             continue;
         const char *path = arena_format(all->memory, "%s/%s", folder, entry->d_name);
         if (lstat(path, &about) != 0)

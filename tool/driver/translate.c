@@ -175,6 +175,20 @@ static const char *sensitive_word(session *s, const translation *t) {
     return NULL;
 }
 
+static const char *assembled_file(session *s, const translation *t) {
+    const word_list files = files_of(s, t);
+    for (unsigned i = 0; i < files.count; i++) {
+        const char *text = file_read(s->memory, files.items[i], NULL);
+        if (!text || strstr(text, "incbin") || strstr(text, ".include"))
+            return files.items[i];
+    }
+    return NULL;
+}
+
+bool translation_assembles_file(session *s, const translation *t) {
+    return kept_answer_of(s, t, "a file for the assembler", assembled_file) != NULL;
+}
+
 /* A header that the compiler may read in precompiled form; NULL: there is none. Such a form is
  * valid only for the options it was made with: gcc 12 crashes if OpenMP was off when it was made.
  */
@@ -388,9 +402,14 @@ bool translation_read_same(session *s, const translation *t) {
         return true;
     const char *text = file_read(s->memory, t->text, NULL);
     const word_list listed = dependencies_included(s->memory, &t->read, text ? text : "");
-    return dependencies_read(s->memory, temporary(s, t, "translated.d"), &read) &&
-           dependencies_equal(s->memory, &listed, t->source->text, &read,
-                              t->is_input ? t->source->text : t->text);
+    const bool is_listed = dependencies_read(s->memory, temporary(s, t, "translated.d"), &read);
+    word_list others = {0};
+    for (unsigned i = 0; i < read.count; i++)
+        if (strcmp(read.items[i], t->text) != 0)
+            words_add(s->memory, &others, read.items[i]);
+    cached_compiler_read(t->cached, &others);
+    return is_listed && dependencies_equal(s->memory, &listed, t->source->text, &read,
+                                           t->is_input ? t->source->text : t->text);
 }
 
 /* Where $REDCC_KEEP=DIR keeps the text: DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c,

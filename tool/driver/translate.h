@@ -25,6 +25,9 @@ translation translate(session *s, const item *source, unsigned number);
 void translation_add_before(session *s, word_list *list, const translation *t);
 void translation_add_after(session *s, word_list *list, const translation *t);
 
+/** Whether inline assembler in the source or a header may have the assembler read a file. */
+bool translation_assembles_file(session *s, const translation *t);
+
 /** Whether the compiler read the same headers for the text, compiled with these options, as for the
  *  source. */
 bool translation_read_same(session *s, const translation *t);

@@ -9,19 +9,6 @@
 #include "frontend/directives.h"
 #include "ir/ir_position.h"
 
-/* A header and the directive that includes it. */
-typedef struct header_use {
-    const source *file; /* NULL: it does not fit */
-    ir_range directive; /* without the line's end */
-} header_use;
-
-static bool has_name(const string_list *list, const char *name) {
-    for (unsigned i = 0; i < list->count; i++)
-        if (strcmp(list->items[i], name) == 0)
-            return true;
-    return false;
-}
-
 static const char *plain_name(const char *path) {
     while (strncmp(path, "./", 2) == 0)
         path += 2;
@@ -150,44 +137,58 @@ static bool names_level(arena *a, const ir_unit *unit) {
     return is_found;
 }
 
-static header_use use_of(arena *a, const ir_unit *unit, const char *header) {
-    header_use use = {0};
+/* The only directive that includes the header, in the main file; NULL: there are others, or none.
+ */
+static const ir_inclusion *only_inclusion(const ir_unit *unit, const char *header) {
     const ir_inclusion *only = NULL;
     for (unsigned i = 0; i < unit->text.inclusion_count; i++) {
         const ir_inclusion *it = &unit->text.inclusions[i];
         if (strcmp(plain_name(it->file), header) != 0)
             continue;
         if (only)
-            return use;
+            return NULL;
         only = it;
     }
+    return only && only->is_in_main_file ? only : NULL;
+}
+
+static bool find_use(arena *a, const ir_unit *unit, const char *header, header_use *use) {
+    const ir_inclusion *only = only_inclusion(unit, header);
     const char *wrong;
-    if (!only || !only->is_in_main_file || strpbrk(only->file, "\"\\\n") ||
-        strpbrk(unit->source->path, "\"\\\n<") ||
-        !find_directive(unit, only->offset, &use.directive))
-        return use;
-    use.file = source_read(a, only->file, &wrong);
-    if (!use.file || !text_fits(a, use.file, unit->source) || names_level(a, unit) ||
-        strpbrk(ir_position_of(unit, use.directive.begin).file, "\"\\\n") ||
-        !ends_with_declaration(unit->source->text, use.directive.begin, unit->directives,
-                               unit->directive_count))
-        use.file = NULL;
-    return use;
+    if (!only || strpbrk(only->file, "\"\\\n") || strpbrk(unit->source->path, "\"\\\n<") ||
+        !find_directive(unit, only->offset, &use->directive))
+        return false;
+    use->name = header;
+    use->file = source_read(a, only->file, &wrong);
+    return use->file && text_fits(a, use->file, unit->source) &&
+           !strpbrk(ir_position_of(unit, use->directive.begin).file, "\"\\\n") &&
+           ends_with_declaration(unit->source->text, use->directive.begin, unit->directives,
+                                 unit->directive_count);
 }
 
 /* ---- all ----------------------------------------------------------------------------------- */
 
-string_list headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed) {
-    string_list found = {0}, seen = {0};
+/* The headers with refused loops. */
+static map *headers_of_loops(arena *a, const ir_unit *unit, const analysis_result *analysed) {
+    map *headers = map_new(a);
     for (unsigned i = 0; i < analysed->verdict_count; i++) {
         const ir_position *at = ir_position_in_header(unit, analysed->verdicts[i].loop);
-        if (!at || analysed->verdicts[i].why.id != REASON_IN_HEADER || has_name(&seen, at->file))
-            continue;
-        VECTOR_PUSH(a, &seen, at->file);
-        if (use_of(a, unit, at->file).file)
-            VECTOR_PUSH(a, &found, at->file);
+        if (at && analysed->verdicts[i].why.id == REASON_IN_HEADER)
+            *map_at(headers, plain_name(at->file), strlen(plain_name(at->file))) = headers;
     }
-    return found;
+    return headers;
+}
+
+header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed) {
+    const map *headers = headers_of_loops(a, unit, analysed);
+    header_uses found = {0};
+    for (unsigned i = 0; i < unit->text.inclusion_count; i++) {
+        const char *name = plain_name(unit->text.inclusions[i].file);
+        header_use use = {0};
+        if (map_get(headers, name, strlen(name)) && find_use(a, unit, name, &use))
+            VECTOR_PUSH(a, &found, use);
+    }
+    return found.count > 0 && names_level(a, unit) ? (header_uses){0} : found;
 }
 
 /* The text, with an empty line for each `#pragma once`. */
@@ -215,24 +216,21 @@ static const char *name_in_program(arena *a, const ir_unit *unit, const header_u
     return is_here && !as_clang ? plain_name(use->file->path) : use->file->path;
 }
 
-const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers,
+const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses *headers,
                                bool as_clang) {
     const source *s = unit->source;
     buffer out = {0};
     uint32_t copied = 0;
-    for (unsigned i = 0; i < unit->text.inclusion_count; i++) { /* in the order of the file */
-        const char *name = plain_name(unit->text.inclusions[i].file);
-        if (!unit->text.inclusions[i].is_in_main_file || !has_name(headers, name))
-            continue;
-        const header_use use = use_of(a, unit, name);
-        const ir_position at = ir_position_of(unit, use.directive.begin);
-        assert(use.file && copied <= use.directive.begin);
-        buffer_append(&out, s->text + copied, use.directive.begin - copied);
-        buffer_format(&out, "#line 1 \"%s\"%s\n", name_in_program(a, unit, &use, as_clang),
+    for (unsigned i = 0; i < headers->count; i++) {
+        const header_use *use = &headers->items[i];
+        const ir_position at = ir_position_of(unit, use->directive.begin);
+        assert(copied <= use->directive.begin);
+        buffer_append(&out, s->text + copied, use->directive.begin - copied);
+        buffer_format(&out, "#line 1 \"%s\"%s\n", name_in_program(a, unit, use, as_clang),
                       DEPENDENCY_IN_PLACE);
-        add_text(a, &out, use.file);
+        add_text(a, &out, use->file);
         buffer_format(&out, "#line %u \"%s\"", at.line + 1, at.file);
-        copied = use.directive.end;
+        copied = use->directive.end;
     }
     buffer_append(&out, s->text + copied, s->length - copied);
     const source *result = source_from_text(a, s->path, out.data, out.length);

@@ -7,13 +7,22 @@
 #include "analysis/analysis.h"
 #include "redcc/options.h"
 
-/** The headers with refused loops (R518) that may stand in the source's text: included once in all,
- *  directly, and with a text that means the same there. */
-string_list headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
+/** A header and the only directive that includes it. */
+typedef struct header_use {
+    const char *name; /* the header's path, without "./" before it */
+    const source *file;
+    ir_range directive; /* without the line's end */
+} header_use;
 
-/** The source with these headers in it. #line directives keep all places; with as_clang headers
- * have clang's names, else gcc's. */
-const source *headers_in_place(arena *a, const ir_unit *unit, const string_list *headers,
+typedef VECTOR(header_use) header_uses;
+
+/** The headers with refused loops (R518) that may stand in the source's text, in its order:
+ * included once in all, directly, and with a text that means the same there. */
+header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
+
+/** The source of `unit` with these of its headers in it. #line directives keep all places; with
+ * as_clang headers have clang's names, else gcc's. */
+const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses *headers,
                                bool as_clang);
 
 /** Does a loop of the header run in parallel? `unit` is of a source with headers in it;

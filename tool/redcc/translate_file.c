@@ -301,7 +301,7 @@ typedef struct analysed_file {
     ir_unit *unit;
     const char *records; /* NULL: none */
     analysis_result analysed;
-    string_list headers; /* those in place of their #include directives */
+    header_uses headers; /* headers that stand in place of their #include directives */
 } analysed_file;
 
 /** What the analysis of a file depends on. */
@@ -325,10 +325,10 @@ static analysed_file analyse_unit(const analysing *by, ir_unit *unit) {
     return result;
 }
 
-static string_list used_headers(arena *a, const analysed_file *file, const reason *obstacles) {
-    string_list used = {0};
+static header_uses used_headers(arena *a, const analysed_file *file, const reason *obstacles) {
+    header_uses used = {0};
     for (unsigned i = 0; i < file->headers.count; i++)
-        if (header_is_used(file->unit, &file->analysed, obstacles, file->headers.items[i]))
+        if (header_is_used(file->unit, &file->analysed, obstacles, file->headers.items[i].name))
             VECTOR_PUSH(a, &used, file->headers.items[i]);
     return used;
 }
@@ -343,7 +343,7 @@ static bool may_have_headers(const options *o) {
  * the file itself. */
 static analysed_file with_headers(const analysing *by, analysed_file *file) {
     arena *a = by->memory;
-    string_list headers = headers_that_fit(a, file->unit, &file->analysed);
+    header_uses headers = headers_that_fit(a, file->unit, &file->analysed);
     const bool as_clang = by->options->compiler == COMPILER_CLANG;
     analysed_file first = {0};
     while (headers.count > 0) {

@@ -138,6 +138,8 @@ const char *reason_advice_on_call(arena *a, const char *name, bool has_body) {
     const char *effect = has_body ? NULL : stateful_effect(name);
     if (effect)
         return arena_format(a, "it %s: call it in a separate loop, before or after", effect);
-    return has_body ? "let it return the value, and store it in the loop itself"
-                    : advices[REASON_IMPURE_CALL];
+    return has_body
+               ? "let it write nothing, and store what it returns in the loop; or call it in a "
+                 "separate loop before, and store what it returns"
+               : advices[REASON_IMPURE_CALL];
 }

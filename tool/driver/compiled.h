@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the compiler makes of a translated source: from the cache (cache.h) if it has made the same
+ *  before, so that a repeated build does not compile the longer text again. */
+#ifndef DRIVER_COMPILED_H
+#define DRIVER_COMPILED_H
+
+#include "driver/translate.h"
+
+/** Compiles the text by the command `words` to `object` (NULL: the command's own output). Returns
+ *  the exit status; in *same whether the compiler read the source's headers
+ *  (translation_read_same). */
+int compiled_text(session *s, const translation *t, const word_list *words, const char *object,
+                  process_streams streams, bool *same);
+
+/** Has the compiler write the dependency file that the command asks for, for the source itself.
+ *  Returns the exit status. */
+int compiled_dependencies(session *s, const translation *t, const word_list *words);
+
+#endif
