@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "library.h"
 
+#include "base/crew.h"
 #include "base/safe_load.h"
 #include "bins/buffer.h"
 #include "execute/ahead.h"
@@ -49,6 +50,11 @@ static const redcc_before_calls before = {.is_alone = redcc_is_alone,
                                           .behind = &behind,
                                           .is_in_order = is_in_order};
 
+static const redcc_crew_calls crew = {.arrive = redcc_crew_arrive,
+                                      .meet = redcc_meet,
+                                      .help = redcc_crew_help,
+                                      .end = redcc_crew_end};
+
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
                                    .inspect = redcc_inspect,
@@ -68,4 +74,5 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
                                    .before = &before,
-                                   .ahead = &redcc_ahead_library};
+                                   .ahead = &redcc_ahead_library,
+                                   .crew = &crew};

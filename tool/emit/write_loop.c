@@ -16,6 +16,7 @@
 #include "emit/body/scalars.h"
 #include "emit/call.h"
 #include "emit/context.h"
+#include "emit/crew.h"
 #include "emit/distribution.h"
 #include "emit/macro_names.h"
 #include "emit/outline.h"
@@ -159,6 +160,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
     writer_line(out, "%sREDCC_QUIET_BEGIN", loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "");
+    write_meeting(loop, out);
     declare_replaces(loop, out);
     const char *entry = write_trip_count(loop, out, outlined_name(loop, "site"));
     declare_entry_values(loop, out, true);
@@ -189,7 +191,8 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
 
 /** After the loop: its time is used in the next execution. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool may_be_alone = loop->facts->slice.has_floating_work; /* without timing */
+    /* without timing */
+    const bool may_be_alone = loop->facts->slice.has_floating_work || has_crew(loop);
     const char *site = outlined_name(loop, "site");
     if (!may_be_alone && !has_branches(loop)) {
         buffer_format(&out->out, " REDCC_OVER(%s) }", site);
@@ -199,6 +202,8 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     if (may_be_alone) {
         buffer_text(&out->out, loop_condition(loop));
         writer_line(out, "REDCC_OVER(%s)", site);
+        if (has_crew(loop))
+            write_parting(loop, out);
         buffer_text(&out->out, "#endif\n");
     }
     if (has_branches(loop)) {

@@ -461,6 +461,16 @@ typedef struct redcc_before_calls {
     int (*is_in_order)(const redcc_loop *loop);
 } redcc_before_calls;
 
+typedef struct redcc_crew redcc_crew;
+
+/** Calls of the library for a loop to which all threads of a team come (redcc/crew.h). */
+typedef struct redcc_crew_calls {
+    void (*arrive)(void);
+    redcc_crew *(*meet)(redcc_loop *loop, int locks);
+    int (*help)(redcc_crew *crew);
+    void (*end)(redcc_crew *crew);
+} redcc_crew_calls;
+
 /** Rows that iterations read: iteration k at first + k * step, in bytes. */
 typedef struct redcc_progression {
     redcc_size first; /* 0: not known */
@@ -525,6 +535,7 @@ typedef struct redcc_calls {
     const redcc_series_calls *series;
     const redcc_before_calls *before;
     const redcc_ahead_calls *ahead;
+    const redcc_crew_calls *crew;
 } redcc_calls;
 
 #endif

@@ -42,6 +42,11 @@ int redcc_team_to_start(int threads);
  *  with as many threads, which this begins. */
 bool redcc_team_is_alone(void);
 
+/** Are all threads of the process those of the calling thread's team, which have noted themselves
+ *  and come together, or idle ones? The team is of an outermost region; outside of regions the same
+ *  as redcc_team_is_alone. */
+bool redcc_team_has_met(void);
+
 /** Called by each thread of a region but its first: OpenMP or the runtime has made it. */
 void redcc_team_note_member(void);
 
