@@ -44,16 +44,17 @@ static int is_in_order(const redcc_loop *loop) {
            (settings->method && settings->method->keeps == REDCC_ORDER_SERIAL);
 }
 
-static const redcc_before_calls before = {.is_alone = redcc_is_alone,
-                                          .may_load = may_load,
-                                          .load = redcc_load,
-                                          .behind = &behind,
-                                          .is_in_order = is_in_order};
-
 static const redcc_crew_calls crew = {.arrive = redcc_crew_arrive,
                                       .meet = redcc_meet,
                                       .help = redcc_crew_help,
                                       .end = redcc_crew_end};
+
+static const redcc_before_calls before = {.is_alone = redcc_is_alone,
+                                          .may_load = may_load,
+                                          .load = redcc_load,
+                                          .behind = &behind,
+                                          .is_in_order = is_in_order,
+                                          .crew = &crew};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),
@@ -74,5 +75,4 @@ const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .misuse = stop_at_misuse,
                                    .series = &series,
                                    .before = &before,
-                                   .ahead = &redcc_ahead_library,
-                                   .crew = &crew};
+                                   .ahead = &redcc_ahead_library};

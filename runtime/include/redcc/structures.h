@@ -447,6 +447,16 @@ typedef struct redcc_behind_calls {
                       redcc_int count, const void *record);
 } redcc_behind_calls;
 
+typedef struct redcc_crew redcc_crew;
+
+/** Calls of the library for a loop to which all threads of a team come (redcc/crew.h). */
+typedef struct redcc_crew_calls {
+    void (*arrive)(void);
+    redcc_crew *(*meet)(redcc_loop *loop, int locks);
+    int (*help)(redcc_crew *crew);
+    void (*end)(redcc_crew *crew);
+} redcc_crew_calls;
+
 /** Calls of the library before a loop begins. */
 typedef struct redcc_before_calls {
     /** Can no other thread of the process run before the loop ends? */
@@ -459,17 +469,8 @@ typedef struct redcc_before_calls {
     const redcc_behind_calls *behind;
     /** Does REDCC_ORDER or REDCC_METHOD ask for the sequential loop's bits? */
     int (*is_in_order)(const redcc_loop *loop);
+    const redcc_crew_calls *crew;
 } redcc_before_calls;
-
-typedef struct redcc_crew redcc_crew;
-
-/** Calls of the library for a loop to which all threads of a team come (redcc/crew.h). */
-typedef struct redcc_crew_calls {
-    void (*arrive)(void);
-    redcc_crew *(*meet)(redcc_loop *loop, int locks);
-    int (*help)(redcc_crew *crew);
-    void (*end)(redcc_crew *crew);
-} redcc_crew_calls;
 
 /** Rows that iterations read: iteration k at first + k * step, in bytes. */
 typedef struct redcc_progression {
@@ -535,7 +536,6 @@ typedef struct redcc_calls {
     const redcc_series_calls *series;
     const redcc_before_calls *before;
     const redcc_ahead_calls *ahead;
-    const redcc_crew_calls *crew;
 } redcc_calls;
 
 #endif

@@ -11,17 +11,18 @@
 enum { LINE = 64 };
 
 struct redcc_crew {
-    atomic_uint task; /* changes when there is one */
-    atomic_int idle;  /* threads that sleep until then */
     int threads;
-    int level;                       /* of the region, among those around it */
-    struct redcc_crew *outer;        /* of the first thread, which may lead a team within a team */
-    region_work *work;               /* NULL: the loop is over */
-    void *shared;                    /* the task's, as are: */
-    int threads_at_work;             /* the first ones */
+    int level;                /* of its region, among those around it */
+    struct redcc_crew *outer; /* that its first thread led before: a team around this one */
+    atomic_int users;         /* threads that may still look at this memory */
+    /* The current task. */
+    region_work *work; /* NULL: the loop is over */
+    void *shared;
+    int threads_at_work;
+    atomic_uint tasks;               /* so far */
+    atomic_int idle;                 /* threads that sleep until there is another one */
     _Alignas(LINE) atomic_uint left; /* threads that the task's end waits for */
     atomic_int asleep;
-    atomic_int users; /* threads that may still look at this memory */
 };
 
 static _Thread_local struct redcc_crew *crew __attribute__((__tls_model__("initial-exec")));
@@ -34,7 +35,9 @@ extern int omp_get_thread_num(void) WEAK;
 redcc_crew *redcc_crew_new(void) {
     if (redcc_region_is_own() || !omp_get_level)
         return NULL;
+    redcc_memory_exempt(true); /* as written, the loop would have other bits */
     struct redcc_crew *it = redcc_memory_take_zeroed(1, sizeof *it);
+    redcc_memory_exempt(false);
     if (!it)
         return NULL;
     it->threads = omp_get_num_threads();
@@ -53,8 +56,8 @@ static void begin(struct redcc_crew *it, int threads, region_work *work, void *s
     it->shared = shared;
     it->threads_at_work = threads;
     atomic_store(&it->left, (unsigned)it->threads - 1);
-    atomic_fetch_add(&it->task, 1);
-    redcc_wake(&it->task, &it->idle);
+    atomic_fetch_add(&it->tasks, 1);
+    redcc_wake(&it->tasks, &it->idle);
 }
 
 static void arrive(struct redcc_crew *it) {
@@ -78,7 +81,7 @@ int redcc_crew_help(redcc_crew *it) {
     }
     redcc_crew_arrive();
     for (unsigned seen = 0;; seen++) {
-        redcc_wait_while(&it->task, seen, &it->idle, it->threads);
+        redcc_wait_while(&it->tasks, seen, &it->idle, it->threads);
         if (!it->work)
             break;
         if (number < it->threads_at_work)

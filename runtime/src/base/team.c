@@ -376,7 +376,7 @@ static void note_all(int others) {
     redcc_region_run(may_be_more && all > usual ? all : usual, be_noted, NULL);
 }
 
-static atomic_int known; /* the number of other threads that were waited for in vain */
+static atomic_int known; /* the number of other threads that stayed when they were waited for */
 
 /* The same as count_others, after waiting for members that are leaving. */
 static int count_unknown(void) {
