@@ -16,7 +16,7 @@ void not_shared(int n) {
     for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
         mine[s[t]] += w[t];
 #pragma omp for
-    for (int t = 0; t < n; t++) // EXPECT: refuse threadprivate
+    for (int t = 0; t < n; t++) // EXPECT: refuse thread-local
 #pragma omp atomic
         of_thread[s[t]] += w[t];
     q[0] += mine[0];
