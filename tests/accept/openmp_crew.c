@@ -8,7 +8,7 @@
 
 enum { N = 20000, M = 900, P = 40 };
 static int s[N], r[N];
-static double w[N], x[M], h[M], g[M], e[M], c[M], q[M], sums[8];
+static double w[N], x[M], h[M], g[M], e[M], c[M], q[M], u[M], sums[8];
 static long counts[P], shared_count;
 #ifdef _OPENMP
 int omp_get_thread_num(void);
@@ -58,8 +58,8 @@ static void hasty(int n) {
             const double v = w[t] * 0.5;
 #pragma omp critical(sums)
             {
-                h[s[t]] += v;
-                h[r[t]] += 2 * v;
+                u[s[t]] += v;
+                u[r[t]] += 2 * v;
             }
         }
 #pragma omp for nowait
@@ -166,6 +166,7 @@ int main(void) {
     CASE_PRINT(g);
     CASE_PRINT(c);
     CASE_PRINT(q);
+    CASE_PRINT(u);
     CASE_PRINT(sums);
     CASE_PRINT(counts);
     case_print("shared_count", &shared_count, sizeof shared_count);
