@@ -3,6 +3,7 @@
 #include "loop.h"
 
 #include "base/clock.h"
+#include "base/crew.h"
 #include "base/escapes.h"
 #include "base/forked.h"
 #include "base/node.h"
@@ -109,6 +110,14 @@ int redcc_is_alone(redcc_loop *loop) {
     if (redcc_settings_for(loop)->report)
         note_serial(loop, REASON_OTHER_THREADS);
     return 0;
+}
+
+redcc_crew *redcc_meet(redcc_loop *loop, int locks) {
+    if (!locks || redcc_team_has_met())
+        return redcc_crew_new();
+    if (redcc_settings_for(loop)->report)
+        note_serial(loop, REASON_OTHER_THREADS);
+    return NULL;
 }
 
 /* May a user be waiting for the end of the execution? Also true if its duration is unknown, as for

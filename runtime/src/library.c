@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "library.h"
 
+#include "base/crew.h"
 #include "base/safe_load.h"
 #include "bins/buffer.h"
 #include "execute/ahead.h"
@@ -44,11 +45,17 @@ static int is_in_order(const redcc_loop *loop) {
            (settings->method && settings->method->keeps == REDCC_ORDER_SERIAL);
 }
 
+static const redcc_crew_calls crew = {.arrive = redcc_crew_arrive,
+                                      .meet = redcc_meet,
+                                      .help = redcc_crew_help,
+                                      .end = redcc_crew_end};
+
 static const redcc_before_calls before = {.is_alone = redcc_is_alone,
                                           .may_load = may_load,
                                           .load = redcc_load,
                                           .behind = &behind,
-                                          .is_in_order = is_in_order};
+                                          .is_in_order = is_in_order,
+                                          .crew = &crew};
 
 const redcc_calls redcc_library = {.version = REDCC_INTERFACE,
                                    .bytes = sizeof(redcc_calls),

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Compiled with OpenMP: arrays of the clause `reduction` are updated in a fixed order, with the same bits at every number
-// of threads, in every run, and in the sequential order by REDCC_ORDER=serial. Ten shapes.
+// of threads, in every run, and in the sequential order by REDCC_ORDER=serial. Eleven shapes.
 // covers: row 55
 // CFLAGS: -fopenmp
 // FLAGS: -fopenmp
 // SEQUENTIAL: its directives add up in any order
-// FIXED: 31 38 48 55 64 73 82 93 105
+// FIXED: 31 38 48 55 64 73 82 93 105 126
 // MAY-RUN-SERIALLY: one of them is executed in a region
 #include "case.h"
 
 enum { N = 24000, M = 300, ROWS = 90 };
 static int s[N], r[N], k[N];
-static double w[N], x[M], g[M], mass[M], product[M], h[3 * M], row[ROWS][3], nodes[M], field[M], total, little;
+static double w[N], x[M], g[M], mass[M], product[M], h[3 * M], row[ROWS][3], nodes[M], field[M], team[M], total, little;
 static float grey[M];
 static unsigned bits[M];
 static long counts[M];
@@ -118,6 +118,19 @@ static void with_sum(int n) {
     total += sum;
 }
 
+/* by the team that is there */
+static void of_team(int n, double *restrict to) {
+#pragma omp parallel
+    {
+#pragma omp for reduction(+ : to[:M])
+        for (int t = 0; t < n; t++) // EXPECT: transformed
+            to[s[t]] -= w[t] * 0.25;
+#pragma omp for
+        for (int i = 0; i < M; i++)
+            to[i] *= 0.5;
+    }
+}
+
 int main(void) {
     static double apart[16][M];
     case_subscripts(s, N, M);
@@ -150,6 +163,7 @@ int main(void) {
             anywhere(n, apart[i]);
         with_sum(n);
         anywhere(n, nodes);
+        of_team(n, team);
     }
     CASE_PRINT(field);
     CASE_PRINT(g);
@@ -164,6 +178,7 @@ int main(void) {
     CASE_PRINT(bits);
     CASE_PRINT(apart);
     CASE_PRINT(nodes);
+    CASE_PRINT(team);
     case_print("last", &last, sizeof last);
     case_print("total", &total, sizeof total);
     return 0;

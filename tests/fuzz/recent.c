@@ -132,7 +132,8 @@ void recent_shape(kernel *k) {
     shapes[below(k, LENGTH(shapes))](k);
 }
 
-/* A parallel loop of its own, whose updates are protected; what is not, OpenMP would not allow. */
+/* A parallel loop of its own, or one that a region's team shares, whose updates are protected; what
+ * is not, OpenMP would not allow. */
 void loop_with_directives(kernel *k) {
     const char *sums = new_name(k, "sums"), *i = new_name(k, "o"), *v = new_name(k, "v");
     const char *at = new_name(k, "at"), *total = new_name(k, "total");
@@ -147,7 +148,9 @@ void loop_with_directives(kernel *k) {
         sums, k->size, k->elements, sums, k->size, total);
     const bool has_total = chance(k, 40);
     const char *clause = way == 3 ? text(k, " reduction(+ : %s[:%d])", sums, k->elements) : "";
-    put(k, &k->body, "#pragma omp parallel for%s%s%s\n", clause,
+    const bool is_shared = chance(k, 40);
+    put(k, &k->body, "%s%s%s%s\n",
+        is_shared ? "#pragma omp parallel\n{\n#pragma omp for" : "#pragma omp parallel for", clause,
         has_total ? text(k, " reduction(+ : %s)", total) : "",
         chance(k, 30) ? " schedule(dynamic, 8)" : "");
     put(k, &k->body, "for (int %s = 0; %s < (int)n; %s++) {\n", i, i, i);
@@ -171,7 +174,7 @@ void loop_with_directives(kernel *k) {
     put(k, &k->body, "}\n");
     if (has_total)
         put(k, &k->body, "%s += %s;\n", total, v);
-    put(k, &k->body, "}\n");
+    put(k, &k->body, is_shared ? "}\n}\n" : "}\n");
     put(k, &k->after, "    live[%d] = %s;\n", k->live++ % 8, total);
     print_after(k, sums);
 }

@@ -2,7 +2,8 @@
 /* Compiled with OpenMP: threads that leave a cancelled region do not come to the barriers of its loops. */
 // covers: row 55
 // FLAGS: -fopenmp
-static double w[1000], of_file;
+static double w[1000], h[1000], of_file;
+static int s[1000];
 
 void cancels(int n) {
 #pragma omp parallel
@@ -13,5 +14,9 @@ void cancels(int n) {
 #pragma omp for reduction(+ : of_file)
         for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
             of_file += w[i];
+#pragma omp for
+        for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
+#pragma omp atomic
+            h[s[i]] += w[i];
     }
 }

@@ -9,26 +9,7 @@ double total;
 
 int omp_get_thread_num(void);
 
-void in_a_region(int n) {
-#pragma omp parallel
-    {
-#pragma omp for nowait
-        for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
-#pragma omp atomic
-            h[s[t]] += w[t];
-#pragma omp for
-        for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
-#pragma omp critical
-            h[s[t]] += w[t];
-        }
-    }
-}
-
 void orphaned(int n) {
-#pragma omp for
-    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
-#pragma omp atomic
-        h[s[t]] += w[t];
     for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
 #pragma omp atomic
         h[s[t]] += w[t];

@@ -64,9 +64,10 @@ static bool is_listed(const word_list *list, const char *name) {
 /* Is it a header of the runtime, which only translated text includes? */
 static bool is_the_runtimes(const char *name) {
     static const char *const headers[] = {
-        "/redcc/bins.h",   "/redcc/entry.h",    "/redcc/lanes.h",      "/redcc/loop.h",
-        "/redcc/blocks.h", "/redcc/prefetch.h", "/redcc/runtime.h",    "/redcc/series.h",
-        "/redcc/slice.h",  "/redcc/steps.h",    "/redcc/structures.h", "/redcc/tiles.h",
+        "/redcc/bins.h",   "/redcc/crew.h",   "/redcc/entry.h",    "/redcc/lanes.h",
+        "/redcc/loop.h",   "/redcc/blocks.h", "/redcc/prefetch.h", "/redcc/runtime.h",
+        "/redcc/series.h", "/redcc/slice.h",  "/redcc/steps.h",    "/redcc/structures.h",
+        "/redcc/tiles.h",
     };
     for (size_t i = 0; i < sizeof headers / sizeof *headers; i++)
         if (source_ends_with(name, headers[i]))

@@ -5,6 +5,7 @@
 
 #include "analysis/base/openmp_loop.h"
 #include "emit/base/names.h"
+#include "emit/crew.h"
 #include "emit/text/origin.h"
 #include "ir/ir_syntax.h"
 
@@ -40,7 +41,9 @@ static const char *expression_of(const loop_text *loop, openmp_clause_kind kind)
 }
 
 void declare_replaces(loop_text *loop, writer *out) {
-    if (loop->facts->variables.openmp)
+    if (has_crew(loop))
+        writer_line(out, "const int redcc__replaces = redcc__crew != 0;");
+    else if (loop->facts->variables.openmp)
         writer_line(out, "const int redcc__replaces = REDCC_REPLACES(%s, %d);",
                     outlined_name(loop, "site"), loop->facts->variables.openmp->has_locks);
 }

@@ -16,6 +16,7 @@
 #include "emit/body/scalars.h"
 #include "emit/call.h"
 #include "emit/context.h"
+#include "emit/crew.h"
 #include "emit/distribution.h"
 #include "emit/macro_names.h"
 #include "emit/outline.h"
@@ -160,6 +161,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
     writer_line(out, "%sREDCC_QUIET_BEGIN", loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "");
+    write_meeting(loop, out);
     declare_replaces(loop, out);
     const char *entry = write_trip_count(loop, out, outlined_name(loop, "site"));
     declare_entry_values(loop, out, true);
@@ -190,8 +192,8 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
 
 /** Writes the end of the block, with the end of the measurement of the sequential loop. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool has_condition =
-        loop->facts->slice.has_floating_work; /* a compilation may not time it */
+    const bool has_condition = /* a compilation may not time it */
+        loop->facts->slice.has_floating_work || has_crew(loop);
     const char *site = outlined_name(loop, "site");
     if (!has_condition && !has_branches(loop)) {
         buffer_format(&out->out, " REDCC_OVER(%s) }", site);
@@ -201,6 +203,8 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     if (has_condition) {
         buffer_text(&out->out, loop_condition(loop));
         writer_line(out, "REDCC_OVER(%s)", site);
+        if (has_crew(loop))
+            write_parting(loop, out);
         buffer_text(&out->out, "#endif\n");
     }
     if (has_branches(loop)) {

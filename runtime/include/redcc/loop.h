@@ -175,6 +175,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
                          (redcc_site).calls->before->is_alone(&(redcc_site).binned.loop))))
 
 #include <redcc/blocks.h>
+#include <redcc/crew.h>
 
 /** Executes the loop in parallel: 1; or 0: nothing was written, and the original loop must run.
  *  Marked unlikely, so that the compiler gives the registers to the sequential loop. */

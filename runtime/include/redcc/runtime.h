@@ -112,6 +112,10 @@ int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 /** Is the calling thread the only running one of the process, except for OpenMP's idle threads? */
 int redcc_is_alone(redcc_loop *loop);
 
+/** All threads of the calling thread's team come to the loop: may the first one execute it, and the
+ *  others work for it? locks: only if redcc_is_alone would hold without the team's. 0: no. */
+redcc_crew *redcc_meet(redcc_loop *loop, int locks);
+
 /** Allocates an operand of `size` bytes for each iteration. After redcc_leave it is freed by
  *  redcc_operands_give. REDCC_MEMORY_LIMIT includes it. Returns NULL if trip is not positive, or if
  *  memory is lacking (which is reported); the original loop must run then. */

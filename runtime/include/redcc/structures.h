@@ -445,6 +445,16 @@ typedef struct redcc_behind_calls {
                       redcc_int count, const void *record);
 } redcc_behind_calls;
 
+typedef struct redcc_crew redcc_crew;
+
+/** Calls of the library for a loop to which all threads of a team come (redcc/crew.h). */
+typedef struct redcc_crew_calls {
+    void (*arrive)(void);
+    redcc_crew *(*meet)(redcc_loop *loop, int locks);
+    int (*help)(redcc_crew *crew);
+    void (*end)(redcc_crew *crew);
+} redcc_crew_calls;
+
 /** Functions of the library that are called before a loop begins. */
 typedef struct redcc_before_calls {
     /** Is it certain that no other thread of the process runs before the loop ends? */
@@ -457,6 +467,7 @@ typedef struct redcc_before_calls {
     const redcc_behind_calls *behind;
     /** Does REDCC_ORDER or REDCC_METHOD require the sequential loop's bits? */
     int (*is_in_order)(const redcc_loop *loop);
+    const redcc_crew_calls *crew;
 } redcc_before_calls;
 
 /** An arithmetic progression of rows that iterations read: iteration k reads the row at first + k *

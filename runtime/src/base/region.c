@@ -2,6 +2,7 @@
 #include "base/region.h"
 
 #include "base/affinity.h"
+#include "base/crew.h"
 #include "base/pool.h"
 #include "base/system.h"
 #include "base/team.h"
@@ -33,6 +34,9 @@ static int number_of(const char *variable, int otherwise) {
 }
 
 int redcc_region_threads(void) {
+    const int crew = redcc_crew_threads();
+    if (crew > 0)
+        return crew;
     if (!redcc_region_is_own())
         return omp_get_max_threads();
     static atomic_int known; /* 0: not computed yet */
@@ -47,7 +51,7 @@ int redcc_region_threads(void) {
 }
 
 bool redcc_region_is_nested(void) {
-    return redcc_within || (omp_in_parallel && omp_in_parallel());
+    return redcc_within || (omp_in_parallel && omp_in_parallel() && redcc_crew_threads() == 0);
 }
 
 struct region {
@@ -64,8 +68,11 @@ static void work_in_openmp(void *given) {
 
 void redcc_region_run(int threads, region_work *work, void *shared) {
     assert(threads >= 1);
+    const int crew = threads > 1 ? redcc_crew_threads() : 0;
     if (threads == 1)
         work(0, 1, shared);
+    else if (crew > 0)
+        redcc_crew_run(threads < crew ? threads : crew, work, shared);
     else if (redcc_region_is_own())
         redcc_pool_run(threads, work, shared);
     else

@@ -3,6 +3,7 @@
 #include "base/team.h"
 
 #include "base/clock.h"
+#include "base/crew.h"
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/pool.h"
@@ -33,6 +34,7 @@ extern void __kmpc_fork_call(void) WEAK;
 extern void kmp_set_stacksize_s(size_t) WEAK;
 extern int omp_in_parallel(void) WEAK;
 extern int omp_get_max_threads(void) WEAK;
+extern int omp_get_level(void) WEAK;
 extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
 extern __typeof__(pthread_create) pthread_create WEAK;
 extern __typeof__(pthread_join) pthread_join WEAK;
@@ -237,6 +239,8 @@ static bool is_in_handler(uint64_t before) {
 
 /* The number of threads of the calling thread's last region; 0: there was none. */
 static int there(void) {
+    if (redcc_crew_threads() > 0)
+        return redcc_crew_threads();
     return redcc_region_is_own() ? redcc_pool_threads() : team.threads;
 }
 
@@ -278,6 +282,8 @@ int redcc_team_to_start(int threads) {
 }
 
 void redcc_team_begun(int threads) {
+    if (redcc_crew_threads() > 0)
+        return;
     team.threads = threads;
     if (team.stack_before)
         set_stacks(team.stack_before);
@@ -371,27 +377,53 @@ static void note_all(int others) {
     redcc_region_run(may_be_more && all > usual ? all : usual, be_noted, NULL);
 }
 
-bool redcc_team_is_alone(void) {
-    static int known; /* the number of other threads that a region could not identify */
-    static double longest_wait = 0.25; /* seconds; halved after a wait without effect */
-    if (redcc_region_is_nested() || redcc_system(SYS_gettid) != redcc_system_process())
-        return false;
+static atomic_int known; /* the number of other threads that stayed when they were waited for */
+
+/* The same as count_others, after waiting for members that are leaving. */
+static int count_unknown(void) {
     (void)redcc_is_forked(); /* members are this process's */
-    int others = count_others();
-    if (others > 0 && others != known)
-        others = count_others_that_stay(0);
-    if (others <= 0 || others == known)
+    const int others = count_others();
+    return others > 0 && others != atomic_load(&known) ? count_others_that_stay(0) : others;
+}
+
+/* Waits for others to leave. */
+static bool others_leave(void) {
+    static _Atomic double longest = 0.25; /* seconds; halved if nothing came of it */
+    const double seconds = atomic_load(&longest);
+    const int others = count_others_that_stay(seconds);
+    atomic_store(&known, others);
+    if (others > 0)
+        atomic_store(&longest, seconds / 2);
+    return others == 0;
+}
+
+bool redcc_team_is_alone(void) {
+    if (redcc_region_is_nested() || redcc_crew_threads() > 0 ||
+        redcc_system(SYS_gettid) != redcc_system_process())
+        return false;
+    const int others = count_unknown();
+    if (others <= 0 || others == atomic_load(&known))
         return others == 0;
     note_all(others);
-    known = count_others_that_stay(longest_wait);
-    if (known > 0)
-        longest_wait /= 2;
-    return known == 0;
+    return others_leave();
+}
+
+bool redcc_team_has_met(void) {
+    if (!omp_get_level || omp_get_level() == 0)
+        return redcc_team_is_alone();
+    if (redcc_within || omp_get_level() > 1)
+        return false;
+    const int others = count_unknown();
+    return others <= 0 || others == atomic_load(&known) ? others == 0 : others_leave();
 }
 
 #else
 
 bool redcc_team_is_alone(void) {
+    return false;
+}
+
+bool redcc_team_has_met(void) {
     return false;
 }
 

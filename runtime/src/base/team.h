@@ -43,6 +43,11 @@ int redcc_team_to_start(int threads);
  * runtime with as many threads, which this function opens. */
 bool redcc_team_is_alone(void);
 
+/** Are all threads of the process those of the calling thread's team, which have noted themselves
+ *  and come together, or idle ones? The team is of an outermost region; outside of regions the same
+ *  as redcc_team_is_alone. */
+bool redcc_team_has_met(void);
+
 /** Called by each thread of a region except the first: registers it as made by OpenMP or the
  * runtime. */
 void redcc_team_note_member(void);

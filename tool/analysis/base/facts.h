@@ -211,11 +211,11 @@ typedef struct triangle {
 
 typedef struct private_variable {
     ir_variable *variable;
-    bool is_declared_inside;  /* then no code is generated for it */
-    bool is_live_after;       /* live-out, and proved to be assigned in every iteration */
-    bool is_last_sought; /* live-out, but some iterations leave it unchanged (conditional
-                               * lastprivate): a scalar assigned by separate statements
-                               * (IR_EXPRESSION) */
+    bool is_declared_inside; /* then no code is generated for it */
+    bool is_live_after;      /* live-out, and proved to be assigned in every iteration */
+    bool is_last_sought;     /* live-out, but some iterations leave it unchanged (conditional
+                              * lastprivate): a scalar assigned by separate statements
+                              * (IR_EXPRESSION) */
     bool is_stepped; /* an integer or pointer that each iteration steps once by `step`: its value is
                       * the one on entry plus the steps of all preceding iterations */
     bool is_step_wanted; /* is_stepped: its last value is used, because it is live-out */

@@ -20,6 +20,21 @@ unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset) {
     return low;
 }
 
+bool directives_name(const ir_unit *unit, ir_range range, const char *word) {
+    for (unsigned i = loop_text_first_directive(unit, range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < range.end; i++)
+        if (unit->directives[i].text && strstr(unit->directives[i].text, word))
+            return true;
+    return false;
+}
+
+bool file_names(const ir_unit *unit, const char *word) {
+    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
+        if (strstr(unit->text.header_pragmas[i], word))
+            return true;
+    return directives_name(unit, (ir_range){0, UINT32_MAX}, word);
+}
+
 uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number) {
     const ir_directive *d = &unit->directives[number];
     return d->is_skipped && number + 1 < unit->directive_count ? d[1].range.begin : d->range.end;
@@ -217,23 +232,11 @@ const ir_directive *loop_text_openmp_above(const ir_unit *unit, const ir_node *l
     return NULL;
 }
 
-/* With OpenMP, would variables of the file be thread-local? */
-static bool has_threadprivate_variables(const ir_unit *unit) {
-    static const char word[] = "threadprivate";
-    for (unsigned i = 0; i < unit->directive_count; i++)
-        if (unit->directives[i].text && strstr(unit->directives[i].text, word))
-            return true;
-    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
-        if (strstr(unit->text.header_pragmas[i], word))
-            return true;
-    return false;
-}
-
 bool function_has_ignored_openmp(const ir_unit *unit, const ir_function *function) {
     if (unit->dialect.has_openmp || !function->is_in_main_file)
         return false;
-    if (has_threadprivate_variables(unit))
-        return true;
+    if (file_names(unit, "threadprivate"))
+        return true; /* with OpenMP, variables of the file would be the threads' own */
     for (unsigned i = loop_text_first_directive(unit, function->range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < function->range.end; i++)
         if (directive_is_openmp(&unit->directives[i]))

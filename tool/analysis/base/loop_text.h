@@ -15,6 +15,13 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 /** Index of the unit's first directive at or after `offset`. */
 unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
 
+/** Does a directive that begins in the range have the word in its text? Also one that is not
+ *  compiled, and a macro's definition. */
+bool directives_name(const ir_unit *unit, ir_range range, const char *word);
+
+/** The same of the whole file, and of the pragmas in its headers. */
+bool file_names(const ir_unit *unit, const char *word);
+
 /** The end of the directive with this number and of the text that it excludes, up to the next. */
 uint32_t loop_text_end_of_branch(const ir_unit *unit, unsigned number);
 

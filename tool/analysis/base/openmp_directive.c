@@ -370,3 +370,12 @@ openmp_directive openmp_read(arena *a, const ir_unit *unit, const ir_directive *
     result.item_count = r.items.count;
     return result;
 }
+
+openmp_schedule openmp_schedule_of(const openmp_directive *d) {
+    for (unsigned i = 0; i < d->item_count; i++)
+        if (d->items[i].kind == OPENMP_SCHEDULE)
+            return strstr(d->items[i].text, "dynamic") || strstr(d->items[i].text, "guided")
+                       ? OPENMP_BY_TURNS
+                       : OPENMP_STATIC;
+    return OPENMP_NO_SCHEDULE;
+}

@@ -43,13 +43,9 @@ static const char *only_by_directive(arena *a, const openmp_directive *read) {
 /* Records the directive above the loop. */
 static void note_above(arena *a, openmp_loop *result, const openmp_directive *read,
                        const ir_directive *d) {
-    if (read->construct != OPENMP_PARALLEL_FOR)
-        result->kept = with_text(a,
-                                 read->construct == OPENMP_FOR
-                                     ? "the threads of the region around it execute it: end the "
-                                       "region before it and write 'parallel for'"
-                                     : "the construct, which is no 'parallel for'",
-                                 d);
+    if (read->construct > OPENMP_FOR)
+        result->kept = with_text(a, "the construct, which is no 'parallel for' or 'for'", d);
+    result->is_of_team = read->construct == OPENMP_FOR;
     result->items = read->items;
     result->item_count = read->item_count;
 }
@@ -64,6 +60,14 @@ static const char *openmp_function_in(const ir_node *node) {
     return found;
 }
 
+static bool is_thread_number(const ir_node *node) {
+    return node->kind == IR_FUNCTION && strcmp(node->function->name, "omp_get_thread_num") == 0;
+}
+
+bool openmp_knows_thread(const openmp_directive *d, const ir_node *node) {
+    return openmp_schedule_of(d) == OPENMP_STATIC && ir_any(node, is_thread_number);
+}
+
 /* Why a loop with locks and no directive above it must keep its directives. */
 static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loop) {
     for (const ir_node *outer = loop->parent; outer; outer = outer->parent) {
@@ -71,7 +75,7 @@ static const char *kept_around(arena *a, const ir_unit *unit, const ir_node *loo
         if (around)
             return around->kept ? around->kept : "the loop around it stays as it is";
     }
-    return "a lock in a loop without a 'parallel for' of its own";
+    return "a lock in a loop without a directive of its own";
 }
 
 const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *loop) {

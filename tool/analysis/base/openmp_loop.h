@@ -12,6 +12,7 @@ typedef struct openmp_loop {
     unsigned item_count;
     const openmp_item *items;
     bool has_locks;   /* `atomic` or `critical` in the loop: other threads may update as well */
+    bool is_of_team;  /* `for`, by the team of a region around it */
     const char *kept; /* the reason why they must be kept, from their text; NULL: none so far */
 } openmp_loop;
 
@@ -22,8 +23,11 @@ typedef struct blocked_scalar {
 
 /** What is known of the team of `omp for`: reduction/team_loop.h. */
 typedef struct team_facts {
-    bool shares_frame; /* its threads share the variables of the function's outermost block */
-    bool may_be_early; /* threads may reach the loop while others still execute an earlier one */
+    bool shares_frame;   /* its threads share the variables of the function's outermost block */
+    bool may_be_early;   /* threads may reach the loop while others still execute an earlier one */
+    bool names_all;      /* the region uses only variables that its clauses name: `default(none)` */
+    const char *reduced; /* a variable in the loop that the region reduces: it has a copy for each
+                          * thread, with another value than before the region */
 } team_facts;
 
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
@@ -49,6 +53,9 @@ bool openmp_has_devices(const ir_unit *unit);
  *  directive must then restore it. The counter is private without a clause. */
 bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable);
+
+/** Does `schedule` fix which thread executes an iteration, and the node ask for its number? */
+bool openmp_knows_thread(const openmp_directive *d, const ir_node *node);
 
 /** The variable called `name` in the loop's scope, or NULL. */
 const ir_variable *openmp_variable(const ir_unit *unit, const ir_node *loop,

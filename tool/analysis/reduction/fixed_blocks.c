@@ -140,17 +140,6 @@ static counted_loop check_header(search *s, fixed_blocks *blocks) {
     return found.loop;
 }
 
-/* Does a pragma in the loop contain the word? */
-static bool has_directive_named(const search *s, const char *word) {
-    const ir_unit *unit = s->an->unit;
-    for (unsigned i = loop_text_first_directive(unit, s->loop->range.begin);
-         i < unit->directive_count && unit->directives[i].range.begin < s->loop->range.end; i++)
-        if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
-            strstr(unit->directives[i].text, word))
-            return true;
-    return false;
-}
-
 /* Is the function inline but not static? Then it cannot hold static data. `__inline__` counts,
  * `noinline` does not. */
 static bool is_shared_inline(const ir_function *function, const source *text) {
@@ -159,22 +148,6 @@ static bool is_shared_inline(const ir_function *function, const source *text) {
     for (uint32_t i = function->range.begin; i + 6 <= function->body->range.begin; i++)
         if (strncmp(text->text + i, "inline", 6) == 0 &&
             (i == 0 || text->text[i - 1] == '_' || !source_is_name_byte(text->text[i - 1])))
-            return true;
-    return false;
-}
-
-static bool calls_named(const ir_node *node, const char *prefix) {
-    if (node->kind == IR_FUNCTION && strncmp(node->function->name, prefix, strlen(prefix)) == 0)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (calls_named(node->children[i], prefix))
-            return true;
-    return false;
-}
-
-static bool has_explicit_schedule(const fixed_blocks *blocks) {
-    for (unsigned i = 0; i < blocks->directive.item_count; i++)
-        if (blocks->directive.items[i].kind == OPENMP_SCHEDULE)
             return true;
     return false;
 }
@@ -196,14 +169,15 @@ static bool begins_under_condition(const search *s) {
 
 static void check_body(search *s, const fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
-    if (has_directive_named(s, "cancel") || has_directive_named(s, "ordered") ||
-        has_directive_named(s, "scan"))
+    const ir_range range = s->loop->range;
+    if (directives_name(unit, range, "cancel") || directives_name(unit, range, "ordered") ||
+        directives_name(unit, range, "scan"))
         refuse(s, "%s", "a directive in the loop that speaks of its iterations");
     if (text_pragma_macro(s->an->memory, unit, s->loop->range))
         refuse(s, "%s", "a macro in the loop that may make a directive");
-    if (blocks->is_balanced && has_explicit_schedule(blocks) &&
-        calls_named(blocks->directive.construct == OPENMP_FOR ? s->function->body : s->loop,
-                    "omp_get_thread_num"))
+    if (openmp_knows_thread(&blocks->directive, blocks->directive.construct == OPENMP_FOR
+                                                    ? s->function->body
+                                                    : s->loop))
         refuse(s, "%s", "the loop asks omp_get_thread_num, and its schedule fixes the answer");
     if (begins_under_condition(s))
         refuse(s, "'%s' has several beginnings", s->function->name);
@@ -262,7 +236,8 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
     check_names(&s, blocks, &counted);
     check_body(&s, blocks);
     if (!s.why && blocks->directive.construct == OPENMP_FOR)
-        s.why = team_of_loop(an, function, loop, blocks);
+        s.why =
+            team_of_loop(an, function, loop, &blocks->directive, counted.counter, &blocks->team);
     *verdict = (loop_verdict){.kind = s.why ? VERDICT_REFUSE : VERDICT_BLOCKS,
                               .loop = loop,
                               .function = function,

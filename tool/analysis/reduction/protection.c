@@ -16,6 +16,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
+#include "analysis/reduction/team_loop.h"
 
 static const char *message(const loop_analysis *j, const char *format, const char *name) {
     return arena_format(j->an->memory, format, name);
@@ -221,6 +222,23 @@ static const char *check_locks(const loop_analysis *j, bool *protects) {
     return why;
 }
 
+/* ---- `for` --------------------------------------------------------------------------------- */
+
+/* One thread of the team executes it, or all of them with that one's variables. */
+static const char *check_team(const loop_analysis *j, const openmp_loop *openmp) {
+    const openmp_directive directive = {OPENMP_FOR, openmp->item_count, openmp->items, NULL};
+    team_facts facts;
+    const char *why =
+        team_of_loop(j->an, j->function, j->loop, &directive, j->counted.counter, &facts);
+    if (why)
+        return why;
+    if (openmp_knows_thread(&directive, j->function->body))
+        return "its schedule fixes the threads, and the function asks for their numbers";
+    if (facts.reduced)
+        return message(j, "the region around it reduces '%s'", facts.reduced);
+    return facts.names_all ? "the region around it has a 'default' other than shared" : NULL;
+}
+
 reason check_protection(const loop_analysis *j) {
     const openmp_loop *openmp = j->an->unit->dialect.replaces_openmp ? j->an->openmp : NULL;
     if (!openmp)
@@ -229,6 +247,8 @@ reason check_protection(const loop_analysis *j) {
     const char *why = check_locks(j, &protects);
     for (unsigned i = 0; i < openmp->item_count && !why; i++)
         why = check_item(j, &openmp->items[i], &protects);
+    if (!why && openmp->is_of_team)
+        why = check_team(j, openmp);
     if (!why && !protects)
         why = "no array is protected by 'atomic', 'critical' or 'reduction'";
     return why ? analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, why) : (reason){0};

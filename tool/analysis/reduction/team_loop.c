@@ -11,7 +11,8 @@ typedef struct team_loop {
     const analyser *an;
     const ir_function *function;
     const ir_node *loop;
-    const fixed_blocks *blocks;
+    const openmp_directive *directive;
+    const ir_variable *counter;
     const ir_node *region;  /* the statement below `parallel`; NULL: in a caller */
     openmp_directive above; /* `parallel` */
     bool is_outermost;
@@ -66,14 +67,17 @@ static bool is_private(const team_loop *it, const ir_variable *variable) {
 
 /* ---- what a static schedule promises ------------------------------------------------------- */
 
+static const ir_variable *named_by(const team_loop *it, const openmp_item *item) {
+    return openmp_variable(it->an->unit, it->loop, it->function, item->text);
+}
+
 /* Does a clause of the loop make it private, or is it declared in the loop? */
 static bool is_of_loop(const team_loop *it, const ir_variable *variable) {
-    for (unsigned i = 0; i < it->blocks->directive.item_count; i++)
-        if (it->blocks->directive.items[i].kind <= OPENMP_REDUCTION &&
-            openmp_variable(it->an->unit, it->loop, it->function,
-                            it->blocks->directive.items[i].text) == variable)
+    for (unsigned i = 0; i < it->directive->item_count; i++)
+        if (it->directive->items[i].kind <= OPENMP_REDUCTION &&
+            named_by(it, &it->directive->items[i]) == variable)
             return true;
-    return variable == it->blocks->counter ||
+    return variable == it->counter ||
            (variable->function == it->function && is_in(variable->range, it->loop->range));
 }
 
@@ -108,16 +112,11 @@ static bool may_call_loops(const team_loop *it, const ir_node *node) {
  * make one? */
 static bool region_has_word(const team_loop *it, const char *word) {
     const ir_unit *unit = it->an->unit;
-    const uint32_t own = loop_text_begin(unit, it->loop);
-    for (unsigned i = loop_text_first_directive(unit, it->region->range.begin);
-         i < unit->directive_count && unit->directives[i].range.begin < it->region->range.end;
-         i++) {
-        const ir_directive *d = &unit->directives[i];
-        if (!d->is_skipped && d->kind == IR_DIRECTIVE_PRAGMA && strstr(d->text, word) &&
-            (d->range.begin < own || d->range.begin >= it->loop->range.begin))
-            return true;
-    }
-    return text_pragma_macro(it->an->memory, unit, it->region->range) != NULL;
+    const ir_range region = it->region->range;
+    const ir_range before = {region.begin, loop_text_begin(unit, it->loop)};
+    const ir_range behind = {it->loop->range.begin, region.end};
+    return directives_name(unit, before, word) || directives_name(unit, behind, word) ||
+           text_pragma_macro(it->an->memory, unit, region);
 }
 
 /* Is it the only loop that the region's team shares? */
@@ -125,58 +124,75 @@ static bool is_alone(const team_loop *it) {
     return it->region && !may_call_loops(it, it->region) && !region_has_word(it, "for");
 }
 
-typedef enum schedule { SCHEDULE_NOT_GIVEN, SCHEDULE_STATIC, SCHEDULE_DYNAMIC } schedule;
-
-/* `runtime`, which may be any, counts as static. */
-static schedule schedule_of(const fixed_blocks *blocks) {
-    for (unsigned i = 0; i < blocks->directive.item_count; i++) {
-        const openmp_item *item = &blocks->directive.items[i];
-        if (item->kind == OPENMP_SCHEDULE)
-            return strstr(item->text, "dynamic") || strstr(item->text, "guided") ? SCHEDULE_DYNAMIC
-                                                                                 : SCHEDULE_STATIC;
-    }
-    return SCHEDULE_NOT_GIVEN;
-}
-
 /* ---- the verdict --------------------------------------------------------------------------- */
 
-/* Threads that leave a cancelled region do not reach its barriers. */
-static bool is_cancelled_somewhere(const ir_unit *unit) {
-    for (unsigned i = 0; i < unit->directive_count; i++)
-        if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
-            strstr(unit->directives[i].text, "cancel"))
-            return true;
-    return false;
-}
-
 /* Are the function's variables shared by the region, without being named? */
-static bool shares_frame(const team_loop *it) {
+static bool is_shared_by_default(const team_loop *it) {
     for (unsigned i = 0; i < it->above.item_count; i++)
         if (strcmp(it->above.items[i].word, "default") == 0 &&
             !strstr(it->above.items[i].text, "shared"))
             return false;
-    return it->region && it->is_outermost;
+    return true;
+}
+
+static bool occurs(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (occurs(node->children[i], variable))
+            return true;
+    return false;
+}
+
+static const char *reduced_by_region(const team_loop *it) {
+    for (unsigned i = 0; i < it->above.item_count; i++) {
+        const openmp_item *item = &it->above.items[i];
+        const ir_variable *variable =
+            item->kind == OPENMP_REDUCTION
+                ? openmp_variable(it->an->unit, it->region, it->function, item->text)
+                : NULL;
+        if (variable && occurs(it->loop, variable))
+            return variable->name;
+    }
+    return NULL;
+}
+
+static team_facts facts_of(const team_loop *it) {
+    const bool shares = is_shared_by_default(it);
+    const bool takes_turns = openmp_schedule_of(it->directive) == OPENMP_BY_TURNS;
+    return (team_facts){.shares_frame = it->region && it->is_outermost && shares,
+                        .may_be_early =
+                            !takes_turns && (!it->region || may_call_loops(it, it->region) ||
+                                             region_has_word(it, "nowait")),
+                        .names_all = !shares,
+                        .reduced = reduced_by_region(it)};
 }
 
 const char *team_of_loop(const analyser *an, const ir_function *function, const ir_node *loop,
-                         fixed_blocks *blocks) {
-    team_loop it = {
-        .an = an, .function = function, .loop = loop, .blocks = blocks, .is_outermost = true};
+                         const openmp_directive *directive, const ir_variable *counter,
+                         team_facts *facts) {
+    team_loop it = {.an = an,
+                    .function = function,
+                    .loop = loop,
+                    .directive = directive,
+                    .counter = counter,
+                    .is_outermost = true};
     find_region(&it);
     if (it.above.kept)
         return arena_format(an->memory, "its region has %s", it.above.kept);
-    if (is_cancelled_somewhere(an->unit))
+    if (file_names(an->unit, "cancel")) /* threads that leave do not come to barriers */
         return "'cancel' in the file";
-    for (unsigned i = 0; i < blocks->scalar_count; i++)
-        if (is_private(&it, blocks->scalars[i].variable))
-            return arena_format(an->memory, "'%s' is not shared by the team",
-                                blocks->scalars[i].variable->name);
-    blocks->team.shares_frame = shares_frame(&it);
-    const schedule given = schedule_of(blocks);
-    blocks->team.may_be_early =
-        given != SCHEDULE_DYNAMIC &&
-        (!it.region || may_call_loops(&it, it.region) || region_has_word(&it, "nowait"));
-    const char *own = given == SCHEDULE_STATIC && !is_alone(&it) ? kept_by_thread(&it, loop) : NULL;
+    for (unsigned i = 0; i < directive->item_count; i++) {
+        const openmp_item *item = &directive->items[i];
+        const ir_variable *variable = item->kind == OPENMP_REDUCTION ? named_by(&it, item) : NULL;
+        /* a pointer to what is reduced may be each thread's */
+        if (variable && variable->type->kind != IR_POINTER && is_private(&it, variable))
+            return arena_format(an->memory, "'%s' is not shared by the team", variable->name);
+    }
+    *facts = facts_of(&it);
+    const char *own = openmp_schedule_of(directive) == OPENMP_STATIC && !is_alone(&it)
+                          ? kept_by_thread(&it, loop)
+                          : NULL;
     return own ? arena_format(an->memory,
                               "by 'schedule(static)' each thread may keep values of its "
                               "iterations in '%s' for another loop",

@@ -12,8 +12,9 @@
 #include "analysis/base/openmp_loop.h"
 #include "analysis/loop/loop_analysis.h"
 
-/** The reason why its directive stays as it is; NULL: there is none, and blocks->team is set. */
+/** The reason why its directive stays as it is; NULL: there is none, and *facts is set. */
 const char *team_of_loop(const analyser *an, const ir_function *function, const ir_node *loop,
-                         fixed_blocks *blocks);
+                         const openmp_directive *directive, const ir_variable *counter,
+                         team_facts *facts);
 
 #endif

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** `omp for`: all threads of the team come to the loop, one executes it without its directive, and
+ *  the others work for it (redcc/crew.h). */
+#ifndef EMIT_CREW_H
+#define EMIT_CREW_H
+
+#include "emit/base/loop.h"
+
+/** Is it such a loop? */
+bool has_crew(const loop_text *loop);
+
+/** Before the loop's block: opens a block into which only the first thread goes, or all if the
+ *  loop is executed as it is written. */
+void write_meeting(loop_text *loop, writer *out);
+
+/** Closes it. */
+void write_parting(loop_text *loop, writer *out);
+
+#endif
