@@ -269,7 +269,7 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
 
 static redcc_loop *described; /* the loop executed last */
 
-enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, VARIANTS };
+enum bench_variant { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, BENCHED };
 
 #define BLOCKS (row_start[NODES])
 
@@ -438,7 +438,7 @@ static struct spread ratios(const double *above, const double *below, int count)
 
 /* Times rounds of the variants before number `end` for `most` seconds; returns the number of
  * rounds. */
-static int time_rounds(double taken[VARIANTS][MOST_ROUNDS], int end, double most) {
+static int time_rounds(double taken[BENCHED][MOST_ROUNDS], int end, double most) {
     const double begin = omp_get_wtime();
     int round = 0;
     for (; round < ROUNDS || (round < MOST_ROUNDS && omp_get_wtime() - begin < most); round++)
@@ -459,10 +459,10 @@ int main(int count, char **arguments) {
     }
     const int heavy = strcmp(arguments[1], "heavy") == 0;
     const double warm = count > 3 ? atof(arguments[3]) : 2;
-    const int end = count > 4 ? VARIANTS : ATOMIC;
+    const int end = count > 4 ? BENCHED : ATOMIC;
     run_loop = heavy ? run_heavy : run_light;
     make_mesh(strcmp(arguments[2], "shuffled") == 0);
-    static double taken[VARIANTS][MOST_ROUNDS], fresh[ROUNDS];
+    static double taken[BENCHED][MOST_ROUNDS], fresh[ROUNDS];
     const double begin = omp_get_wtime();
     do
         seconds(1, REDCC);
