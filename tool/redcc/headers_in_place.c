@@ -17,7 +17,8 @@ static const char *plain_name(const char *path) {
 
 /* ---- the header's text --------------------------------------------------------------------- */
 
-/* They tell in which file, or how deep in inclusions, they are; or count what the parser meets. */
+/* Does the text name a macro whose value depends on the file, on the depth of inclusion, or on what
+ * the parser has read before? */
 static bool has_telling_word(const char *text) {
     static const char *const words[] = {"__FILE",      "__INCLUDE_LEVEL", "__BASE_FILE",
                                         "__COUNTER",   "__TIMESTAMP",     "__has_include",

@@ -52,8 +52,8 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* It gets no record of its own, and the program may lack it: an inline definition, or a function of
- * no source, whose calls the compiler removes. */
+/* The function has no record, and the program may lack it: it is an inline definition, or a function
+ * of no known source, all calls of which the compiler removes. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)
                    : !project_definer(r->around, f->name, NULL);
@@ -72,8 +72,8 @@ static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     return false;
 }
 
-/* The compiler may have left no call of a function that is only declared here, and the program need
- * not have it: its address is asked for by a weak reference. */
+/* If the compiler removes all calls of a function that is only declared here, the program need not
+ * define it: the record refers to it weakly. */
 static void write_callees(const char *name, const callees *c, buffer *out) {
     for (unsigned i = 0; i < c->found.count; i++) {
         const char *callee = c->found.items[i]->name;
