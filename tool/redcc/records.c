@@ -52,8 +52,8 @@ static bool can_be_named(const ir_unit *unit, const ir_function *f) {
            !map_get(unit->text.macros, f->name, strlen(f->name));
 }
 
-/* The function has no record, and the program may lack it: it is an inline definition, or a function
- * of no known source, all calls of which the compiler removes. */
+/* The function has no record, and the program may lack it: it is an inline definition, or a
+ * function of no known source, all calls of which the compiler removes. */
 static bool is_unrecorded(const recorder *r, const ir_function *f) {
     return f->body ? !exported_is_plain(r->memory, r->unit, f)
                    : !project_definer(r->around, f->name, NULL);

@@ -330,7 +330,8 @@ static void pairs_on_the_way_are_listed(void **state) {
                 from.displacement[i][a] = 0.008 * random_number(&seed);
                 to.x[i][a] = from.x[i][a] + from.displacement[i][a];
             }
-        assert_int_equal(barrier_find_pairs(&from, read_only(from.x), read_only(from.displacement)), 0);
+        assert_int_equal(barrier_find_pairs(&from, read_only(from.x), read_only(from.displacement)),
+                         0);
         assert_int_equal(barrier_find_pairs(&to, read_only(to.x), NULL), 0);
         qsort(from.list.pair, (size_t)from.list.pairs, sizeof *from.list.pair, by_bytes);
         for (int k = 0; k < to.list.pairs; k++)

@@ -5,7 +5,7 @@
 
 /* Is the variable through which it is loaded unchanged in the loop? */
 static bool starts_unchanged(const analyser *an, const ir_node *loop, const loop_loads *loads,
-                         const loop_load *load) {
+                             const loop_load *load) {
     return loop_loads_has(loads, load->through) ||
            (!variable_escapes(an->facts, load->through) &&
             !variable_written_in(an->facts, loop, load->through));
