@@ -63,7 +63,7 @@ expect_equal "$case_name: line 3" 3 "$(line_of "$odd_page" 3)"
 expect_equal "$case_name: line 4" $'4  end\t��' "$(line_of "$odd_page" 4)"
 expect_equal "$case_name: Latin-1" '1latin éÿ' "$(line_of pages/*latin.c.html 1)"
 expect_match "$odd_page" 'a &quot;message&quot; with &lt;b&gt; &amp; more \(<a href="#L3">line 3'
-expect_match "$odd_page" 'What to change: Counting alone is translated'
+expect_match "$odd_page" 'What to change: Split the loop'
 expect_match "$odd_page" '<pre class="example">out\[place\[key\[t\]\]\+\+\]'
 expect_match "$odd_page" '<code>f&lt;&amp;&gt;</code>'
 expect_match pages/*latin.c.html 'no-overlap\(h, &lt;w&gt;\)'
