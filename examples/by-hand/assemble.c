@@ -59,7 +59,7 @@ REDCC_DESCRIBE(assemble) {
 }
 
 #define REDCC_LOOP assemble
-#define REDCC_WHERE "assemble.c", 68, "assemble"
+#define REDCC_WHERE "assemble.c", 70, "assemble"
 #define REDCC_ARRAYS 2
 #define REDCC_SOURCES 2
 #define REDCC_ONE_BODY

@@ -33,7 +33,7 @@ REDCC_DESCRIBE(histogram) {
 }
 
 #define REDCC_LOOP histogram
-#define REDCC_WHERE "histogram.c", 44, "histogram"
+#define REDCC_WHERE "histogram.c", 45, "histogram"
 #define REDCC_ARRAYS 1
 #define REDCC_SOURCES 1
 #define REDCC_STREAMS
