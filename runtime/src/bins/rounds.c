@@ -196,7 +196,7 @@ static redcc_int tried_next(const struct binning *binning) {
         return begin;
     const double lost = lost_so_far(binning), left = may_lose(binning) - lost;
     const double each = lost / (double)(begin - binning->trial.stretch);
-    const double most = GROWTH * (double)begin;
+    const double most = (double)GROWTH * (double)begin;
     return each * most <= left ? (redcc_int)most : redcc_max((redcc_int)(left / each), least);
 }
 
