@@ -113,15 +113,15 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
         it->so_far.total += call->sequential;
 }
 
-/* A trial in bins: a round of a 128th of the loop, as much sequentially, then rounds of at most
- * three times all before, as far as the loss that is left allows. */
+/* A trial in bins: a round of a 16th of the loop, as much sequentially, then rounds as long as all
+ * before, or as the loss that is left allows. */
 static void try_bins(struct simulation *it, const struct simulated_call *call, double may_lose) {
     const double more = call->execution[WAY_BINS] - call->sequential, start = start_left(it);
-    const double least = 1.0 / 128;
+    const double least = 1.0 / 16;
     double done = 2 * least, binned = least;
     while (done < 1 && binned * more <= may_lose) {
         const double left = more > 0 ? may_lose / more - binned : 1;
-        double next = 3 * done < left ? 3 * done : left;
+        double next = done < left ? done : left;
         next = next > least ? next : least;
         next = next < 1 - done ? next : 1 - done;
         binned += next;

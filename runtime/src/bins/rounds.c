@@ -16,12 +16,9 @@ enum {
     STRETCH = 64,   /* maximum iterations of a stretch */
     MEASURED = 64,  /* of a small share one iteration in this many is measured */
     LEAST_CHUNK = 512,
-    /* The first round of a trial is this fraction of the loop, as is the sequential stretch
-     * compared with it: with records of scattered rows it may take six times as long as in order.
-     * Private copies are filled and merged in every round, so that theirs are longer. */
-    TRIED = 128,
-    TRIED_IN_COPIES = 16,
-    GROWTH = 3 /* a later round has at most this many times the iterations before it */
+    TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
+                * stretch compared with it: a shorter one finds the caches full of records, and
+                * takes too long */
 };
 
 /* Margins above the seen numbers. While a rate is at most this much too high it is kept, and with
@@ -185,19 +182,16 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* Iterations of a trial's next round. If these lose as much each as those before, the trial loses
- * no more than it may. */
+/* Iterations of a trial's next round: as many as all before. If these lose as much each as the
+ * earlier ones, the trial loses no more than it may. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
-    const redcc_int least = trip / (binning->copies ? TRIED_IN_COPIES : TRIED) + 1;
+    const redcc_int least = trip / TRIED + 1;
     if (begin == 0)
         return least;
-    if (binning->copies)
-        return begin;
     const double lost = lost_so_far(binning), left = may_lose(binning) - lost;
     const double each = lost / (double)(begin - binning->trial.stretch);
-    const double most = (double)GROWTH * (double)begin;
-    return each * most <= left ? (redcc_int)most : redcc_max((redcc_int)(left / each), least);
+    return each * (double)begin <= left ? begin : redcc_max((redcc_int)(left / each), least);
 }
 
 /* Divides the remaining iterations into rounds of about equal size; in a trial takes a part of

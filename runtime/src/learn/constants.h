@@ -55,7 +55,7 @@
 #define LEARN_LOOK 0.4e-3
 /** Iterations of that sample. The square of this number takes milliseconds in a loop that cannot be
  *  inspected, whose subscripts take some 10 ns and more: it is tried in bins in its first
- * execution, a 128th of it. */
+ * execution, a 16th of it. */
 #define LEARN_LOOKED_AT 256
 /** Recording a touch of an iteration with the same owners as the preceding one. Beginning a run of
  *  iterations takes three times that, and logging a touch seven. */
