@@ -379,6 +379,12 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     return redcc_pick_way(&chooser->state, &now, arm, findings.spent);
 }
 
+/* Of the stage that begins now. */
+static void set_deadline(struct inspection *inspection, double seconds) {
+    inspection->pace.began = redcc_seconds();
+    inspection->pace.deadline = inspection->pace.began + seconds;
+}
+
 enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                                 struct inspection *inspection, const struct estimate *estimate) {
     const struct call *call = inspection->call;
@@ -403,8 +409,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     }
     if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
-    inspection->pace.began = redcc_seconds();
-    inspection->pace.deadline = inspection->pace.began + decision.deadline;
+    set_deadline(inspection, decision.deadline);
     if (entry->way != WAY_COPIES)
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
     redcc_partition_in_one(partition); /* owners do not matter, only the range */
@@ -416,8 +421,7 @@ void redcc_advise_check(const struct advice *entry, struct inspection *inspectio
     const double most = LEARN_SHARE * entry->usual * (double)call->request.trip;
     if (call->method || entry->may_lose == 0 || most == 0)
         return;
-    inspection->pace.began = redcc_seconds();
-    inspection->pace.deadline = inspection->pace.began + most;
+    set_deadline(inspection, most);
 }
 
 bool redcc_may_be_tiled(const struct inspection *inspection) {

@@ -135,15 +135,6 @@ static bool is_shared_by_default(const team_loop *it) {
     return true;
 }
 
-static bool occurs(const ir_node *node, const ir_variable *variable) {
-    if (node->kind == IR_VARIABLE && node->variable == variable)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (occurs(node->children[i], variable))
-            return true;
-    return false;
-}
-
 static const char *reduced_by_region(const team_loop *it) {
     for (unsigned i = 0; i < it->above.item_count; i++) {
         const openmp_item *item = &it->above.items[i];
@@ -151,7 +142,7 @@ static const char *reduced_by_region(const team_loop *it) {
             item->kind == OPENMP_REDUCTION
                 ? openmp_variable(it->an->unit, it->region, it->function, item->text)
                 : NULL;
-        if (variable && occurs(it->loop, variable))
+        if (variable && expression_mentions(it->loop, variable))
             return variable->name;
     }
     return NULL;

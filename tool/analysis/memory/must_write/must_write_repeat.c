@@ -122,15 +122,12 @@ static bool same_headers(twin_loops *twins) {
     return true;
 }
 
-static bool note_jump(ir_node *node, void *context) {
-    bool *found = context;
-    *found = *found || node->kind == IR_BREAK || node->kind == IR_CONTINUE ||
-             node->kind == IR_RETURN || node->kind == IR_GOTO || node->kind == IR_LABEL ||
-             node->kind == IR_OPAQUE;
-    return true;
+static bool is_jump(const ir_node *node) {
+    return node->kind == IR_BREAK || node->kind == IR_CONTINUE || node->kind == IR_RETURN ||
+           node->kind == IR_GOTO || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
-/* Is it `object[the reader's subscript] = ...;`, executed in each round of the writer? */
+/* Is it `object[the reader's subscript] = ...;`, executed in each iteration of the writer? */
 static bool writes_element(const twin_loops *twins, const ir_node *statement, const ir_node *read) {
     const ir_node *assign = statement->kind == IR_EXPRESSION ? statement->children[0] : statement;
     if (assign->kind != IR_ASSIGN || assign->op != IR_OP_NONE ||
@@ -144,9 +141,7 @@ static bool writes_element(const twin_loops *twins, const ir_node *statement, co
 
 static bool are_twins(twin_loops *twins, const ir_node *read) {
     const ir_node *body = twins->writer->children[3];
-    bool jumps = false;
-    ir_walk((ir_node *)twins->writer, note_jump, &jumps);
-    if (jumps || !same_headers(twins))
+    if (ir_any(twins->writer, is_jump) || !same_headers(twins))
         return false;
     if (body->kind != IR_BLOCK)
         return writes_element(twins, body, read);
