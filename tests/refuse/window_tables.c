@@ -120,6 +120,23 @@ void in_a_switch(int n, int m) {
     }
 }
 
+void from_a_label_of_a_switch(int n, int m) {
+    double w[TABLE];
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        double f = 0;
+        switch (c[t]) {
+        case 0:
+            f = 1;
+            for (int k = 0; k < m; k++)
+                w[k] = e[t];
+        case 1:
+            f += 2;
+            for (int k = 0; k < m; k++)
+                h[s[t] + k] += w[k] * f;
+        }
+    }
+}
+
 void written_later(int n, int m) {
     double w[TABLE];
     for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
