@@ -100,7 +100,8 @@ struct bins_trial {
                       * which is not known yet; 0: no trial */
     double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
     double began;    /* its time */
-    bool is_late;    /* the only round (REDCC_WHOLE) takes too long to push */
+    double pushes;   /* the time at which the only round (REDCC_WHOLE) began to be pushed */
+    bool is_late;    /* that round takes too long to push */
     redcc_int stretch; /* iterations that the trial executes sequentially */
     double sequential; /* their time, seconds */
 };

@@ -110,16 +110,18 @@ static void begin_push(struct binning *binning, struct binner *binner) {
         redcc_private_fill(binning, binner);
 }
 
-/* Will pushing the only round alone take longer than the trial may take? */
+/* Will pushing the only round alone take longer than the trial may take? Asked once an eighth of
+ * the thread's share is pushed: the first records are written to new memory. */
 static bool is_late(const struct binning *binning, const struct binner *binner) {
     const struct bins_trial *it = &binning->trial;
-    const redcc_int trip = binning->call->request.trip;
+    const double trip = (double)binning->call->request.trip, share = trip / binner->threads;
     if (!redcc_bins_is_whole(binning) || !is_trial(binning) || it->usual <= 0 ||
-        binner->pushed == 0)
+        8 * (double)binner->pushed < share)
         return false;
-    const double share = (double)trip / binner->threads / (double)binner->pushed;
-    const double most = it->usual * (double)trip + it->may_lose;
-    return (redcc_seconds() - it->began) * (share > 1 ? share : 1) > most;
+    const double before = it->pushes - it->began;
+    const double left = share / (double)binner->pushed;
+    const double pushing = (redcc_seconds() - it->pushes) * (left > 1 ? left : 1);
+    return before + pushing > it->usual * trip + it->may_lose;
 }
 
 /* The next chunk of the thread's current piece, or of a new one. */
@@ -210,6 +212,7 @@ static enum bins_phase begin_round(struct binning *binning) {
     atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
     atomic_store_explicit(&binning->next_bin, 0, memory_order_relaxed);
     redcc_pieces_cut(binning);
+    binning->trial.pushes = redcc_bins_is_whole(binning) ? redcc_seconds() : 0;
     return BINS_PUSH;
 }
 
