@@ -431,10 +431,19 @@ static bool is_part_of(const ir_node *node, const ir_node *lvalue) {
 
 /** Is the node part of an updated element? In bins the body only computes that element's address,
  * and stores the update in a record or in a private copy of the row. A row's pointer is loaded only
- * if its address is readable (REDCC_ELEMENT_BEHIND). */
+ * if its address is readable (REDCC_ELEMENT_BEHIND). Of a sum in memory the body keeps only the
+ * operand. */
 static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     const loop_facts *facts = s->plan->facts;
-    for (unsigned i = 0; i < facts->update_count && !s->in_slice && !s->in_callee; i++)
+    if (s->in_slice || s->in_callee)
+        return false;
+    for (unsigned i = 0; i < facts->scalar_count; i++) {
+        const scalar_update *scalar = &facts->scalars[i];
+        if (!scalar->is_extremum && ir_contains(scalar->statement, node) &&
+            is_part_of(node, scalar->target))
+            return true;
+    }
+    for (unsigned i = 0; i < facts->update_count; i++)
         if (ir_contains(facts->updates[i].statement, node) &&
             (is_part_of(node, facts->updates[i].target) ||
              node == row_load_of(facts, &facts->updates[i])))

@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "analysis/base/counted.h"
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "analysis/loop/bases.h"
@@ -300,6 +301,32 @@ static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bo
                           .bounds = bounds}};
 }
 
+/* c, c + 1, or c - 1: each value between the lowest and the highest occurs. */
+static bool is_counter_and_constant(const ir_node *subscript) {
+    int64_t value;
+    if (subscript->kind == IR_BINARY &&
+        (subscript->op == IR_OP_ADD || subscript->op == IR_OP_SUBTRACT))
+        return subscript->children[0]->kind == IR_VARIABLE &&
+               expression_constant(subscript->children[1], &value);
+    return subscript->kind == IR_VARIABLE;
+}
+
+/* Rows that inner loops over constants read, all of them in each iteration: `for (c = 0; c < 24;
+ * c++) ... centre[c][k]`. NULL: it is another read. */
+static const element_bounds *constant_bounds(const loop_analysis *j, const loop_access *read,
+                                             const ir_node *row) {
+    bound_term low = {0}, high = {0};
+    if (read->access.is_conditional || read->access.loop_count || row->kind != IR_INDEX ||
+        !ir_contains(j->loop, row) || row->children[0]->type->kind != IR_POINTER ||
+        row->type->size <= 0 || !is_counter_and_constant(row->children[1]) ||
+        !counted_range(row->children[1], &low.offset, &high.offset))
+        return NULL;
+    element_bounds *bounds = ARENA_NEW(j->an->memory, element_bounds);
+    *bounds = (element_bounds){
+        .base = row->children[0], .element = row->type, .term_count = 2, .terms = {low, high}};
+    return bounds;
+}
+
 source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool of_contents) {
     source_plan plan = {0};
     if (read->access.bounds && !of_contents)
@@ -323,7 +350,9 @@ source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool
     if (is_certain && !read->access.loop_count && is_safe_before(read, row) &&
         !has_moving_load(j, row) && plan_known(j, read, touched.is_possible, &plan))
         return plan;
-    return touched;
+    const element_bounds *bounds = constant_bounds(j, read, row);
+    const source_plan bounded = bounds ? plan_bounded(j, bounds) : touched;
+    return bounded.is_possible ? bounded : touched;
 }
 
 /* `k = find(...);` in a block: the variable, and the next statement, at which it has its value. */
