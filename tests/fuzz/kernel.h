@@ -95,12 +95,13 @@ typedef struct kernel {
     int size;     /* elements of every array */
     int elements; /* a power of two: subscripts lie below */
     int trips;
-    bool is_wide;     /* programs of even seeds: wide.c, more storages, more than one loop */
-    bool has_rows;    /* programs of seeds divisible by 5: rows.c */
-    bool has_spans;   /* programs of seeds divisible by 3: spans.c */
-    bool has_helpers; /* programs of seeds divisible by 7: helpers.c */
-    bool has_idioms;  /* programs of seeds divisible by 11: idioms.c */
-    bool has_strides; /* programs of seeds divisible by 13: steps that are variables */
+    bool is_wide;         /* programs of even seeds: wide.c, more storages, more than one loop */
+    bool has_rows;        /* programs of seeds divisible by 5: rows.c */
+    bool has_spans;       /* programs of seeds divisible by 3: spans.c */
+    bool sets_in_headers; /* of these, of seeds that leave 2, divided by 7 */
+    bool has_helpers;     /* programs of seeds divisible by 7: helpers.c */
+    bool has_idioms;      /* programs of seeds divisible by 11: idioms.c */
+    bool has_strides;     /* programs of seeds divisible by 13: steps that are variables */
     bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, local records, i + 1 <
                          n */
     bool has_parts;   /* programs of seeds that leave 1, divided by 6: loop_over_parts */

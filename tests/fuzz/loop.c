@@ -440,6 +440,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.is_wide = seed % 2 == 0;
     k.has_rows = seed % 5 == 0;
     k.has_spans = seed % 3 == 0;
+    k.sets_in_headers = seed % 7 == 2;
     k.has_helpers = seed % 7 == 0;
     k.has_idioms = seed % 11 == 0;
     k.has_strides = seed % 13 == 0;

@@ -7,6 +7,7 @@
 typedef struct span {
     const char *first, *length, *counter; /* elements first ... first + length, counter's value */
     const char *index;                    /* of the element at the counter */
+    const char *set;                      /* a variable that the header sets, too; or NULL */
     bool is_left;                         /* the counter has a value after the loop */
 } span;
 
@@ -19,6 +20,23 @@ static void put_bounds(kernel *k, span *s) {
         (k->elements / 2 - 1) & (chance(k, 80) ? 7 : 63));
 }
 
+/* The header also sets the variable from which elements are counted, which had another value: of
+ * programs whose seeds are divisible by 3 and leave 2, divided by 7. */
+static void put_header_that_sets(kernel *k, span *s) {
+    const char *first = new_name(k, "h");
+    s->set = first;
+    if (s->is_left) {
+        put(k, &k->body, "int %s = %d;\n", first, below(k, 5));
+        put(k, &k->body, "for (%s = 0, %s = %s; %s < %s; %s++) ", s->counter, first, s->first,
+            s->counter, s->length, s->counter);
+    } else {
+        put(k, &k->body, "for (int %s = 0, %s = %s; %s < %s; %s++) ", s->counter, first, s->first,
+            s->counter, s->length, s->counter);
+    }
+    s->index = chance(k, 60) ? text(k, "%s + %s", first, s->counter)
+                             : text(k, "%s + %s", s->first, s->counter);
+}
+
 /* From the row's own first element, or from 0. */
 static void put_header(kernel *k, span *s) {
     static const char *const types[] = {"int", "long", "size_t", "unsigned", "short"};
@@ -29,6 +47,10 @@ static void put_header(kernel *k, span *s) {
     s->is_left = is_outer;
     if (is_outer)
         declare_outside(k, "int", s->counter, k->without ? "0" : NULL);
+    if (k->sets_in_headers && chance(k, 70)) {
+        put_header_that_sets(k, s);
+        return;
+    }
     const char *declared = is_outer ? "" : text(k, "%s ", type);
     if (chance(k, 40)) {
         const char *less = chance(k, 20) ? text(k, " - (%s > 0)", s->first) : "";
@@ -58,9 +80,11 @@ static void put_updates(kernel *k, const span *s) {
 
 void loop_along_a_row(kernel *k) {
     const scope outside = k->scope;
-    span s;
+    span s = {0};
     put_bounds(k, &s);
     put_header(k, &s);
+    if (s.set)
+        add_name(&k->scope.smalls, text(k, "(%s & 1)", s.set));
     k->scope.in_loop = true;
     put(k, &k->body, "{\n");
     put_updates(k, &s);

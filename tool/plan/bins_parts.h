@@ -10,7 +10,7 @@ void find_nests(const loop_facts *facts, bins_plan *bins);
 /** The nest of update number `i`, for any rows; NULL: it has none, or nests are not used. */
 const bins_nest *nest_at(const bins_plan *bins, unsigned i);
 
-/** Sets spans. */
+/** Sets spans. Requires find_nests. */
 void find_bins_spans(const loop_plan *plan, bins_plan *bins);
 
 /** The largest part of the array that contains the element at a constant offset, or at an offset

@@ -2,7 +2,8 @@
 /**
  * Inner loops over rows: `for (j = 0; j < n; j++) sum[k][j] += x[i][j];`. One record for the inner
  * loop contains its first element, the number of elements, and the variables of the iteration; the
- * operands are read when the record is applied.
+ * operands are read when the record is applied. Loops over few constants have records with the
+ * operands' values instead (bins_nest.c), unless the rows are behind pointers.
  *
  * Why they may be read later: before a record is applied, the guard has shown that the round's
  * reads are disjoint from its updates. The loop's other stores are to own elements: they are
@@ -14,6 +15,7 @@
 #include "analysis/base/expression.h"
 
 #include "analysis/base/row_steps.h"
+#include "analysis/base/stepped.h"
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 #include "plan/inner_iterations.h"
@@ -98,17 +100,38 @@ static const ir_node *loop_around_only(const ir_node *statement) {
     return parent && parent->kind == IR_FOR && parent->children[3] == statement ? parent : NULL;
 }
 
-static bool find_span(const loop_plan *plan, const reduction_update *update, bins_span *span) {
+/** Does the loop's header set or declare only its counter? The record's values, and its first
+ *  element, are those before the header. */
+static bool sets_only(const ir_node *node, const ir_variable *counter) {
+    const ir_node *written = expression_written(node);
+    if (written && (written->kind != IR_VARIABLE || written->variable != counter))
+        return false;
+    if (node->kind == IR_DECLARATOR && node->variable != counter)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!sets_only(node->children[i], counter))
+            return false;
+    return true;
+}
+
+static bool find_span(const loop_plan *plan, const bins_plan *bins, const reduction_update *update,
+                      bins_span *span) {
     const loop_facts *facts = plan->facts;
     const ir_node *loop = loop_around_only(update->statement);
-    const loop_span *counted = loop && loop != facts->loop ? span_of(facts, loop) : NULL;
+    loop_span *counted = ARENA_NEW(plan->arena, loop_span);
+    if (!loop || loop == facts->loop || !span_recognise((ir_node *)loop, counted))
+        return false;
     *span = (bins_span){.loop = loop, .counted = counted};
-    if (!counted || plan_has_leaders(plan) || counted->stepped_count != 1 ||
-        counted->counted.step != 1 || counted->other_count > 0 || update->last ||
-        update->statement->kind != IR_EXPRESSION || !facts->arrays[update->array].is_scattered ||
-        !is_only_update(facts, update))
+    if (plan_has_leaders(plan) || counted->stepped_count != 1 || counted->counted.step != 1 ||
+        counted->other_count > 0 || update->last || update->statement->kind != IR_EXPRESSION ||
+        !is_only_update(facts, update) ||
+        (!facts->arrays[update->array].is_scattered &&
+         bins->nests[update - facts->updates].outermost))
         return false;
     const ir_variable *counter = counted->counted.counter;
+    for (unsigned i = 0; i < 3; i++)
+        if (loop->children[i] && !sets_only(loop->children[i], counter))
+            return false;
     return counted->counted.lower && expression_constant(counted->counted.lower, &span->first) &&
            span->first >= 0 && counter->type->spelling &&
            row_stride(update->target, counter) == update->target->type->size &&
@@ -119,7 +142,7 @@ static bool find_span(const loop_plan *plan, const reduction_update *update, bin
 
 void find_bins_spans(const loop_plan *plan, bins_plan *bins) {
     for (unsigned i = 0; i < plan->facts->update_count; i++)
-        if (!find_span(plan, &plan->facts->updates[i], &bins->spans[i]))
+        if (!find_span(plan, bins, &plan->facts->updates[i], &bins->spans[i]))
             bins->spans[i] = (bins_span){0};
 }
 

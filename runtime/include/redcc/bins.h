@@ -154,23 +154,42 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_UPDATE_BEHIND_WITH(redcc_i, redcc_pointer, redcc_at)                                 \
     if (redcc__checked != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, 0, redcc_at))
 
-/** Replaces an inner loop over consecutive elements behind a pointer: pushes one record with the
- * first element's address, the number of elements, and the values that redcc_set sets. */
-#define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number, redcc_record,     \
+/* Pushes a record of consecutive elements, with the first one's address, its row, the number of
+ * elements, and the values that redcc_set sets. */
+#define REDCC_PUSH_SPAN_OF(redcc_i, redcc_s, redcc_at, redcc_first_row, redcc_record, redcc_set)   \
+    {                                                                                              \
+        redcc_record redcc__e;                                                                     \
+        redcc__e.first = (redcc_size)(redcc_at);                                                   \
+        redcc__e.count = redcc__number;                                                            \
+        (void)redcc_set;                                                                           \
+        redcc__bins_##redcc_i->calls->before->behind->push_span(                                   \
+            redcc__bins_##redcc_i, &redcc__streams[redcc_s], redcc_first_row, redcc__number,       \
+            &redcc__e);                                                                            \
+    }
+
+/** Replaces an inner loop over redcc_number consecutive elements of an array: pushes one record. */
+#define REDCC_PUSH_SPAN(redcc_i, redcc_s, redcc_base, redcc_at, redcc_number, redcc_record,        \
                         redcc_set)                                                                 \
+    if (redcc__checked == REDCC_IN_BINS) {                                                         \
+        const redcc_int redcc__number = redcc_number;                                              \
+        if (redcc__number > 0)                                                                     \
+            REDCC_PUSH_SPAN_OF(redcc_i, redcc_s, redcc_at,                                         \
+                               REDCC_ROW(redcc_base, redcc_at, __typeof__(*(redcc_at)), 0),        \
+                               redcc_record, redcc_set)                                            \
+    }
+
+/** The same for elements behind a pointer, which may be unverified. */
+#define REDCC_PUSH_SPAN_BEHIND(redcc_i, redcc_s, redcc_pointer, redcc_at, redcc_number,            \
+                               redcc_record, redcc_set)                                            \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
         const redcc_int redcc__number = redcc_number;                                              \
         if (redcc__number > 0 &&                                                                   \
             ((redcc_size)(redcc_pointer) == 0 ||                                                   \
-             redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer)))) {                \
-            redcc_record redcc__e;                                                                 \
-            redcc__e.first = (redcc_size)(redcc_at);                                               \
-            redcc__e.count = redcc__number;                                                        \
-            (void)redcc_set;                                                                       \
-            redcc__bins_##redcc_i->calls->before->behind->push_span(                               \
-                redcc__bins_##redcc_i, &redcc__streams[redcc_s], redcc__e.first, redcc__number,    \
-                &redcc__e);                                                                        \
-        } else if (redcc__number > 0)                                                              \
+             redcc_can_load(redcc__bins_##redcc_i, (redcc_size)(redcc_pointer))))                  \
+            REDCC_PUSH_SPAN_OF(redcc_i, redcc_s, redcc_at,                                         \
+                               redcc_element_at((redcc_size)(redcc_at), sizeof *(redcc_at)),       \
+                               redcc_record, redcc_set)                                            \
+        else if (redcc__number > 0)                                                                \
             redcc__bins_##redcc_i->calls->push_outside(redcc__bins_##redcc_i->buffer,              \
                                                        REDCC_NO_ROW);                              \
     }
@@ -350,7 +369,7 @@ REDCC_RECORDS(float);
     }                                                                                              \
     }
 
-/** A stream of one array whose records are of spans of its elements, counted from address 0. */
+/** A stream of one array whose records are of spans of its elements. */
 #define REDCC_STREAM_OF_SPANS(redcc_apply, redcc_array, redcc_element, redcc_bytes)                \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, 0, REDCC_STREAM_SPANS }
 

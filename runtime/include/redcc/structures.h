@@ -440,8 +440,8 @@ typedef struct redcc_series_calls {
 typedef struct redcc_behind_calls {
     /** Is a pointer at this address readable? If so, sets *there to the number of its page. */
     int (*is_there)(redcc_size *there, const void *address);
-    /** Pushes a record of `count` rows from the one at address `first` on. */
-    void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+    /** Pushes a record of `count` rows from row `low` on. */
+    void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                       redcc_int count, const void *record);
 } redcc_behind_calls;
 

@@ -139,9 +139,9 @@ void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
     buffer->outside_count++;
 }
 
-void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                      redcc_int count, const void *record) {
-    const redcc_int low = redcc_element_at(first, stream->rows[0]), high = low + count - 1;
+    const redcc_int high = (redcc_int)((redcc_size)low + (redcc_size)count - 1);
     struct redcc_bin_buffer *buffer = bins->buffer;
     assert(count > 0);
     if (low == REDCC_NO_ROW || (redcc_size)low - (redcc_size)bins->first >= bins->span ||

@@ -82,9 +82,9 @@ bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records
 /** All is pushed: writes the lines still being combined. */
 void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
 
-/** Pushes a record of `count` rows, from the one at address `first` on, counted from address 0, to
- *  each of their bins. */
-void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_size first,
+/** Pushes a record of `count` rows, from row `low` on, to each of their bins. REDCC_NO_ROW: the
+ *  round is lost. */
+void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                      redcc_int count, const void *record);
 
 /** Is a pointer at this address readable? Then *there is the number of its page. */

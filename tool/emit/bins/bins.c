@@ -302,12 +302,15 @@ static const char *push_span_text(loop_text *loop, const bins_record *record, ir
     const bins_span *span = record->span;
     const reduction_update *update = record->updates[0];
     const counted_loop *counted = &span->counted->counted;
+    const bool is_scattered = loop->facts->arrays[update->array].is_scattered;
     const ir_node *load = row_load_of(loop->facts, update);
-    const char *pointer =
-        load ? arena_format(loop->arena, "&%s", span_text(loop, record, load, name)) : "0";
+    const char *from = load ? arena_format(loop->arena, "&%s", span_text(loop, record, load, name))
+                       : is_scattered ? "0"
+                                      : loop->arrays[update->array].local;
     buffer out = {0};
-    buffer_format(&out, "REDCC_PUSH_SPAN(%u, %u, %s, &%s, (redcc_int)%s - %lld, %s", update->array,
-                  record->stream, pointer, span_text(loop, record, update->target, name),
+    buffer_format(&out, "REDCC_PUSH_SPAN%s(%u, %u, %s, &%s, (redcc_int)%s - %lld, %s",
+                  is_scattered ? "_BEHIND" : "", update->array, record->stream, from,
+                  span_text(loop, record, update->target, name),
                   span_text(loop, record, counted->bound, name),
                   (long long)span->first - (counted->comparison == IR_OP_LESS_EQUAL),
                   record_name(loop, record->stream));
@@ -367,7 +370,7 @@ static void write_apply_span(loop_text *loop, const bins_record *record, writer 
     declare_captured(loop, update, update->statement, is_declared, out);
     writer_line(out, "REDCC_EACH_SPAN(%s, %s)", element, record_name(loop, record->stream));
     for (unsigned i = 0; i < span->variable_count; i++)
-        writer_line(out, "const %s %s = (%s)redcc__e.v%u;",
+        writer_line(out, "%s %s = (%s)redcc__e.v%u;",
                     origin_type(loop->arena, span->variables[i]->type),
                     origin_declarator(loop->arena, span->variables[i]),
                     origin_type(loop->arena, span->variables[i]->type), i);
