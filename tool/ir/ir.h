@@ -109,6 +109,8 @@ struct ir_type {
  *  size. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
+/** Real or complex; false for NULL. */
+bool ir_type_is_floating(const ir_type *type);
 /** An integer type whose overflow is undefined behaviour: signed, at least int, without -fwrapv.
  *  False for NULL. */
 bool ir_type_never_wraps(const ir_type *type);
@@ -414,8 +416,21 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
     return index < node->child_count ? node->children[index] : NULL;
 }
 bool ir_is_expression(const ir_node *node);
+/** An element, a member or what a pointer points to: a[i], s.m, p->m, *p. */
+bool ir_is_access(const ir_node *node);
+/** Is it such an expression, and its value read? Of an array only the address is computed. */
+bool ir_reads_memory(const ir_node *node);
+/** Is it &operand? */
+bool ir_is_address_of(const ir_node *node);
+/** The function that a call names; NULL: it calls through a pointer. */
+ir_function *ir_called_function(const ir_node *call);
+/** Is it an expression of array, or of pointer type? */
+bool ir_is_array(const ir_node *node);
+bool ir_is_pointer(const ir_node *node);
 /** The loop kinds: IR_FOR, IR_WHILE, IR_DO. */
 bool ir_is_loop(const ir_node *node);
+/** break, continue, goto, return. */
+bool ir_is_jump(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
 /** Is the answer yes for `node` or for a node below it? */

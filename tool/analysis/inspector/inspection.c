@@ -200,11 +200,6 @@ static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node 
     j->slice.is_verifiable = false;
 }
 
-static bool is_load(const ir_node *node) {
-    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
-           ir_type_is_scalar(node->type);
-}
-
 /* Is it the lvalue `whole`, or an element or member inside of it? */
 static bool is_within(const ir_node *lvalue, const ir_node *whole) {
     while (!expression_same(lvalue, whole)) {
@@ -254,7 +249,7 @@ static void add_load_in_loops(loop_analysis *j, const ir_node *node, const recor
 }
 
 static void add_load(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
-    if (!is_load(node))
+    if (!expression_is_scalar_access(node))
         return;
     const loop_access *load = read_of(j, node);
     if (load && load->class != CLASS_FORWARDED)

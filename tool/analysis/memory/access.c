@@ -18,10 +18,6 @@ void access_problem_add(access_walk *w, reason_id why, const ir_node *node, cons
     VECTOR_PUSH(w->memory, &w->list->problems, problem);
 }
 
-static bool is_array(const ir_node *node) {
-    return node->type && node->type->kind == IR_ARRAY;
-}
-
 /* Must the object, or a part of it, be accessed exactly as written? */
 static bool has_volatile_part(const ir_type *type) {
     type = ir_type_innermost(type);
@@ -72,14 +68,14 @@ static void walk_address(access_walk *w, const ir_node *node) {
         check_type(w, node);
         return;
     case IR_INDEX:
-        if (is_array(node->children[0]))
+        if (ir_is_array(node->children[0]))
             walk_address(w, node->children[0]);
         else
             access_walk_node(w, node->children[0]);
         access_walk_node(w, node->children[1]);
         return;
     case IR_MEMBER:
-        if ((node->flags & IR_ARROW) && !is_array(node->children[0]))
+        if ((node->flags & IR_ARROW) && !ir_is_array(node->children[0]))
             access_walk_node(w, node->children[0]);
         else if ((node->flags & IR_ARROW) || expression_is_lvalue(node->children[0]))
             walk_address(w, node->children[0]);
@@ -88,7 +84,7 @@ static void walk_address(access_walk *w, const ir_node *node) {
         return;
     case IR_UNARY:
         if (node->op == IR_OP_DEREFERENCE) {
-            if (is_array(node->children[0]))
+            if (ir_is_array(node->children[0]))
                 walk_address(w, node->children[0]);
             else
                 access_walk_node(w, node->children[0]);
@@ -137,7 +133,7 @@ static void walk_unary(access_walk *w, const ir_node *node) {
         walk_address(w, node->children[0]);
     } else if (node->op == IR_OP_DEREFERENCE) {
         walk_address(w, node);
-        if (!is_array(node))
+        if (!ir_is_array(node))
             add_lvalue(w, ACCESS_READ, node, (update_form){0});
     } else if (expression_written(node)) {
         walk_assignment(w, node);
@@ -231,7 +227,7 @@ void access_walk_node(access_walk *w, const ir_node *node) {
     case IR_INDEX:
     case IR_MEMBER:
         walk_address(w, node);
-        if (!is_array(node) && !is_part_of_value(node))
+        if (!ir_is_array(node) && !is_part_of_value(node))
             add_lvalue(w, ACCESS_READ, node, (update_form){0});
         return;
     case IR_UNARY:
@@ -292,7 +288,7 @@ static bool is_selected(const ir_node *lvalue) {
 
 static const ir_node *without_proved(const ir_node *lvalue, bool may_be_whole) {
     const ir_node *row = lvalue;
-    while (row->kind == IR_INDEX && is_array(row->children[0]) &&
+    while (row->kind == IR_INDEX && ir_is_array(row->children[0]) &&
            is_inside(row->children[1], row->children[0]->type) &&
            (may_be_whole || is_selected(row->children[0])))
         row = row->children[0];

@@ -104,13 +104,8 @@ static void note_load(rewriting *r, const ir_node *load) {
                                 (r->item->loop_count || !r->item->is_conditional);
 }
 
-static bool is_load(const ir_node *node) {
-    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
-           ir_type_is_scalar(node->type);
-}
-
 static ir_node *rewrite_value(rewriting *r, const ir_node *node) {
-    if (is_load(node))
+    if (expression_is_scalar_access(node))
         note_load(r, node);
     return rewrite(r, node);
 }
