@@ -96,22 +96,8 @@ static bool split_condition(const ir_node *condition, counted_loop *counted) {
 
 /* ---- putting it together -------------------------------------------------------------------- */
 
-/* The first variable that the condition of a loop, or an expression, mentions; NULL: none. */
-static const char *first_name(const ir_node *node) {
-    if (node->kind == IR_VARIABLE)
-        return node->variable->name;
-    if (ir_is_loop(node))
-        return first_name(node->children[node->kind == IR_WHILE ? 0 : 1]);
-    const char *name = NULL;
-    for (unsigned i = 0; i < node->child_count && !name; i++)
-        name = first_name(node->children[i]);
-    return name;
-}
-
-/* `name`: of the counter; NULL: it is not known, and the compared expression replaces it. */
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
-    if (!name)
-        name = first_name(node);
+    assert(name || why == REASON_TRIP_COUNT);
     return (counted_result){.why = why, .node = node, .name = name};
 }
 

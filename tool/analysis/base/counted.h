@@ -10,7 +10,8 @@ typedef struct counted_result {
     counted_loop loop;
     reason_id why;       /* if not counted: the reason */
     const ir_node *node; /* place of the reason */
-    const char *name;    /* name in the reason's message */
+    const char *name;    /* name in the reason's message. NULL, in REASON_TRIP_COUNT only: the loop
+                          * has no counter */
 } counted_result;
 
 /** Brings a for or while loop into the form of counted_loop; rejects do loops. Checks that the
