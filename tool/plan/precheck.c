@@ -4,7 +4,7 @@
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
-#include "plan/unverified.h"
+#include "plan/unverified_uses.h"
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 

@@ -12,7 +12,7 @@
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
 #include "analysis/memory/value_bounds.h"
-#include "analysis/overlap/sources.h"
+#include "analysis/overlap/extent.h"
 
 typedef VECTOR(slice_touch) touch_list;
 
