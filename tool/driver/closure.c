@@ -12,7 +12,7 @@
 #include "driver/include_names.h"
 #include "support/source.h"
 
-/* Of a file among those found. */
+/* Identifies a file, whatever names lead to it. */
 typedef struct place {
     dev_t device;
     ino_t inode;
@@ -233,7 +233,8 @@ static void check_macros(search *s, const word_list *words) {
         for (unsigned k = 0; k < words->count; k++)
             is_defined |= strstr(words->items[k], macro) != NULL;
         if (is_defined)
-            s->found.unknown = arena_format(s->arena, "%s makes the name of a header", macro);
+            s->found.unknown =
+                arena_format(s->arena, "the macro %s may make the name of a header", macro);
     }
 }
 

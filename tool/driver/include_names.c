@@ -138,7 +138,7 @@ const char *include_names_find(arena *a, const char *text, size_t length, includ
             while (source_is_word_byte(*at))
                 at++;
             if (!add_of_word(a, text, word, (size_t)(at - word), names))
-                return "a macro makes the name of a header";
+                return "a macro may make the name of a header";
         }
     return NULL;
 }

@@ -68,6 +68,15 @@ bool ir_may_be_entered(const ir_node *node) {
            ir_has_kind(node, IR_DEFAULT);
 }
 
+bool ir_holds_case(const ir_node *node) {
+    if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
+        return true;
+    for (unsigned i = 0; node->kind != IR_SWITCH && i < node->child_count; i++)
+        if (ir_holds_case(node->children[i]))
+            return true;
+    return false;
+}
+
 bool ir_is_increment(const ir_node *node) {
     return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
            node->op <= IR_OP_POST_DECREMENT;

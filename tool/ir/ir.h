@@ -342,7 +342,7 @@ typedef struct ir_dialect {
                                   * compilation. NULL: none */
 } ir_dialect;
 
-/** An #include directive of a header of the program's. */
+/** An #include directive that names one of the program's own headers. */
 typedef struct ir_inclusion {
     const char *file; /* as it was found */
     bool is_in_main_file;
@@ -379,8 +379,8 @@ typedef struct ir_text {
                        * NULL: none */
     map *inner_names; /* each name that a function's body declares as an enumerator, type or tag ->
                        * not NULL. NULL: none */
-    map *header_loops; /* each loop whose text is in a header of the program's (a pointer to its
-                        * node) -> its ir_position. NULL: none */
+    map *header_loops; /* each loop whose text is in one of the program's own headers (a pointer to
+                          its node) -> its ir_position. NULL: none */
     unsigned inclusion_count; /* in order; a header that is included twice occurs twice */
     const ir_inclusion *inclusions;
 } ir_text;
@@ -440,6 +440,8 @@ bool ir_any(const ir_node *node, ir_question question);
 bool ir_has_kind(const ir_node *node, ir_kind kind);
 /** Does it contain a label, `case` or `default`, by which a jump may enter it? */
 bool ir_may_be_entered(const ir_node *node);
+/** Does it contain a `case` or `default` of a switch around it? */
+bool ir_holds_case(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
 /** Does the body contain a `continue` of its own loop? */

@@ -386,11 +386,11 @@ static bool has_number(const reduction_update *update) {
 
 static const char *why_not(inner_rest *t) {
     if (t->block->kind != IR_BLOCK || !find_rows(t))
-        return "the rows that it updates cannot be named before its work";
+        return "the rows that an inner iteration updates are not known before its work";
     if (!may_be_left_out(t))
         return "the rest of an inner iteration is short, or has effects other than updates";
     if (!sums_flow_into_updates(t))
-        return "a sum that it adds to is read other than by an update";
+        return "a sum that an inner iteration adds to is read other than by an update";
     for (unsigned i = 0; i < t->row_count; i++)
         if (!has_number(t->rows[i].update))
             return "the address of a row cannot be computed as a number";

@@ -258,8 +258,7 @@ static void propagate_to_fixed_point(unverified_reads *s, const ir_node *body) {
     } while (s->changed);
 }
 
-/* ---- of an iteration, of a called function -----------------------------------------------------
- */
+/* ---- of an iteration, of a called function --------------------------------------------------- */
 
 bool *guarded_sources(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;

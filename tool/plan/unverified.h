@@ -4,7 +4,7 @@
  * differ from those of the sequential loop: they are unverified. The body reads such values in
  * in-order binning, where it may be executed more than once, and the slice in an inspection.
  *
- * Code that may compute with them: unverified_uses.h.
+ * Which code may compute with them: unverified_uses.h.
  *
  * Variables are marked, not values: a pass over the body marks each variable that may hold an
  * unverified value, until a pass marks nothing new.

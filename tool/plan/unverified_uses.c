@@ -67,8 +67,6 @@ static void check_division(unverified_reads *s, const ir_node *node, control how
     s->is_harmful |= !is_safe && (how.is_unverified || unverified_part(s, node));
 }
 
-/** Checks the callee's body. Its memory is unverified, and so are the parameters whose arguments
- *  are. */
 static void check_callee(unverified_reads *s, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     const unsigned count = callee->parameter_count;

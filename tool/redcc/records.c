@@ -148,7 +148,7 @@ const char *records_write(arena *a, const ir_unit *unit, const project *around) 
         out.length == 0
             ? NULL
             : arena_format(a,
-                           "\n/* redcc: of these functions loops of other files may ask */\n"
+                           "\n/* redcc: functions that loops of other files may call */\n"
                            "struct redcc__callee;\n"
                            "struct redcc__record { const char *name; unsigned digest[2]; "
                            "void (*own)(void); __SIZE_TYPE__ callee_count; "

@@ -421,8 +421,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Did redcc write this text? A line of it shows that, which only directives and comments of other
- * tools may precede. */
+/** Did redcc write this text? Then a line says so, and only directives and comments of other tools
+ * precede that line. */
 static bool is_translated(const source *file) {
     static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&

@@ -170,7 +170,8 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
         return false;
     if (compares_while_stepping(counted))
         return counted_stepping_wraps(counted);
-    /* A first value on the wrong side of the bound gives no count, and the original loop runs. */
+    /* If the first value lies beyond the bound, the computed trip count is not positive, and the
+     * original loop runs. */
     if (loop->kind == IR_DO && counted->comparison == IR_OP_NOT_EQUAL && !counter->is_signed)
         return counter->size < 4 || counted->bound->type->size > counter->size;
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A condition is constant if it is made of numbers, of calls of functions that return one constant,
- * and of local variables that hold such a value whenever the condition is evaluated: going back
- * from the `if` through the blocks around it, up to the innermost loop, the first statement that
- * may change the variable assigns it, and no label lies between. Only values of a signed byte are
- * followed: every integer type holds them, or those that are not negative, unchanged.
+ * A condition is constant if it consists of numbers, of calls of functions that return one
+ * constant, and of local variables whose value is known. To find a variable's value, the search
+ * goes back from the `if` through the blocks around it, up to the innermost loop. The first
+ * statement found that may change the variable must assign it, and no label may lie between. Only
+ * values of a signed byte are followed: each signed type represents all of them, each unsigned type
+ * those that are not negative.
  */
 #include "analysis/base/dead_branches.h"
 
@@ -35,7 +36,8 @@ static bool holds(const ir_type *type, int64_t value) {
 
 /* ---- results of functions -------------------------------------------------------------------- */
 
-/* Does every return give the value in `found`, or if it has none yet, the first one's? */
+/* Does every `return` below the node give the same value? Stores it in *found, or compares it with
+ * the value that is already there. */
 static bool returns_one(search *s, const ir_node *node, const ir_type *type, result_of *found) {
     if (node->kind == IR_OPAQUE)
         return false;
@@ -257,9 +259,10 @@ static bool constant_of(search *s, const ir_node *node, int64_t *value) {
 
 /* ---- branches -------------------------------------------------------------------------------- */
 
-/* Could executing the branch refute what is known about the file's variables? Only for a loop's own
- * function and those it calls is it checked which functions of other files were linked (imports.c):
- * in any other function the branch may be executed after all. */
+/* Does the branch change, or pass on, variables of the file? If a function of another file makes
+ * the condition constant, only functions with translated loops, and the functions that these call,
+ * check at run time that this definition is linked (imports.c). Any other function may execute the
+ * branch after all, so the analysis must see what the branch does to these variables. */
 static bool concerns_others(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)

@@ -255,8 +255,9 @@ bool expression_is_hazard(const ir_node *node) {
     if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER || node->op == IR_OP_SHIFT_LEFT ||
         node->op == IR_OP_SHIFT_RIGHT)
         return !is_harmless_operand(node, node->children[1]);
+    /* a difference of pointers: they may point into different objects */
     return node->op == IR_OP_SUBTRACT && node->children[1]->type &&
-           node->children[1]->type->kind == IR_POINTER; /* perhaps into different objects */
+           node->children[1]->type->kind == IR_POINTER;
 }
 
 bool expression_has_hazard(const ir_node *node) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Results of the analysis of a loop: facts, reasons, verdicts. All rooms of the analysis and its
+ * Results of the analysis of a loop: facts, reasons, verdicts. All parts of the analysis and its
  * callers share these types.
  */
 #ifndef ANALYSIS_FACTS_H
@@ -130,8 +130,8 @@ typedef enum source_extent {
     EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
 
-/** Only iterations read whose counter satisfies this comparison with `bound`. Both are compared as
- *  mathematical numbers. */
+/** The read is made only in iterations whose counter satisfies this comparison with `bound`. Both
+ *  are compared as mathematical numbers. */
 typedef struct counter_limit {
     ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL */
     const ir_node *bound;   /* loop-invariant integer; evaluating it reads no memory */
@@ -158,8 +158,8 @@ enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
 
 /** Elements base[k] of which some are read: k lies between the minimum and the maximum of the
  * terms, provided that no condition, a floating value, is negative. Terms and conditions are
- * parameters, or are read through parameters, in the caller's terms. Generated code reads them even
- * where the program would not. */
+ * parameters, or are read through parameters; they are expressed by the caller's variables.
+ * Generated code reads them even where the program would not. */
 typedef struct element_bounds {
     const ir_node *base; /* a pointer */
     const ir_type *element;
@@ -185,7 +185,7 @@ typedef struct loop_source {
     bool meets_scalars;   /* may overlap such a scalar */
     bool meets_arrays;    /* may overlap a reduction array, according to the analysis */
     bool is_sometimes; /* read in some iterations only: its address may be invalid in others, and is
-                        * computed as a number (known to row_address.h, except for TOUCHED) */
+                        * computed as a number (row_address.h; EXTENT_TOUCHED otherwise) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
                         * bounds there: both ends must be computed with checks (exact.h) */
     bool is_ahead; /* EXTENT_TOUCHED: recorded before a condition inside of `place` decides whether
@@ -267,10 +267,10 @@ typedef struct forwarded_store {
     const ir_node *value;
 } forwarded_store;
 
-/** t[i] = v or t[i] op= v, for the iteration's own element of an array that other statements of the
- *  same iteration only read, and before it: such stores are made by a separate loop after the
- *  others (loop fission). While the loop is analysed and written, `rest` replaces the statement
- *  (distributed.h). */
+/** t[i] = v or t[i] op= v, for the iteration's own element of an array. Other statements of the
+ *  iteration only read that element, and only before the store. A separate loop makes such stores
+ *  after this one (loop fission). While the loop is analysed and written, `rest` replaces the
+ *  statement (distributed.h). */
 typedef struct distributed_store {
     ir_node *statement;        /* IR_EXPRESSION */
     ir_node *rest;             /* IR_EMPTY */
@@ -372,15 +372,15 @@ typedef struct loop_variables {
     const loop_loads *loads;      /* NULL: no variable replaces a pointer */
     unsigned own_count;
     const own_element *own;
-    const struct openmp_loop *openmp;  /* its directives, without which it is executed if it is
-                                        * transformed; NULL: none */
+    const struct openmp_loop *openmp;  /* its OpenMP directives, which the parallel form does not
+                                        * have; NULL: none */
     const struct fixed_blocks *blocks; /* of VERDICT_BLOCKS */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */
 typedef struct loop_slice {
-    const loop_exits *exits; /* whose conditions it evaluates; NULL: no iteration leaves. Without
-                              * items: a callee may end the program by an assertion */
+    const loop_exits *exits; /* those whose conditions it evaluates; NULL: no iteration leaves the
+                              * loop. An empty list: a callee may end the program by an assertion */
     bool may_abort;          /* by an assertion in a function that it calls */
     bool has_rows;           /* false: it is for the touched sources alone */
     bool *holds;       /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
@@ -450,7 +450,7 @@ typedef struct loop_verdict {
     const ir_node *loop; /* the reported loop: the outermost one analysed as a whole, or the
                           * innermost one if refused */
     const ir_function *function;
-    reason why; /* refusals */
+    reason why; /* if it is refused */
     unsigned pragma_count;
     unsigned foreign_count;
     const foreign_call *foreign;

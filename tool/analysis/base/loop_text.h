@@ -43,9 +43,9 @@ const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *fun
 /** Are there conditional directives in the loop's text? */
 bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
-/** May a copy of the text omit it, and the text that it excludes? True for conditional directives
- *  once they are decided, and for pragmas that are not compiled or only make a loop faster; for
- *  OpenMP's if they are inactive, as without -fopenmp. */
+/** May a copy of the text omit it, and the text that it excludes? True for conditional directives,
+ *  once it is known which branch is compiled, and for pragmas that are not compiled or only make a
+ *  loop faster; for OpenMP's if they are inactive, as without -fopenmp. */
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
 
 /** Is it an OpenMP directive in a compilation without OpenMP, which ignores it? */

@@ -61,7 +61,8 @@ static void add_lvalue(access_walk *w, access_kind kind, const ir_node *lvalue, 
                            .form = form});
 }
 
-/* Accesses of computing an lvalue's address: pointers and subscripts in it. */
+/* Adds the accesses that computing an lvalue's address makes: of the pointers and subscripts in
+ * it. */
 static void walk_address(access_walk *w, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -97,7 +98,8 @@ static void walk_address(access_walk *w, const ir_node *node) {
     }
 }
 
-/* A value read; `skip` is the occurrence of the target in R = R + e. */
+/* Adds the accesses that reading a value makes, without those of `skip`: the target's occurrence in
+ * R = R + e. */
 static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *skip) {
     if (node == skip)
         return;
@@ -180,7 +182,7 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     case IR_BREAK:
     case IR_RETURN:
         walk_children(w, node);
-        w->condition_depth++; /* the following code may be skipped; never taken back */
+        w->condition_depth++; /* never decreased: the following code may be skipped */
         return;
     case IR_DECLARATOR:
         walk_children(w, node);
@@ -215,7 +217,7 @@ static bool walk_assertion(access_walk *w, const ir_node *node) {
         return false;
     access_walk_node(w, condition);
     VECTOR_PUSH(w->memory, &w->list->ends, node);
-    w->condition_depth++; /* the following code may not be executed; never taken back */
+    w->condition_depth++; /* never decreased: the following code may not be executed */
     return true;
 }
 

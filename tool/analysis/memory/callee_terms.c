@@ -72,8 +72,9 @@ static bool is_member_of(const ir_node *lvalue, const ir_node *pointer) {
            expression_same(lvalue->children[0], pointer);
 }
 
-/* Is memory at the load's address certain to be read: by this load or an equal one, or (which shows
- * as well that the pointer is valid) is another member of the same object certain to be read? */
+/* Is memory at the load's address certain to be read, by this load or an equal one? A certain read
+ * of another member of the same object counts as well, because it shows that the pointer is
+ * valid. */
 static bool is_certain_load(const rewriting *r, const ir_node *load) {
     if (callee_loops_is_certain(r->loops, load))
         return true;

@@ -291,7 +291,7 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
     }
     if (known->ends.count) {
         VECTOR_PUSH(all->memory, &w->list->ends, call);
-        w->condition_depth++; /* the following code may not be executed; never taken back */
+        w->condition_depth++; /* never decreased: the following code may not be executed */
     }
 }
 

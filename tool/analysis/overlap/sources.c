@@ -55,7 +55,8 @@ static bool reads_first(const loop_analysis *j, const access *update) {
     return false;
 }
 
-/* The closest overlap of the read with any update of the array: these may be of different fields.
+/* The worst overlap of the read with any update of the array, whose updates may be of different
+ * fields: OVERLAP_SAME if there is one, else OVERLAP_MAYBE.
  */
 static overlap overlap_with_array(const loop_analysis *j, const loop_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
@@ -117,7 +118,7 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
     return table && expression_same(table, array->array.base);
 }
 
-/* The closest overlap with the scalars in memory that the loop accumulates into. */
+/* The worst overlap with the scalars in memory that the loop accumulates into. */
 static overlap overlap_with_scalars(const loop_analysis *j, const loop_access *other) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {

@@ -66,7 +66,7 @@ static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *ta
     if (!table)
         return analysis_refuse(j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES,
                                target, name);
-    if (!ir_type_is_scalar(target->type)) /* an owner might have a part of it only */
+    if (!ir_type_is_scalar(target->type)) /* an owner might own only a part of it */
         return analysis_refuse(j, REASON_ROW_POINTERS, target, name);
     return true;
 }
