@@ -186,7 +186,7 @@ static const char *ask_translator(session *s, const struct cache *c, size_t *len
         return NULL;
     buffer own = {0};
     for (const char *at = text; at < text + *length; at += strlen(at) + 1)
-        if (*at != 'f') /* a file, which is the empty source */
+        if (*at != 'f') /* 'f': a file that was read, here only the empty source */
             buffer_append(&own, at, strlen(at) + 1);
     const char *result = arena_copy(a, own.data ? own.data : "", own.length);
     *length = own.length;

@@ -27,7 +27,7 @@ struct cached {
     closure found;
     digest project;       /* of the inputs read about functions of other files */
     const char *stranger; /* a file that was read but is not in the closure; NULL: none */
-    digest asked;         /* the key of the last run that was asked for */
+    digest asked;         /* the key of the run that cached_restore was last called for */
     VECTOR(kept_answer) fresh;
 };
 

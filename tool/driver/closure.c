@@ -173,7 +173,8 @@ static void try_everywhere(search *s, const char *name) {
         try_below(s, s->folders.items[i], name);
 }
 
-/* Searches a header of -include, of which clang may read a precompiled form with the ending pch. */
+/* Searches for a header that -include names. clang may read a precompiled form of it, with the
+ * ending pch. */
 static void try_included(search *s, const char *name, const char *folder) {
     try_below(s, "", name);
     try_below(s, folder, name);

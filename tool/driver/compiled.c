@@ -18,8 +18,8 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
     return false;
 }
 
-/* Does this option neither name a file that is read or written beside the headers and the object,
- * nor depend on the machine? Unknown options are not plain. */
+/* Is it an option that names no other file than the headers and the object, and that does not
+ * depend on the machine? Unknown options are not plain. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",
@@ -72,7 +72,8 @@ static bool may_be_kept(const session *s, const translation *t) {
     return true;
 }
 
-/* A device, or what a link leads to, is left to the compiler. */
+/* May the driver write the file itself? It leaves a device, and what a link leads to, to the
+ * compiler. */
 static bool is_plain_output(const char *path) {
     struct stat about;
     return path && (lstat(path, &about) != 0 || S_ISREG(about.st_mode));

@@ -199,8 +199,8 @@ void finish_references(converter *c);
 /** Expressions and statements among the cursor's children; no references, types or attributes.
  *  The list lives in the scratch arena. */
 cursor_list children_of(converter *c, CXCursor cursor);
-/** Counts a level of nesting, which the caller uncounts in c->depth. False: too deep; nothing is
- *  counted, and *result is an opaque node. */
+/** Enters a level of nesting: increments c->depth, which the caller decrements. False: too deep;
+ *  c->depth is unchanged, and *result is an opaque node. */
 bool enter_level(converter *c, CXCursor cursor, ir_node **result);
 
 ir_node *convert_expression(converter *c, CXCursor cursor);

@@ -72,7 +72,7 @@ static void skip_quoted(scanner *s) {
     skip_to(s, close);
 }
 
-/* Bytes that may begin a piece or a directive. */
+/* May the byte begin a piece or a directive? */
 static bool may_begin_piece(char c) {
     return c == '/' || c == '\\' || c == '?' || c == '"' || c == '\'' || c == '#' || c == '%';
 }

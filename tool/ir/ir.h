@@ -401,7 +401,7 @@ typedef struct ir_unit {
                                * their offsets; in any order at equal offsets. Not in the text
                                * form */
     const ir_reference *references;
-    unsigned typed_place_count; /* those in the same bodies, likewise */
+    unsigned typed_place_count; /* the typed places in the same bodies, in the same order */
     const ir_typed_place *typed_places;
 } ir_unit;
 

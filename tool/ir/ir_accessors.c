@@ -157,7 +157,7 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     return copy;
 }
 
-/* Of an address that was put in: *&x becomes x, (&x)->m becomes x.m. */
+/* Simplifies an address that replaces a call: *&x becomes x, (&x)->m becomes x.m. */
 static void simplify_address(ir_node *node) {
     ir_node *object = node->children[0]->children[0];
     if (node->kind == IR_MEMBER) {

@@ -47,7 +47,7 @@ static const private_variable *private_of(const loop_facts *facts, const ir_vari
 /** Is the variable private to an iteration of the outer loop, and not live-out? */
 static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
     const private_variable *it = private_of(t->facts, variable);
-    return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
+    return it && !it->is_live_after && !it->is_conditional_live_out && !it->is_stepped &&
            !variable->address_taken;
 }
 
@@ -338,7 +338,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** flows_into_updates for the subscripts of p[c][d], where the element itself is the sum. */
+/** As flows_into_updates, but only for the subscripts of a sum like p[c][d]. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))

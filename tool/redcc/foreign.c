@@ -51,7 +51,7 @@ typedef struct call_search {
     const foreign_functions *all;
     const analysis_options *options;
     bool *is_visited; /* [function_count] */
-    ir_range place;   /* the call in the loop, also if the callee makes the call in question */
+    ir_range place;   /* the call in the loop, which may reach the function through others */
     VECTOR(foreign_call) found;
 } call_search;
 

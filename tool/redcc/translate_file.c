@@ -301,7 +301,7 @@ typedef struct analysed_file {
     ir_unit *unit;
     const char *records; /* NULL: none */
     analysis_result analysed;
-    header_uses headers; /* headers that stand in place of their #include directives */
+    header_uses headers; /* headers whose text replaces their #include directives */
 } analysed_file;
 
 /** What the analysis of a file depends on. */

@@ -143,7 +143,7 @@ static bool is_plain_end(const counted_loop *loop, const ir_node *node) {
                                                    : ir_type_is_plain_integer(node->type);
 }
 
-/* No assignment, increment or opaque node in it. */
+/* Does it contain no assignment, increment or opaque node? */
 static bool is_plain_but_for_calls(const ir_node *node) {
     if (node->kind == IR_OPAQUE || expression_written(node))
         return false;

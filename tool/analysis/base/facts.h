@@ -190,8 +190,8 @@ typedef struct loop_source {
                         * bounds there: both ends must be computed with checks (exact.h) */
     bool is_ahead; /* EXTENT_TOUCHED: recorded before a condition inside of `place` decides whether
                     * it is read */
-    bool is_repeated; /* EXTENT_TOUCHED: each iteration executes `place`, with the same rows while
-                       * nothing is stored */
+    bool is_repeated; /* EXTENT_TOUCHED: each iteration executes `place`, and reads the same rows as
+                       * long as nothing is stored */
     unsigned loop_count;      /* EXTENT_TOUCHED: it is many rows, one for each iteration of these */
     const source_loop *loops; /* outermost first */
     unsigned limit_count;     /* EXTENT_AFFINE, is_checked */
@@ -211,11 +211,11 @@ typedef struct triangle {
 
 typedef struct private_variable {
     ir_variable *variable;
-    bool is_declared_inside; /* then no code is generated for it */
-    bool is_live_after;      /* live-out, and proved to be assigned in every iteration */
-    bool is_last_sought;     /* live-out, but some iterations leave it unchanged (conditional
-                              * lastprivate): a scalar assigned by separate statements
-                              * (IR_EXPRESSION) */
+    bool is_declared_inside;      /* then no code is generated for it */
+    bool is_live_after;           /* live-out, and proved to be assigned in every iteration */
+    bool is_conditional_live_out; /* live-out, but some iterations leave it unchanged (conditional
+                                   * lastprivate): a scalar assigned by separate statements
+                                   * (IR_EXPRESSION) */
     bool is_stepped; /* an integer or pointer that each iteration steps once by `step`: its value is
                       * the one on entry plus the steps of all preceding iterations */
     bool is_step_wanted; /* is_stepped: its last value is used, because it is live-out */
@@ -251,8 +251,7 @@ typedef struct scalar_update {
                           * iteration are kept, for all updates of the scalar together */
     bool is_guarded;     /* memory that other accesses of the loop may alias: checked before
                           * anything is written */
-    bool is_extremum;    /* if (e op s) s = e; with a comparison op, and e of the type of s. If it
-                          * is conditional, no operand precedes s in that order */
+    bool is_extremum;    /* if (e op s) s = e; with a comparison op, and e of the type of s */
     bool is_negated;     /* is_extremum: if (!(e op s)) s = e */
     ir_variable *place;  /* is_extremum: a variable that gets the counter's value when s is set; or
                           * NULL */
@@ -261,8 +260,8 @@ typedef struct scalar_update {
 /** target = value, for an element that the same iteration reads again later: other occurrences of
  *  `target` in the loop are reads, and use the stored value instead of memory. */
 typedef struct forwarded_store {
-    const ir_node *statement; /* IR_EXPRESSION; one of the updates. In the slice if the slice needs
-                               * the stored value */
+    const ir_node *statement; /* IR_EXPRESSION; it is also one of `updates`. In the slice if the
+                               * slice needs the stored value */
     const ir_node *target;
     const ir_node *value;
 } forwarded_store;

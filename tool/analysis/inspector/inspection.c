@@ -423,7 +423,7 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         j->slice.is_verifiable = false;
     }
     j->slice.is_verifiable = j->slice.is_verifiable && is_stable && has_rows;
-    j->slice.has_floating_work |= !has_rows; /* of the rows */
+    j->slice.has_floating_work |= !has_rows; /* that of computing the rows */
     if (!check_scalars_unread(j))
         return false;
     if (!is_small(j))

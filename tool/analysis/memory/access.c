@@ -30,7 +30,7 @@ static bool has_volatile_part(const ir_type *type) {
     return false;
 }
 
-/* Volatile objects, bit-fields and the like appear in the types along the path. */
+/* The types along the path show volatile objects, bit-fields and the like. */
 static void check_type(access_walk *w, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const char *name = root ? root->name : "?";

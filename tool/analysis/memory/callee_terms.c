@@ -47,7 +47,7 @@ static bool is_stable(const rewriting *r, const ir_node *load) {
     return true;
 }
 
-/* Does it belong to this function's text, not to the access of another function? */
+/* Does the node belong to this function's text, not to the access of another function? */
 static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }

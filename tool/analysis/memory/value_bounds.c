@@ -15,7 +15,7 @@ typedef struct known_value {
     value_bounds integer;
     bool has_least;
     const ir_node *least;
-    unsigned needs; /* bits: the conditions that this depends on */
+    unsigned needs; /* bits: the conditions on which the bounds depend */
 } known_value;
 
 /* Nothing is known about variables that are not in it. */

@@ -215,7 +215,7 @@ static bool commute(ir_operator a, ir_operator b) {
     return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
 }
 
-/* One operation combines all operands of a series. */
+/* Can one operation combine the operands of both updates? */
 static bool is_of_series(const scalar_update *other, const scalar_update *repeated) {
     return !other->is_extremum && other->op == repeated->op && other->operand == repeated->operand;
 }

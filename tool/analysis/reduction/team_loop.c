@@ -51,7 +51,7 @@ static bool is_in(ir_range inner, ir_range outer) {
     return inner.begin >= outer.begin && inner.end <= outer.end;
 }
 
-/* Does each thread have its own? */
+/* Does each thread have its own copy of the variable? */
 static bool is_private(const team_loop *it, const ir_variable *variable) {
     if (variable->storage == IR_THREAD_LOCAL)
         return true;

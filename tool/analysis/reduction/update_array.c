@@ -27,8 +27,8 @@ static bool base_is_invariant(const loop_analysis *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
-/* A local table into which the loop stores pointers: they may differ in each iteration, and depend
- * on data that are not compared when a plan is reused. */
+/* Is it a local table into which the loop stores pointers? They may differ in each iteration, and
+ * depend on data that are not compared when a plan is reused. */
 static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
     for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {

@@ -383,7 +383,8 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)
-        assert(!is_floating(stream->kinds[i])); /* such updates of integers keep the order */
+        assert(!is_floating(stream->kinds[i])); /* may_be_copied: the order does not matter, so no
+                                                 * operand is floating */
     return true;
 }
 
