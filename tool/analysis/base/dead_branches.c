@@ -15,13 +15,13 @@
 typedef struct result_of {
     enum { UNSEEN, BEGUN, CONSTANT, VARIES } state;
     int64_t value;
-    bool is_foreign; /* another file defines it, or a function whose result it returns */
+    bool is_external; /* another file defines it, or a function whose result it returns */
 } result_of;
 
 typedef struct search {
     ir_unit *unit;
     result_of *results; /* by function id */
-    bool is_foreign;    /* the value being computed depends on such a function */
+    bool is_external;   /* the value being computed depends on such a function */
 } search;
 
 static bool constant_of(search *s, const ir_node *node, int64_t *value);
@@ -60,21 +60,21 @@ static void take_out_below(search *s, ir_node *node);
 static bool constant_result(search *s, const ir_function *function, int64_t *value) {
     result_of *known = &s->results[function->id];
     if (known->state == UNSEEN && function->body && !function->has_errors) {
-        const bool was_foreign = s->is_foreign;
+        const bool was_external = s->is_external;
         result_of found = {VARIES, 0, false};
         known->state = BEGUN;
         take_out_below(s, function->body);
-        s->is_foreign = function->linkage.import != NULL;
+        s->is_external = function->linkage.import != NULL;
         if (function->linkage.is_weak || function->linkage.is_renamed ||
             function->has_other_attributes ||
             !returns_one(s, function->body, function->type->target, &found))
             found.state = VARIES;
-        found.is_foreign = s->is_foreign;
-        s->is_foreign = was_foreign;
+        found.is_external = s->is_external;
+        s->is_external = was_external;
         *known = found;
     }
     *value = known->value;
-    s->is_foreign |= known->is_foreign;
+    s->is_external |= known->is_external;
     return known->state == CONSTANT;
 }
 
@@ -282,7 +282,7 @@ static bool concerns_others(const ir_node *node) {
 static void take_out(search *s, ir_node *statement, unsigned number) {
     ir_node *branch = statement->children[number];
     if (branch->flags & IR_DEAD || ir_may_be_entered(branch) || ir_has_kind(branch, IR_OPAQUE) ||
-        (s->is_foreign && concerns_others(branch)))
+        (s->is_external && concerns_others(branch)))
         return;
     ir_node *rest = ir_new(s->unit->arena, IR_BLOCK, NULL, 1);
     rest->children[0] = branch;
@@ -298,7 +298,7 @@ static void take_out(search *s, ir_node *statement, unsigned number) {
 
 static void take_out_below(search *s, ir_node *node) {
     int64_t value;
-    s->is_foreign = false;
+    s->is_external = false;
     if (node->kind == IR_IF && constant_of(s, node->children[0], &value)) {
         if (value == 0)
             take_out(s, node, 1);

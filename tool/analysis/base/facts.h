@@ -437,12 +437,12 @@ typedef enum verdict_kind {
 
 /** A function of another file that a verdict depends on; set by the callers that know other
  *  files. */
-typedef struct foreign_call {
+typedef struct external_call {
     const char *name, *file;
     const char *word; /* its property: "const" */
     ir_range range;   /* range of its name in the loop, or of the name of the callee that calls
                        * it */
-} foreign_call;
+} external_call;
 
 typedef struct loop_verdict {
     verdict_kind kind;
@@ -451,8 +451,8 @@ typedef struct loop_verdict {
     const ir_function *function;
     reason why; /* if it is refused */
     unsigned pragma_count;
-    unsigned foreign_count;
-    const foreign_call *foreign;
+    unsigned external_call_count;
+    const external_call *external_calls;
     const user_pragma *pragmas; /* the pragmas that the verdict depends on, or that it follows */
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;
