@@ -269,7 +269,7 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
     }
 }
 
-/** Analyses the file; if a loop calls functions of other files, again with those. */
+/** Analyses the file. If a loop calls functions of other files, adds these and analyses again. */
 static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
                                             const project *around, const analysis_options *asked) {
     loop_loads_name(unit);

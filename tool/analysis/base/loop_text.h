@@ -15,8 +15,8 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 /** Index of the unit's first directive at or after `offset`. */
 unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
 
-/** Does a directive that begins in the range have the word in its text? Also one that is not
- *  compiled, and a macro's definition. */
+/** Does a directive that begins in the range have the word in its text? Directives that are not
+ *  compiled count as well, and so do definitions of macros. */
 bool directives_name(const ir_unit *unit, ir_range range, const char *word);
 
 /** The same of the whole file, and of the pragmas in its headers. */

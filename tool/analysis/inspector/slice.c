@@ -434,7 +434,7 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *f
 /* ---- loops over blocks ------------------------------------------------------------------------
  * In an innermost loop over the rows of a block, inside of another loop of the iteration, the
  * condition of touching a single row is not worth evaluating: the block is recorded as a whole
- * (spans.c), and the condition's reads determine no subscripts. */
+ * (loop/spans.c), and the condition's reads determine no subscripts. */
 
 static ir_node *loop_around(const slicer *s, const ir_node *node) {
     ir_node *outer = node->parent;
