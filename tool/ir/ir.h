@@ -346,7 +346,7 @@ typedef struct ir_dialect {
 typedef struct ir_inclusion {
     const char *file; /* as it was found */
     bool is_in_main_file;
-    uint32_t offset; /* in the main file: of a byte of the directive's line */
+    uint32_t offset; /* that of a byte of the directive's line in the main file */
 } ir_inclusion;
 
 /** Properties of the text of the file and its headers, in addition to the tree. Not in the text

@@ -150,7 +150,7 @@ static bool is_updated_in_bins(const unverified_reads *s, const ir_node *node) {
     return false;
 }
 
-/** May the loop run forever at a place where the program would not execute it? */
+/** May the loop, executed where the program would not execute it, run forever? */
 static bool may_not_end(const unverified_reads *s, const ir_node *loop, control how) {
     return how.is_unverified && !s->in_callee && !ends_in_any_case(s->plan->facts, loop);
 }
