@@ -107,7 +107,7 @@ void neighbours(int n, const int *restrict begin, const int *restrict list,
 /* Nothing is computed before the row is known. */
 void light_neighbours(int n, const int *restrict begin, const int *restrict list,
                       const double *restrict x, double *restrict f) {
-    for (int i = 0; i < n; i++) // PLAN: no skip: the rows that it updates cannot be named before its work
+    for (int i = 0; i < n; i++) // PLAN: no skip: the rows that an inner iteration updates are not known before its work
         for (int k = begin[i]; k < begin[i + 1]; k++)
             f[list[k]] += x[i];
 }
@@ -115,7 +115,7 @@ void light_neighbours(int n, const int *restrict begin, const int *restrict list
 /* A sum that is read for something else than an update. */
 void sums(int n, const int *restrict begin, const int *restrict list, const double *restrict x,
           double *restrict f) {
-    for (int i = 0; i < n; i++) { // PLAN: no skip: a sum that it adds to is read other than by an update
+    for (int i = 0; i < n; i++) { // PLAN: no skip: a sum that an inner iteration adds to is read other than by an update
         double sum = 0;
         for (int k = begin[i]; k < begin[i + 1]; k++) {
             int j = list[k];

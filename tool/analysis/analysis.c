@@ -65,7 +65,7 @@ static bool is_unused_of_header(const ir_unit *unit, const ir_function *function
            !source_has_name(s->text + range.end, s->length - range.end, function->name);
 }
 
-/* Is the body in the main file, or in a header of the program's? */
+/* Is the body in the main file, or in one of the program's own headers? */
 static bool is_of_program(const ir_unit *unit, const ir_function *function) {
     if (!function->body)
         return false;

@@ -18,8 +18,8 @@ typedef struct analysis_result {
     const loop_verdict *verdicts; /* of every loop with an irregular update, in source order */
 } analysis_result;
 
-/** Analyses all loops of the functions of the main file, and of the headers that are
- *  the program's. All results are allocated in the arena. */
+/** Analyses all loops of the functions of the main file, and of the program's own headers. All
+ *  results are allocated in the arena. */
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options);
 
 #endif

@@ -133,8 +133,8 @@ static void assert_source(const loop_facts *facts, const loop_source *item) {
 static void assert_private(const loop_facts *facts, const private_variable *item) {
     assert(item->variable && item->variable != facts->counted.counter);
     assert(item->variable->function == facts->function);
-    assert(!item->is_declared_inside || (!item->is_live_after && !item->is_last_sought));
-    assert(!item->is_live_after || !item->is_last_sought);
+    assert(!item->is_declared_inside || (!item->is_live_after && !item->is_conditional_live_out));
+    assert(!item->is_live_after || !item->is_conditional_live_out);
     assert(item->is_stepped || (!item->is_step_wanted && !item->is_in_slice && !item->entry));
     assert(!item->is_stepped || item->variable->type->kind == IR_INTEGER ||
            item->variable->type->kind == IR_POINTER);

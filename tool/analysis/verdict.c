@@ -84,7 +84,7 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
         const ir_type *base = arrays[i].base->type;
-        if (arrays[i].is_scattered) { /* its rows are not in step with each other */
+        if (arrays[i].is_scattered) { /* its rows lie at any distance from each other */
             arrays[i].unit = arrays[i].element->size;
             arrays[i].is_interleaved = true;
             continue;

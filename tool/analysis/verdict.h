@@ -8,15 +8,15 @@
 /** All checks for one loop. */
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);
 
-/** For a loop with only regular updates (conflict.h), one of which is given. */
+/** The verdict on a loop with only regular updates (conflict.h), one of which is given. */
 loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
                              const ir_node *update);
 
-/** For a loop that the user wants left alone, with all its inner loops, by this pragma. */
+/** The verdict on a loop that this pragma leaves sequential, with all its inner loops. */
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma);
 
-/** For a loop whose text is in a header. */
+/** The verdict on a loop whose text is in a header. */
 loop_verdict verdict_in_header(const analyser *an, ir_function *function, ir_node *loop,
                                const char *header);
 

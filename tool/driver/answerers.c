@@ -119,7 +119,7 @@ static bool find_compiler(session *s, struct cache *c) {
     if (!proper)
         return false;
     word_list files = {0};
-    if (!s->real.is_clang) /* clang is a single program */
+    if (!s->real.is_clang) /* clang compiles in the same program */
         words_add(s->memory, &files, arena_copy(s->memory, proper, strcspn(proper, "\n")));
     if (!identity_add_files(s->memory, &c->kept, &all, &files))
         return false;
@@ -133,7 +133,7 @@ static bool find_compiler(session *s, struct cache *c) {
 bool answerers_add_assembler(session *s, digester *d) {
     static const char *const ask[] = {"-print-prog-name=as", NULL};
     const struct cache *c = s->cache;
-    if (s->real.is_clang) /* it has it in itself */
+    if (s->real.is_clang) /* clang has an assembler of its own */
         return true;
     const char *name = ask_compiler(s, &c->kept, &c->compiler, ask);
     return name && identity_add_program(s->memory, &c->kept, d,
@@ -186,7 +186,7 @@ static const char *ask_translator(session *s, const struct cache *c, size_t *len
         return NULL;
     buffer own = {0};
     for (const char *at = text; at < text + *length; at += strlen(at) + 1)
-        if (*at != 'f') /* a file, which is the empty source */
+        if (*at != 'f') /* 'f': a file that was read, here only the empty source */
             buffer_append(&own, at, strlen(at) + 1);
     const char *result = arena_copy(a, own.data ? own.data : "", own.length);
     *length = own.length;

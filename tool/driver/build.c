@@ -58,7 +58,7 @@ static void add_colour(session *s, word_list *list) {
 }
 
 bool build_can_add_runtime(const session *s) {
-    return s->command.links && s->tools.library && !s->real.is_foreign &&
+    return s->command.links && s->tools.library && !s->real.is_cross &&
            !(s->command.meaning & OPTION_NO_RUNTIME);
 }
 

@@ -27,7 +27,7 @@ struct cached {
     closure found;
     digest project;       /* of the inputs read about functions of other files */
     const char *stranger; /* a file that was read but is not in the closure; NULL: none */
-    digest asked;         /* the key of the last run that was asked for */
+    digest asked;         /* the key of the run that cached_restore was last called for */
     VECTOR(kept_answer) fresh;
 };
 
@@ -162,7 +162,8 @@ static store_part part_of_file(session *s, const cached *c, const char *path) {
     return (store_part){part, length + 1};
 }
 
-/* As compilers write an object: other names of a file that is there keep its bytes. */
+/* Writes a new file, as compilers do: if the old one has other names (hard links), these keep its
+ * bytes. */
 static bool write_file(const char *path, const char *bytes, size_t length) {
     unlink(path);
     FILE *file = fopen(path, "wb");
@@ -199,8 +200,8 @@ static void keep(session *s, cached *c, const kept_answer *answer) {
     VECTOR_PUSH(s->memory, &c->fresh, *answer);
 }
 
-/* An answer that names this call's folder is invalid in the next call. The part of the name that no
- * other call has is looked for: the rest may be written with backslashes. */
+/* An answer that names this call's folder is invalid in the next call. The search is for the part
+ * of the name that only this call has, because the rest may be written with backslashes. */
 static bool names_folder(const session *s, const store_part *part) {
     const char *own = path_base(s->folder);
     return memmem(part->bytes, part->length, own, strlen(own)) != NULL;
@@ -308,8 +309,8 @@ void cached_end(session *s, cached *c) {
     if (!c || c->fresh.count == 0 || process_signal())
         return;
     if (c->stranger) {
-        session_explain(s, "%s: not cached: %s lies where it is not expected", c->request.name,
-                        c->stranger);
+        session_explain(s, "%s: not cached: %s was read, which no search for headers finds",
+                        c->request.name, c->stranger);
         return;
     }
     const closure now = closure_find(s->memory, answerers_store(s), &c->request);

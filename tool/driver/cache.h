@@ -25,7 +25,7 @@ typedef struct cached_run {
     process_streams streams; /**< files of standard output and error are among the outputs */
     const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
-    const digest *beside;    /**< of what else the outputs depend on; NULL: of nothing */
+    const digest *beside;    /**< a digest of what else the outputs depend on; NULL: nothing */
 } cached_run;
 
 /** Opens the store and identifies the programs. NULL if nothing is to be cached. */
@@ -41,8 +41,8 @@ int cached_run_program(session *s, cached *c, const cached_run *run);
 /** Restores the outputs and the exit status of an earlier run; false if none is kept. */
 bool cached_restore(session *s, cached *c, const cached_run *run, int *status);
 
-/** Keeps the outputs of the run for which cached_restore was asked last, which has ended so, if
- * they depend on its inputs alone. */
+/** Keeps the outputs of the run that cached_restore was last called for, and that ended with this
+ * status, if they depend on its inputs alone. */
 void cached_keep(session *s, cached *c, const cached_run *run, int status);
 
 /** Fetches a text by its subject and by the words that it depends on. NULL: not in the cache. */
@@ -55,7 +55,7 @@ void cached_keep_text(session *s, cached *c, const char *about, const word_list 
 /** Reports that the compiler has read these files. */
 void cached_compiler_read(cached *c, const word_list *files);
 
-/** Stores the answers of so far if no input has changed since the beginning. */
+/** Stores the answers of this source if no input has changed since cached_begin. */
 void cached_end(session *s, cached *c);
 
 #endif

@@ -12,7 +12,7 @@
 #include "driver/include_names.h"
 #include "support/source.h"
 
-/* Of a file among those found. */
+/* Identifies a file, whatever names lead to it. */
 typedef struct place {
     dev_t device;
     ino_t inode;
@@ -173,7 +173,8 @@ static void try_everywhere(search *s, const char *name) {
         try_below(s, s->folders.items[i], name);
 }
 
-/* Searches a header of -include, of which clang may read a precompiled form with the ending pch. */
+/* Searches for a header that -include names. clang may read a precompiled form of it, with the
+ * ending pch. */
 static void try_included(search *s, const char *name, const char *folder) {
     try_below(s, "", name);
     try_below(s, folder, name);
@@ -233,7 +234,8 @@ static void check_macros(search *s, const word_list *words) {
         for (unsigned k = 0; k < words->count; k++)
             is_defined |= strstr(words->items[k], macro) != NULL;
         if (is_defined)
-            s->found.unknown = arena_format(s->arena, "%s makes the name of a header", macro);
+            s->found.unknown =
+                arena_format(s->arena, "the macro %s may make the name of a header", macro);
     }
 }
 

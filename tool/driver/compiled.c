@@ -18,8 +18,8 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
     return false;
 }
 
-/* Does this option neither name a file that is read or written beside the headers and the object,
- * nor depend on the machine? Unknown options are not plain. */
+/* Is it an option that names no other file than the headers and the object, and that does not
+ * depend on the machine? Unknown options are not plain. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",
@@ -72,7 +72,8 @@ static bool may_be_kept(const session *s, const translation *t) {
     return true;
 }
 
-/* A device, or what a link leads to, is left to the compiler. */
+/* May the driver write the file itself? It leaves a device, and what a link leads to, to the
+ * compiler. */
 static bool is_plain_output(const char *path) {
     struct stat about;
     return path && (lstat(path, &about) != 0 || S_ISREG(about.st_mode));
@@ -102,7 +103,7 @@ static bool has_debugging_information(const command *c) {
     return false;
 }
 
-/* What an object depends on beside the sources and the command: debugging information names the
+/* What an object depends on besides the sources and the command: debugging information names the
  * folder, by $PWD if that is another name of it. False: it is unknown. */
 static bool find_surroundings(session *s, digest *found) {
     char here[PATH_MAX];
@@ -131,7 +132,7 @@ int compiled_text(session *s, const translation *t, const word_list *words, cons
                             .streams = streams,
                             .outputs = {output, streams.output, streams.error},
                             .beside = &around};
-    *same = true; /* of another one, nothing is kept */
+    *same = true; /* only runs that read the source's headers are kept */
     if (is_kept && cached_restore(s, t->cached, &run, &status))
         return status;
     status = session_run(s, words, streams);
@@ -141,8 +142,8 @@ int compiled_text(session *s, const translation *t, const word_list *words, cons
     return status;
 }
 
-/* The file of the only -MF; NULL: there is none, or another, or an option by which the file depends
- * on what does not exist. */
+/* The file that -MF names. NULL: there is no -MF, or several; or by -MG the file depends on missing
+ * headers. */
 static const char *dependency_file(const command *c) {
     const char *file = NULL;
     for (unsigned i = 0; i < c->count; i++) {

@@ -131,7 +131,7 @@ static void describe(arena *a, compiler *c) {
     while (stem > 0 && (isdigit((unsigned char)base[stem - 1]) || strchr("-.", base[stem - 1])))
         stem--;
     c->is_cxx = stem >= 2 && base[stem - 1] == '+' && base[stem - 2] == '+';
-    c->is_foreign = is_for_another_machine(base);
+    c->is_cross = is_for_another_machine(base);
     if (strcmp(base, "c89") == 0)
         c->standard = "-std=c89";
     else if (strcmp(base, "c99") == 0)

@@ -13,7 +13,7 @@ typedef struct compiler {
     unsigned taken;  /**< the number of given words that name the compiler (launcher form) */
     bool is_clang;
     bool is_cxx;          /**< treats a C file as C++ */
-    bool is_foreign;      /**< compiles for another machine */
+    bool is_cross;        /**< compiles for another machine */
     const char *standard; /**< -std= implied by the name (c99); NULL: none */
     bool found;           /**< false: only this program itself has the name */
 } compiler;

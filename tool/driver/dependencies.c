@@ -100,19 +100,6 @@ bool dependencies_equal(arena *a, const word_list *original, const char *path,
     return true;
 }
 
-static bool is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_';
-}
-
-static bool mentions(const char *text, size_t length, const char *word) {
-    size_t word_length = strlen(word);
-    const char *end = text + length;
-    for (const char *at = text; (at = memmem(at, (size_t)(end - at), word, word_length)); at++)
-        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[word_length]))
-            return true;
-    return false;
-}
-
 /* This header of glibc's <math.h> tests _OPENMP only to choose between two equivalent spellings. */
 static const char indifferent_header[] = "/bits/math-vector.h";
 
@@ -122,7 +109,7 @@ bool dependencies_mention(arena *a, const word_list *files, const char *word) {
         if (source_ends_with(files->items[i], indifferent_header))
             continue;
         const char *text = file_read(a, files->items[i], &length);
-        if (!text || mentions(text, length, word))
+        if (!text || source_has_word(text, length, word))
             return true;
     }
     return false;

@@ -82,10 +82,6 @@ static const char *const sensitive_for_gcc[] = {
 /* The gcc version that clang claims, and the versions of gcc 5 and later. */
 enum { CLANG_MAJOR = 4, CLANG_MINOR = 2, FIRST_MAJOR = 5, LAST_MAJOR = 40, LAST_MINOR = 9 };
 
-static bool is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_';
-}
-
 static bool is_in(const char *word, const char *const *list, size_t count) {
     for (size_t i = 0; i < count; i++)
         if (strcmp(word, list[i]) == 0)
@@ -172,9 +168,9 @@ static bool is_harmless(const char *line, const char *word) {
 const char *identity_asked(arena *a, const char *text, bool is_clang) {
     for (const char *at = strstr(text, "__"); at && *at; at = strstr(at, "__")) {
         size_t length = 0;
-        while (is_word_byte(at[length]))
+        while (source_is_word_byte(at[length]))
             length++;
-        if (at > text && is_word_byte(at[-1])) {
+        if (at > text && source_is_word_byte(at[-1])) {
             at += length;
             continue;
         }

@@ -4,9 +4,7 @@
 #include <ctype.h>
 #include <string.h>
 
-static bool is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_';
-}
+#include "support/source.h"
 
 static bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
@@ -38,14 +36,6 @@ static const char *without_splices(arena *a, const char *text, size_t length) {
     }
     *to = 0;
     return joined;
-}
-
-static bool has_word(const char *text, const char *word) {
-    const size_t length = strlen(word);
-    for (const char *at = text; (at = strstr(at, word)); at += length)
-        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[length]))
-            return true;
-    return false;
 }
 
 static const char *skip_blanks(const char *at) {
@@ -87,7 +77,7 @@ static bool is_directive(const char *text, const char *at) {
 static bool add_macro(arena *a, const char *at, include_names *names) {
     size_t length = 0;
     bool has_capital = false;
-    for (; is_word_byte(at[length]); length++)
+    for (; source_is_word_byte(at[length]); length++)
         has_capital |= at[length] >= 'A' && at[length] <= 'Z';
     if (at[length] == '$' || at[length] == '\\' || (unsigned char)at[length] >= 0x80)
         return false;
@@ -135,19 +125,20 @@ const char *include_names_find(arena *a, const char *text, size_t length, includ
     text = without_splices(a, text, length);
     names->text = text;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
-        if (has_word(text, times[i]))
+        if (source_has_word(text, strlen(text), times[i]))
             return "it names the time";
-    if (has_word(text, "embed") || has_word(text, "__has_embed"))
+    if (source_has_word(text, strlen(text), "embed") ||
+        source_has_word(text, strlen(text), "__has_embed"))
         return "it may embed a file";
     for (size_t i = 0; i < sizeof stems / sizeof *stems; i++)
         for (const char *at = text; (at = strstr(at, stems[i]));) {
             const char *word = at;
-            while (word > text && is_word_byte(word[-1]))
+            while (word > text && source_is_word_byte(word[-1]))
                 word--;
-            while (is_word_byte(*at))
+            while (source_is_word_byte(*at))
                 at++;
             if (!add_of_word(a, text, word, (size_t)(at - word), names))
-                return "a macro makes the name of a header";
+                return "a macro may make the name of a header";
         }
     return NULL;
 }
@@ -159,7 +150,7 @@ static bool is_only_tested(const char *text, const char *at) {
     while (at > text && (is_blank(at[-1]) || at[-1] == '('))
         at--;
     const char *end = at;
-    while (at > text && is_word_byte(at[-1]))
+    while (at > text && source_is_word_byte(at[-1]))
         at--;
     for (size_t i = 0; i < sizeof askers / sizeof *askers; i++)
         if (is(at, (size_t)(end - at), askers[i]))
@@ -170,7 +161,7 @@ static bool is_only_tested(const char *text, const char *at) {
 bool include_names_may_define(const char *text, const char *macro) {
     const size_t length = strlen(macro);
     for (const char *at = text; (at = strstr(at, macro)); at += length)
-        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[length]) &&
+        if ((at == text || !source_is_word_byte(at[-1])) && !source_is_word_byte(at[length]) &&
             !is_only_tested(text, at))
             return true;
     return false;

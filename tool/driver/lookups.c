@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A record is a list of folders, and each: path, what it was; the number of names that were missing
- * in it, and each; the number of files that were found in it, and each: name, what it was. Numbers
- * are of 64 bits; texts end with a zero byte.
+ * A record lists folders. For each it has the path and what the folder was; the number of names
+ * that were missing in it, and these names; the number of files that were found in it, and for each
+ * its name and what it was. Numbers have 64 bits; texts end with a zero byte.
  */
 #include "driver/lookups.h"
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which files a search has found, and which it has not: to know later, without reading a file, that
- * it would find the same again. A file that is there counts as the same if its device, inode, size
- * and both times are; one that is not there counts as missing while its folder has not changed.
- * What changed shortly before the search began may change again without a new time: such files
- * spoil the record. Not thread-safe.
+ * Records which files a search found, and which it did not find, to decide later, without reading a
+ * file, whether it would find the same again. A file counts as unchanged if its device, inode, size
+ * and both times are the same. A missing file counts as still missing while its folder is
+ * unchanged. A file that changed shortly before the search began may change again without a new
+ * time, so it makes the record invalid. Not thread-safe.
  */
 #ifndef DRIVER_LOOKUPS_H
 #define DRIVER_LOOKUPS_H
@@ -19,7 +19,7 @@ typedef struct lookups lookups;
 /** Begins a search. */
 lookups *lookups_new(arena *a);
 
-/** `path` was looked for: `about` of what was found; NULL: nothing. */
+/** The search has tried `path`, and found a file with this status (stat); NULL: it found none. */
 void lookups_note(lookups *l, const char *path, const struct stat *about);
 
 /** The search depends on something that is not recorded. */

@@ -59,7 +59,7 @@ project *project_around(arena *a, const char *path);
 const char *project_definer(const project *p, const char *name, const char *header);
 
 /** A digest of everything on which queries about the source's functions depend: all bytes of the
- * files that define their callees, directly or not, and which of them loops call. */
+ * files that define their direct and indirect callees, and which of the functions loops call. */
 digest project_digest(const project *p);
 
 /** Does a function with a loop, in another file than the source itself, call this function,

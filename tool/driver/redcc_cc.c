@@ -153,7 +153,7 @@ static const char *general_obstacle(const session *s) {
                             is_for_coverage(obstacle) ? "coverage counts the source's own lines"
                                                       : "an option that redcc cannot follow",
                             obstacle);
-    if (s->real.is_foreign)
+    if (s->real.is_cross)
         return "the compiler is for another machine";
     if (would_write_over_input(&s->command))
         return "the output is one of the inputs";

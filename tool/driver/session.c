@@ -148,8 +148,8 @@ static void name_fallbacks(const session *s) {
                      s->fallbacks.items[i]);
     for (unsigned i = 0; i < s->unlinked.count; i++)
         session_warn(s,
-                     "%s: the program does not link with its translated loops, and does with the "
-                     "source itself, which was used",
+                     "%s: the program does not link with its translated loops; the source itself "
+                     "was used",
                      s->unlinked.items[i]);
 }
 

@@ -58,8 +58,8 @@ void session_note(const session *s, const char *format, ...) __attribute__((form
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/** Reports, under -v and in the build's report, why an input is passed to the compiler unchanged,
- * as it should be. */
+/** Reports, under -v and in the build's report, why an input is passed to the compiler unchanged.
+ * Unlike session_leave_alone, this is never an error. */
 void session_pass_by(session *s, const char *file, const char *why);
 
 /** Reports, under -v and in the build's report, why a C source is compiled unchanged. With

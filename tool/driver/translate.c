@@ -60,7 +60,7 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, "--files=project");
     words_add_all(a, &words, &s->options);
     words_add(a, &words, "--in-process"); /* redcc starts no child: this process handles a crash */
-    /* "known": translate_for_compiler checks tests of the compiler's properties */
+    /* "known": if the source asks which compiler, translate_for_compiler follows */
     words_add(a, &words, s->real.is_clang ? "--compiler=clang" : "--compiler=known");
     if (t->predefined)
         words_add(a, &words, arena_format(a, "--predefined=%s", t->predefined));
@@ -203,9 +203,9 @@ static const char *precompiled_header(session *s, const translation *t) {
     return NULL;
 }
 
-/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? So
- * it is if the translation has no parallel loops, but only records of its functions: they would
- * describe functions compiled without these options. */
+/* Shall the source itself be compiled, with options such as -Ofast, although it was translated? It
+ * is if the translation has no parallel loops, but only records of its functions, because these
+ * would describe functions compiled without the options. */
 static bool keeps_liberty(session *s, const translation *t) {
     const char *text = session_liberty(s) && !s->show ? file_read(s->memory, t->text, NULL) : NULL;
     return text && !strstr(text, "REDCC_OVER(redcc__");
@@ -219,14 +219,14 @@ static const char *obstacle(session *s, translation *t) {
         return NULL;
     if (session_liberty(s) && s->command.links && s->command.meaning & OPTION_AUXILIARY)
         return arena_format(s->memory,
-                            "it is linked in the same call, which needs %s, and would be compiled "
-                            "without it",
+                            "the same call links it with %s, but a translated text must be "
+                            "compiled without that option",
                             session_liberty(s));
     if (strchr(t->text, '=')) /* compilers split a prefix map at it */
         return "its name, or that of the temporary folder, holds a '='";
     const char *precompiled = precompiled_header(s, t);
     if (precompiled)
-        return arena_format(s->memory, "a precompiled header, %s, is for other options",
+        return arena_format(s->memory, "the precompiled header %s is for other options",
                             precompiled);
     return kept_answer_of(s, t, "a word that forbids it", sensitive_word);
 }

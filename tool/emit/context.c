@@ -162,7 +162,7 @@ void for_each_extra(loop_text *loop, const char *text,
             offer_stepped(&self, i);
         if (item->is_live_after)
             offer_last(&self, i);
-        if (item->is_last_sought)
+        if (item->is_conditional_live_out)
             offer_noted(&self, i);
     }
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
@@ -242,7 +242,7 @@ void take_context(loop_text *loop, writer *out) {
                         passed_declaration(loop, loop->unit->variables[i]),
                         member_name(loop, loop->unit->variables[i]));
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++)
-        if (loop->facts->variables.privates[i].is_last_sought) {
+        if (loop->facts->variables.privates[i].is_conditional_live_out) {
             const ir_type *type = loop->facts->variables.privates[i].variable->type;
             writer_line(out, "redcc_int redcc__of_thread_when_%u = -1;", i);
             writer_line(out, "%s = 0;",

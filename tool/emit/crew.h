@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** `omp for`: all threads of the team come to the loop, one executes it without its directive, and
+/** `omp for`: all threads of the team reach the loop, one executes it without its directive, and
  *  the others work for it (redcc/crew.h). */
 #ifndef EMIT_CREW_H
 #define EMIT_CREW_H

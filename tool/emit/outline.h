@@ -5,8 +5,8 @@
 
 #include "emit/base/loop.h"
 
-/** Slice, body and member function, to be inserted at *place. NULL: they cannot be written
- *  (loop->obstacle). */
+/** Slice, body and the function that each thread calls, to be inserted at *place. NULL: they cannot
+ *  be written (loop->obstacle). */
 const char *write_outlined(loop_text *loop, uint32_t *place);
 
 #endif

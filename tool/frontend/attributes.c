@@ -1,28 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Attributes, of functions mostly: pure, const, noreturn, weak; alias, may_alias. */
-#include <ctype.h>
 #include <string.h>
 
 #include "frontend/convert.h"
 #include "support/attributes.h"
+#include "support/source.h"
 
 static enum CXChildVisitResult find_unexposed(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
     bool *is_found = data;
     *is_found = clang_getCursorKind(child) == CXCursor_UnexposedAttr;
     return *is_found ? CXChildVisit_Break : CXChildVisit_Continue;
-}
-
-static bool is_word_byte(char byte) {
-    return isalnum((unsigned char)byte) || byte == '_';
-}
-
-static bool has_word(const char *text, const char *word) {
-    const size_t length = strlen(word);
-    for (const char *at = strstr(text, word); at != NULL; at = strstr(at + 1, word))
-        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[length]))
-            return true;
-    return false;
 }
 
 /* Does the declaration have an attribute of one of these names? clang has no separate cursors for
@@ -40,7 +28,7 @@ static bool has_attribute(CXCursor declaration, const char *const *words, unsign
     const char *text = clang_getCString(print);
     bool is_found = text == NULL;
     for (unsigned i = 0; i < count && !is_found; i++)
-        is_found = has_word(text, words[i]);
+        is_found = source_has_word(text, strlen(text), words[i]);
     clang_disposeString(print);
     clang_PrintingPolicy_dispose(policy);
     return is_found;
@@ -86,7 +74,7 @@ static bool is_harmless(CXCursor attribute) {
         return false; /* pasted from pieces */
     CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
     const char *text = clang_getFileContents(unit, file, &size);
-    while (text != NULL && offset + length < size && is_word_byte(text[offset + length]))
+    while (text != NULL && offset + length < size && source_is_word_byte(text[offset + length]))
         length++;
     return text != NULL && attribute_is_harmless(text + offset, length);
 }
@@ -175,7 +163,7 @@ static void mark_names_after(converter *c, const char *text, const char *word,
         at += strlen(word);
         while (is_pragma && *at != 0 && *at != '\n') {
             size_t length = 0;
-            while (is_word_byte(at[length]))
+            while (source_is_word_byte(at[length]))
                 length++;
             if (length > 0)
                 mark(c, at, length);

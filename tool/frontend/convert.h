@@ -165,11 +165,11 @@ void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word and unseen_word, names_optimize, names_target, names_counter. */
 void find_compiler_words(converter *c);
 
-/** Is the function's body in a header of the program's, used, and may it have a loop? */
+/** Is the function's body in one of the program's own headers, used, and may it have a loop? */
 bool is_wanted_of_header(converter *c, CXCursor definition);
 /** Adds a loop that is in such a header to the unit's header_loops. */
 void note_header_loop(converter *c, const ir_node *loop, CXCursor cursor);
-/** Adds an #include directive to the inclusions if it names a header of the program's. */
+/** Adds an #include directive to the inclusions if it names one of the program's own headers. */
 void note_inclusion(converter *c, CXCursor directive);
 /** Sets the unit's header_pragmas. */
 void find_header_pragmas(converter *c);
@@ -199,8 +199,8 @@ void finish_references(converter *c);
 /** Expressions and statements among the cursor's children; no references, types or attributes.
  *  The list lives in the scratch arena. */
 cursor_list children_of(converter *c, CXCursor cursor);
-/** Counts a level of nesting, which the caller uncounts in c->depth. False: too deep; nothing is
- *  counted, and *result is an opaque node. */
+/** Enters a level of nesting: increments c->depth, which the caller decrements. False: too deep;
+ *  c->depth is unchanged, and *result is an opaque node. */
 bool enter_level(converter *c, CXCursor cursor, ir_node **result);
 
 ir_node *convert_expression(converter *c, CXCursor cursor);

@@ -72,7 +72,7 @@ static void skip_quoted(scanner *s) {
     skip_to(s, close);
 }
 
-/* Bytes that may begin a piece or a directive. */
+/* May the byte begin a piece or a directive? */
 static bool may_begin_piece(char c) {
     return c == '/' || c == '\\' || c == '?' || c == '"' || c == '\'' || c == '#' || c == '%';
 }
@@ -181,14 +181,9 @@ static void read_pragma_operator(scanner *s) {
     add(s, IR_DIRECTIVE_PRAGMA, from);
 }
 
-static bool is_word_byte(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '$' || (unsigned char)c >= 128;
-}
-
 static void read_word(scanner *s) {
     const char *word = s->at;
-    while (s->at < s->end && is_word_byte(*s->at))
+    while (s->at < s->end && source_is_name_byte(*s->at))
         s->at++;
     if (s->at - word == 7 && strncmp(word, "_Pragma", 7) == 0) {
         s->at = word;
@@ -210,7 +205,7 @@ static void scan(scanner *s) {
             s->at++;
         } else if (is_blank(*s->at)) {
             s->at++;
-        } else if (is_word_byte(*s->at)) {
+        } else if (source_is_name_byte(*s->at)) {
             s->is_line_begin = false;
             read_word(s);
         } else if (starts_with(s, "/*") || splice_length(s->at, s->end) > 0) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Source text to IR, by libclang. The only room that uses libclang. */
+/** Source text to IR, by libclang. No other folder uses libclang. */
 #ifndef FRONTEND_FRONTEND_H
 #define FRONTEND_FRONTEND_H
 

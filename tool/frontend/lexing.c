@@ -86,24 +86,14 @@ static bool splits_mark(const char *text, const char *splice, const char *end) {
            (before == '*' && behind == '/') || (before == '%' && behind == ':') || before == '?';
 }
 
-static bool has_word(const char *text, size_t length, const char *word) {
-    const char *end = text + length;
-    const size_t size = strlen(word);
-    for (const char *at = text; (at = memmem(at, (size_t)(end - at), word, size)); at += size)
-        if ((at == text || !source_is_name_byte(at[-1])) &&
-            (at + size == end || !source_is_name_byte(at[size])))
-            return true;
-    return false;
-}
-
 /* Does the text have pieces from which a macro may paste _Pragma: its first letters, or `_` and the
  * rest? */
 static bool has_pieces_of_pragma(const char *text, size_t length) {
     static const char *const firsts[] = {"_P", "_Pr", "_Pra", "_Prag", "_Pragm"};
     for (size_t i = 0; i < sizeof firsts / sizeof *firsts; i++)
-        if (has_word(text, length, firsts[i]))
+        if (source_has_name(text, length, firsts[i]))
             return true;
-    return has_word(text, length, "_") && has_word(text, length, "Pragma");
+    return source_has_name(text, length, "_") && source_has_name(text, length, "Pragma");
 }
 
 bool lexing_has_digit_separator(const char *text, size_t length) {
@@ -126,7 +116,7 @@ const char *lexing_in_doubt(const char *text, size_t length) {
     /* directives of C23: compilers of an older language may ignore or obey them */
     static const char *const conditions[] = {"elifdef", "elifndef"};
     for (size_t i = 0; i < sizeof conditions / sizeof *conditions; i++)
-        if (has_word(text, length, conditions[i]))
+        if (source_has_name(text, length, conditions[i]))
             return conditions[i];
     for (const char *at = text; (at = memchr(at, '"', (size_t)(end - at))); at++)
         if (begins_raw_string(text, at, end))

@@ -9,7 +9,7 @@ static bool has_members(enum CXCursorKind kind) {
     return kind == CXCursor_StructDecl || kind == CXCursor_UnionDecl || kind == CXCursor_EnumDecl;
 }
 
-/* `int name(void)` of another unit, or for others. */
+/* Does it declare `int name(void)`, not static? */
 static bool is_query(CXCursor declaration) {
     const CXType type = clang_getCursorType(declaration);
     const bool takes_nothing =

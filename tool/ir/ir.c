@@ -10,6 +10,32 @@ bool ir_is_expression(const ir_node *node) {
     return node->kind < IR_OPAQUE;
 }
 
+bool ir_is_access(const ir_node *node) {
+    return node->kind == IR_INDEX || node->kind == IR_MEMBER ||
+           (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
+}
+
+bool ir_reads_memory(const ir_node *node) {
+    return ir_is_access(node) && node->type && !ir_is_array(node);
+}
+
+bool ir_is_address_of(const ir_node *node) {
+    return node->kind == IR_UNARY && node->op == IR_OP_ADDRESS;
+}
+
+ir_function *ir_called_function(const ir_node *call) {
+    assert(call->kind == IR_CALL);
+    return call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
+}
+
+bool ir_is_array(const ir_node *node) {
+    return node->type && node->type->kind == IR_ARRAY;
+}
+
+bool ir_is_pointer(const ir_node *node) {
+    return node->type && node->type->kind == IR_POINTER;
+}
+
 bool ir_is_loop(const ir_node *node) {
     return node->kind == IR_FOR || node->kind == IR_WHILE || node->kind == IR_DO;
 }
@@ -42,6 +68,15 @@ bool ir_may_be_entered(const ir_node *node) {
            ir_has_kind(node, IR_DEFAULT);
 }
 
+bool ir_holds_case(const ir_node *node) {
+    if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
+        return true;
+    for (unsigned i = 0; node->kind != IR_SWITCH && i < node->child_count; i++)
+        if (ir_holds_case(node->children[i]))
+            return true;
+    return false;
+}
+
 bool ir_is_increment(const ir_node *node) {
     return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
            node->op <= IR_OP_POST_DECREMENT;
@@ -54,6 +89,11 @@ bool ir_continues(const ir_node *node) {
         if (ir_continues(node->children[i]))
             return true;
     return false;
+}
+
+bool ir_is_jump(const ir_node *node) {
+    return node->kind == IR_BREAK || node->kind == IR_CONTINUE || node->kind == IR_GOTO ||
+           node->kind == IR_RETURN;
 }
 
 static bool leaves_loop(const ir_node *node, bool by_break) {

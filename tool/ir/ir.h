@@ -109,6 +109,8 @@ struct ir_type {
  *  size. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
+/** Real or complex; false for NULL. */
+bool ir_type_is_floating(const ir_type *type);
 /** An integer type whose overflow is undefined behaviour: signed, at least int, without -fwrapv.
  *  False for NULL. */
 bool ir_type_never_wraps(const ir_type *type);
@@ -340,11 +342,11 @@ typedef struct ir_dialect {
                                   * compilation. NULL: none */
 } ir_dialect;
 
-/** An #include directive of a header of the program's. */
+/** An #include directive that names one of the program's own headers. */
 typedef struct ir_inclusion {
     const char *file; /* as it was found */
     bool is_in_main_file;
-    uint32_t offset; /* in the main file: of a byte of the directive's line */
+    uint32_t offset; /* that of a byte of the directive's line in the main file */
 } ir_inclusion;
 
 /** Properties of the text of the file and its headers, in addition to the tree. Not in the text
@@ -377,8 +379,8 @@ typedef struct ir_text {
                        * NULL: none */
     map *inner_names; /* each name that a function's body declares as an enumerator, type or tag ->
                        * not NULL. NULL: none */
-    map *header_loops; /* each loop whose text is in a header of the program's (a pointer to its
-                        * node) -> its ir_position. NULL: none */
+    map *header_loops; /* each loop whose text is in one of the program's own headers (a pointer to
+                          its node) -> its ir_position. NULL: none */
     unsigned inclusion_count; /* in order; a header that is included twice occurs twice */
     const ir_inclusion *inclusions;
 } ir_text;
@@ -399,7 +401,7 @@ typedef struct ir_unit {
                                * their offsets; in any order at equal offsets. Not in the text
                                * form */
     const ir_reference *references;
-    unsigned typed_place_count; /* those in the same bodies, likewise */
+    unsigned typed_place_count; /* the typed places in the same bodies, in the same order */
     const ir_typed_place *typed_places;
 } ir_unit;
 
@@ -414,8 +416,21 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
     return index < node->child_count ? node->children[index] : NULL;
 }
 bool ir_is_expression(const ir_node *node);
+/** An element, a member or what a pointer points to: a[i], s.m, p->m, *p. */
+bool ir_is_access(const ir_node *node);
+/** Is it such an expression, and its value read? Of an array only the address is computed. */
+bool ir_reads_memory(const ir_node *node);
+/** Is it &operand? */
+bool ir_is_address_of(const ir_node *node);
+/** The function that a call names; NULL: it calls through a pointer. */
+ir_function *ir_called_function(const ir_node *call);
+/** Is it an expression of array, or of pointer type? */
+bool ir_is_array(const ir_node *node);
+bool ir_is_pointer(const ir_node *node);
 /** The loop kinds: IR_FOR, IR_WHILE, IR_DO. */
 bool ir_is_loop(const ir_node *node);
+/** break, continue, goto, return. */
+bool ir_is_jump(const ir_node *node);
 /** The statement that a loop repeats. */
 const ir_node *ir_loop_body(const ir_node *loop);
 /** Is the answer yes for `node` or for a node below it? */
@@ -425,6 +440,8 @@ bool ir_any(const ir_node *node, ir_question question);
 bool ir_has_kind(const ir_node *node, ir_kind kind);
 /** Does it contain a label, `case` or `default`, by which a jump may enter it? */
 bool ir_may_be_entered(const ir_node *node);
+/** Does it contain a `case` or `default` of a switch around it? */
+bool ir_holds_case(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
 /** Does the body contain a `continue` of its own loop? */

@@ -144,8 +144,7 @@ static bool is_defined_before(const ir_function *function, const ir_function *ca
 
 /* The address in the caller's terms; the call itself if it does not call an accessor. */
 static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *call) {
-    const ir_node *callee = call->children[0];
-    ir_function *function = callee->kind == IR_FUNCTION ? callee->function : NULL;
+    ir_function *function = ir_called_function(call);
     const ir_node *place = function ? returned_place(a, function) : NULL;
     if (!place || !is_defined_before(function, caller) || !can_be_put_in(call, function) ||
         hides_names(a->unit, caller, place))
@@ -158,7 +157,7 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     return copy;
 }
 
-/* Of an address that was put in: *&x becomes x, (&x)->m becomes x.m. */
+/* Simplifies an address that replaces a call: *&x becomes x, (&x)->m becomes x.m. */
 static void simplify_address(ir_node *node) {
     ir_node *object = node->children[0]->children[0];
     if (node->kind == IR_MEMBER) {

@@ -52,10 +52,6 @@ static void note_records(adoption *d) {
     }
 }
 
-static bool same_text(const char *a, const char *b) {
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth);
 
 /* Compares types of two parses: records by their names and, to the given depth, by their
@@ -74,12 +70,12 @@ static bool types_alike(const ir_type *a, const ir_type *b, unsigned depth) {
         return a == b;
     if (a->kind != IR_RECORD)
         return ir_type_equal(a, b);
-    return is_pointee ? same_text(a->record->spelling, b->record->spelling)
+    return is_pointee ? source_same_text(a->record->spelling, b->record->spelling)
                       : records_alike(a->record, b->record, depth + 1);
 }
 
 static bool records_alike(const ir_record *a, const ir_record *b, unsigned depth) {
-    if (depth > 8 || !same_text(a->spelling, b->spelling) || a->is_union != b->is_union ||
+    if (depth > 8 || !source_same_text(a->spelling, b->spelling) || a->is_union != b->is_union ||
         a->size != b->size || a->alignment != b->alignment || a->field_count != b->field_count ||
         a->is_complete != b->is_complete)
         return false;

@@ -9,10 +9,6 @@
 
 #include "ir/ir_words.h"
 
-static bool same_text(const char *a, const char *b) {
-    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
-}
-
 bool ir_type_identical(const ir_type *a, const ir_type *b) {
     if (a == b)
         return true;
@@ -22,7 +18,7 @@ bool ir_type_identical(const ir_type *a, const ir_type *b) {
            a->is_character == b->is_character && a->is_const == b->is_const &&
            a->is_volatile == b->is_volatile && a->is_restrict == b->is_restrict &&
            a->is_atomic == b->is_atomic && a->size == b->size && a->count == b->count &&
-           a->record == b->record && same_text(a->spelling, b->spelling) &&
+           a->record == b->record && source_same_text(a->spelling, b->spelling) &&
            ir_type_identical(a->target, b->target);
 }
 

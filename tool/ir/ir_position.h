@@ -14,7 +14,7 @@ typedef struct ir_position {
 /** The file's name is in the unit's arena, or the source's. */
 ir_position ir_position_of(const ir_unit *unit, uint32_t offset);
 
-/** Where the loop is in a header of the program's; NULL: it is in the file itself. */
+/** The loop's position in one of the program's own headers; NULL: it is in the file itself. */
 const ir_position *ir_position_in_header(const ir_unit *unit, const ir_node *loop);
 
 #endif

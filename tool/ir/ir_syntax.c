@@ -41,10 +41,6 @@ static const ir_node *pointer_of_first(const ir_node *node) {
                : NULL;
 }
 
-static bool same_text(const char *left, const char *right) {
-    return left == right || (left && right && strcmp(left, right) == 0);
-}
-
 bool syntax_same(const ir_node *left, const ir_node *right) {
     if (!left || !right)
         return left == right;
@@ -67,13 +63,13 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
     case IR_NUMBER:
         if ((left->flags & IR_HAS_VALUE) && (right->flags & IR_HAS_VALUE))
             return left->value == right->value && ir_type_equal(left->type, right->type);
-        return same_text(left->text, right->text);
+        return source_same_text(left->text, right->text);
     case IR_SIZEOF: /* its text may denote another type elsewhere */
         if (!(left->flags & IR_HAS_VALUE) || !(right->flags & IR_HAS_VALUE))
             return false;
         return left->value == right->value && ir_type_equal(left->type, right->type);
     case IR_STRING:
-        return same_text(left->text, right->text);
+        return source_same_text(left->text, right->text);
     case IR_CAST:
         if (!ir_type_equal(left->type, right->type))
             return false;

@@ -49,6 +49,10 @@ bool ir_type_is_variably_modified(const ir_type *type) {
     return false;
 }
 
+bool ir_type_is_floating(const ir_type *type) {
+    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
+}
+
 bool ir_type_is_scalar(const ir_type *type) {
     switch (type->kind) {
     case IR_BOOLEAN:

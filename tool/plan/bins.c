@@ -8,7 +8,7 @@
 #include "ir/ir_syntax.h"
 #include "plan/bins_parts.h"
 #include "plan/lookup.h"
-#include "plan/unverified.h"
+#include "plan/unverified_uses.h"
 
 enum { MOST_TAGS = 16, MOST_SOURCES = 32 };
 

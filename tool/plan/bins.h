@@ -11,10 +11,10 @@
  * The form is declined if an update cannot be split in this way.
  *
  * The body executes before its reads are compared with its writes. If it may fail then
- * (unverified.h), or keeps series of operands, the inspector first records all reads and touches,
- * each thread those of an equal share, and the overlap guard compares them, as for a plan. No
- * iteration then reads what another one writes, so that each has the sequential loop's values,
- * whenever and however often it executes.
+ * (unverified_uses.h), or keeps series of operands, the inspector first records all reads and
+ * updated rows; each thread records those of an equal share of the iterations. The overlap guard
+ * compares them, as for a plan. No iteration then reads what another one writes, so that each has
+ * the sequential loop's values, whenever and however often it executes.
  *
  * Nothing is stored before the guard, so that an address which depends on no variable of the
  * iteration is the same in all of them: the first iteration of a chunk records such reads.

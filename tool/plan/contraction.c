@@ -34,7 +34,7 @@ static void note_operation(reach *r, const ir_node *node) {
                               : node->type;
     if (!is_arithmetic_of_other_kind(type))
         return;
-    const bool is_complex = !type || type->kind != IR_FLOATING; /* its product adds as well */
+    const bool is_complex = !type || type->kind != IR_FLOATING; /* a complex product adds as well */
     const bool is_product = node->op == IR_OP_MULTIPLY || (is_complex && node->op == IR_OP_DIVIDE);
     r->multiplies |= is_product;
     r->adds |= node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT || (is_product && is_complex) ||

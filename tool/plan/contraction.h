@@ -9,7 +9,7 @@
 
 typedef enum contraction {
     CONTRACTION_ALLOWED,
-    CONTRACTION_OFF_IN_LOOPS, /* and in the functions around them, if compilers need that */
+    CONTRACTION_OFF_IN_LOOPS, /* and in the functions around the loops, if compilers need that */
     CONTRACTION_OFF_IN_FILE
 } contraction;
 

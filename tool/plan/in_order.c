@@ -49,7 +49,8 @@ bool has_values_from_before(const loop_facts *facts) {
  *  loop's first iteration? */
 static bool counts_iterations(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped || facts->variables.privates[i].is_last_sought)
+        if (facts->variables.privates[i].is_stepped ||
+            facts->variables.privates[i].is_conditional_live_out)
             return true;
     return facts->scalar_count > 0 || facts->variables.own_count > 0 || facts->distribution;
 }

@@ -47,7 +47,7 @@ static const private_variable *private_of(const loop_facts *facts, const ir_vari
 /** Is the variable private to an iteration of the outer loop, and not live-out? */
 static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
     const private_variable *it = private_of(t->facts, variable);
-    return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
+    return it && !it->is_live_after && !it->is_conditional_live_out && !it->is_stepped &&
            !variable->address_taken;
 }
 
@@ -338,7 +338,7 @@ static bool is_executed_once(const inner_rest *t) {
 
 static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
-/** flows_into_updates for the subscripts of p[c][d], where the element itself is the sum. */
+/** As flows_into_updates, but only for the subscripts of a sum like p[c][d]. */
 static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))
@@ -386,11 +386,11 @@ static bool has_number(const reduction_update *update) {
 
 static const char *why_not(inner_rest *t) {
     if (t->block->kind != IR_BLOCK || !find_rows(t))
-        return "the rows that it updates cannot be named before its work";
+        return "the rows that an inner iteration updates are not known before its work";
     if (!may_be_left_out(t))
         return "the rest of an inner iteration is short, or has effects other than updates";
     if (!sums_flow_into_updates(t))
-        return "a sum that it adds to is read other than by an update";
+        return "a sum that an inner iteration adds to is read other than by an update";
     for (unsigned i = 0; i < t->row_count; i++)
         if (!has_number(t->rows[i].update))
             return "the address of a row cannot be computed as a number";

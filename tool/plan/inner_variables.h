@@ -6,9 +6,9 @@
 
 #include "ir/ir.h"
 
-/** Is the variable's value dead at the end of each iteration of `inner`? So it is if each read in
- *  `body`, the body of the outer loop, is preceded by a statement that sets the variable, with no
- *  iteration of `inner` ending in between. Requires that the variable's address is never taken. */
+/** Is the variable's value dead at the end of each iteration of `inner`? It is if a statement that
+ *  sets the variable precedes each read in `body`, the body of the outer loop, and no iteration of
+ *  `inner` ends in between. Requires that the variable's address is never taken. */
 bool inner_value_is_dead(const ir_node *body, const ir_node *inner, const ir_variable *variable);
 
 /** Does executing this statement always give the variable a value? */

@@ -42,9 +42,7 @@ const char *lane_known_call(const ir_function *callee) {
 }
 
 bool lane_may_call(const ir_unit *unit, const ir_node *call) {
-    assert(call->kind == IR_CALL);
-    const ir_function *callee =
-        call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
+    const ir_function *callee = ir_called_function(call);
     const bool has_integer = callee && (strncmp(callee->name, "ldexp", 5) == 0 ||
                                         strncmp(callee->name, "scalb", 5) == 0);
     return callee && callee->is_from_system && !has_integer && library_find(unit, callee) &&

@@ -121,7 +121,7 @@ unsigned series_of(const loop_facts *facts, unsigned number) {
 
 bool has_conditional_live_outs(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_last_sought)
+        if (facts->variables.privates[i].is_conditional_live_out)
             return true;
     return false;
 }
@@ -144,7 +144,7 @@ int conditional_live_out_of(const loop_facts *facts, const ir_node *statement) {
             ? ir_child(assignment, 0)
             : NULL;
     for (unsigned i = 0; target && i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_last_sought && target->kind == IR_VARIABLE &&
+        if (facts->variables.privates[i].is_conditional_live_out && target->kind == IR_VARIABLE &&
             target->variable == facts->variables.privates[i].variable)
             return (int)i;
     return -1;

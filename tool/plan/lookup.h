@@ -33,7 +33,8 @@ bool is_captured(const loop_facts *facts, const ir_variable *variable);
 bool is_copied_in(const ir_variable *variable);
 /** Is the counter declared outside of the loop, and live-out? */
 bool counter_outlives(const loop_facts *facts);
-/** Are there live-out private variables that each iteration assigns; that only some assign? */
+/** Are there live-out private variables that each iteration assigns? Are there any that only some
+ * iterations assign? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
 /** Does the loop have live-out variables, assigned or stepped? */

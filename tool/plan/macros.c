@@ -87,17 +87,6 @@ const char *macro_name_in_head(const ir_unit *unit) {
     return NULL;
 }
 
-/** Does the text contain the word, as a whole? */
-static bool has_name(const source *s, const char *name) {
-    const size_t length = strlen(name);
-    const char *end = s->text + s->length;
-    for (const char *at = s->text; (at = strstr(at, name)) != NULL; at += length)
-        if ((at == s->text || !source_is_name_byte(at[-1])) &&
-            (at + length >= end || !source_is_name_byte(at[length])))
-            return true;
-    return false;
-}
-
 /** Does a variable or a function of the program have this name? */
 static bool is_own(const ir_unit *unit, const char *name) {
     for (unsigned i = 0; i < unit->variable_count; i++)
@@ -118,7 +107,8 @@ static const void *meaning_of(const map *names, const char *name) {
 /** Does the program, or one of its headers, declare this name of the runtime? */
 static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
     return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
-           is_own(unit, name) || (is_searched && has_name(unit->source, name));
+           is_own(unit, name) ||
+           (is_searched && source_has_name(unit->source->text, unit->source->length, name));
 }
 
 const char *taken_name(const ir_unit *unit) {

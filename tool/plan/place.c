@@ -83,7 +83,7 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
 
 /** Is there a pragma, other than redcc's, in bytes [begin, end)? It may apply to the
  *  text after it. */
-static bool has_foreign_pragma(const ir_unit *unit, uint32_t begin, uint32_t end) {
+static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
         if (d->range.end > begin && d->range.begin < end && d->kind == IR_DIRECTIVE_PRAGMA &&
@@ -109,8 +109,9 @@ static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) 
 static uint32_t place_of(const ir_unit *unit, const ir_function *function) {
     const token_ends before = tokens_before(unit, function->range.begin);
     if (before.last == before.declaration)
-        return has_foreign_pragma(unit, before.last, function->range.begin) ? UINT32_MAX
-                                                                            : function->range.begin;
+        return has_pragma_of_others(unit, before.last, function->range.begin)
+                   ? UINT32_MAX
+                   : function->range.begin;
     if (is_made_by_macro(unit, before.declaration, function->range.begin))
         return function->range.begin;
     return before.declaration == 0 ||

@@ -4,7 +4,7 @@
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
-#include "plan/unverified.h"
+#include "plan/unverified_uses.h"
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 
@@ -118,8 +118,9 @@ static void check_ahead(unverified_reads *s, const ir_node *node, bool as_addres
     }
 }
 
-/** May reads before the first iteration be harmed: keys, bases, rows known before the loop? Or
- * reads that an iteration logs before its first statement, perhaps long before the loop makes them?
+/** May reads before the first iteration fail because of unverified values: reads of keys, bases,
+ * rows known before the loop? Or reads that an iteration logs before its first statement, perhaps
+ * long before the loop makes them?
  */
 static bool harms_ahead(loop_plan *plan, const bool *is_suspect) {
     const loop_facts *facts = plan->facts;

@@ -27,11 +27,6 @@ typedef struct search {
 
 static void visit(search *s, const ir_node *node);
 
-static bool is_jump(const ir_node *node) {
-    return node->kind == IR_CONTINUE || node->kind == IR_BREAK || node->kind == IR_GOTO ||
-           node->kind == IR_RETURN;
-}
-
 /** The constant initial value of the loop variable; false if it is not constant. */
 static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
     const ir_node *first = NULL;
@@ -177,7 +172,7 @@ static void visit(search *s, const ir_node *node) {
     case IR_IF:
     case IR_SWITCH:
         visit(s, ir_child(node, 0));
-        s->may_have_left |= ir_any(node, is_jump);
+        s->may_have_left |= ir_any(node, ir_is_jump);
         return;
     case IR_FOR:
     case IR_WHILE:
@@ -208,7 +203,7 @@ static void visit(search *s, const ir_node *node) {
     default:
         for (unsigned i = 0; i < node->child_count; i++)
             visit(s, node->children[i]);
-        s->may_have_left |= is_jump(node);
+        s->may_have_left |= ir_is_jump(node);
         return;
     }
 }

@@ -154,7 +154,8 @@ static bool only_computes(const pairs *p, const ir_node *node) {
     return true;
 }
 
-/** only_computes for all statements before and after the inner loop, in the blocks around it. */
+/** Does only_computes hold for all statements before and after the inner loop, in the blocks around
+ * it? */
 static bool row_only_computes(const pairs *p) {
     for (const ir_node *node = p->span.loop; node != p->facts->counted.body; node = node->parent)
         for (unsigned i = 0; i < node->parent->child_count; i++)

@@ -3,17 +3,13 @@
 
 #include "analysis/base/counted.h"
 
-static bool is_jump(const ir_node *node) {
-    return node->kind == IR_BREAK || node->kind == IR_CONTINUE;
-}
-
 /** May the node skip the statements inside it? A loop over constants without jumps executes all its
  *  iterations. */
 static bool has_condition(const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
     if (ir_is_loop(node))
-        return !counted_constant(node, &counter, &first, &last) || ir_any(node, is_jump);
+        return !counted_constant(node, &counter, &first, &last) || ir_any(node, ir_is_jump);
     return node->kind == IR_IF || node->kind == IR_SWITCH;
 }
 

@@ -4,10 +4,7 @@
  * differ from those of the sequential loop: they are unverified. The body reads such values in
  * in-order binning, where it may be executed more than once, and the slice in an inspection.
  *
- * Why it is sound to compute with them: if reads and writes turn out to overlap, all results are
- * discarded and the sequential loop runs. Until that is known, the computation must not fail. So no
- * address, integer division or trip count of an inner loop may depend on an unverified value; nor
- * may an unverified value decide whether an expression is evaluated that may fail.
+ * Which code may compute with them: unverified_uses.h.
  *
  * Variables are marked, not values: a pass over the body marks each variable that may hold an
  * unverified value, until a pass marks nothing new.
@@ -34,12 +31,6 @@ typedef struct unverified_reads {
     VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
 } unverified_reads;
 
-/** The control flow into a node. */
-typedef struct control {
-    bool is_unverified; /* it depends on unverified values */
-    bool is_certain;    /* each iteration reaches the node */
-} control;
-
 /** By source: may it overlap the loop's writes, according to the analysis? */
 bool *guarded_sources(const loop_plan *plan);
 
@@ -50,20 +41,17 @@ bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect);
  *  sources are unverified. `in_slice`: only the slice is evaluated. */
 unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice);
 
-/** The control flow into the first statement of an iteration. */
-control unverified_in_iteration(const loop_plan *plan);
-/** The control flow into a part of a node; `first`: the part is evaluated whenever the node is. */
-control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first);
+/** The same for the body of the function that the call names. Its memory is unverified, and so are
+ *  the parameters whose arguments are. The call has an argument for each parameter. */
+unverified_reads unverified_begin_callee(const unverified_reads *s, const ir_node *call);
 
-/** Does the value of an expression depend on unverified values? Do they decide which parts of a
- *  statement are executed? */
+/** Does the value of an expression, or that of a part of it, depend on unverified values? Do they
+ *  decide which parts of a statement are executed? */
 bool unverified_value(const unverified_reads *s, const ir_node *node);
+bool unverified_part(const unverified_reads *s, const ir_node *node);
 bool unverified_condition(const unverified_reads *s, const ir_node *node);
 
-/** Sets is_harmful if evaluating the node with unverified values may be harmful. */
-void unverified_check(unverified_reads *s, const ir_node *node, control how);
-
-/** May the body be executed before its reads are compared with its writes? */
-bool is_harmless_when_unverified(const loop_plan *plan);
+/** May a value of the type be or contain an address? True for NULL. */
+bool may_hold_address(const ir_type *type);
 
 #endif

@@ -23,17 +23,13 @@ int64_t work_constant_trip(const ir_node *loop) {
     return trip <= MOST_WORK ? trip : 0;
 }
 
-static bool is_floating(const ir_type *type) {
-    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
-}
-
 static int64_t own_work(const ir_node *node) {
     const bool is_operation = node->kind == IR_BINARY || node->kind == IR_ASSIGN;
     if (node->kind == IR_CALL)
-        return is_floating(node->type) ? EXPENSIVE : 0;
+        return ir_type_is_floating(node->type) ? EXPENSIVE : 0;
     if (node->kind == IR_UNARY)
-        return node->op == IR_OP_MINUS && is_floating(node->type);
-    if (!is_operation || node->op == IR_OP_NONE || !is_floating(node->children[0]->type))
+        return node->op == IR_OP_MINUS && ir_type_is_floating(node->type);
+    if (!is_operation || node->op == IR_OP_NONE || !ir_type_is_floating(node->children[0]->type))
         return 0;
     return node->op == IR_OP_DIVIDE ? EXPENSIVE : 1;
 }

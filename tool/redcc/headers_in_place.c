@@ -126,7 +126,8 @@ static bool find_directive(const ir_unit *unit, uint32_t offset, ir_range *found
     return true;
 }
 
-/* A macro may tell how deep in inclusions it is. */
+/* Does the file, or a header, use the depth of inclusion? In place of its directive a header's text
+ * is one level higher. */
 static bool names_level(arena *a, const ir_unit *unit) {
     static const char word[] = "__INCLUDE_LEVEL__";
     bool is_found = strstr(unit->source->text, word) != NULL;
@@ -210,7 +211,8 @@ static void add_text(arena *a, buffer *out, const source *header) {
         buffer_byte(out, '\n');
 }
 
-/* As the compiler calls it in __FILE__: clang calls x.h ./x.h in the current folder. */
+/* The header's name as the compiler writes it in __FILE__: in the current folder clang writes ./x.h
+ * for x.h. */
 static const char *name_in_program(arena *a, const ir_unit *unit, const header_use *use,
                                    bool as_clang) {
     const bool is_here = !*path_folder(a, unit->source->path);

@@ -16,12 +16,12 @@ typedef struct header_use {
 
 typedef VECTOR(header_use) header_uses;
 
-/** The headers with refused loops (R518) that may stand in the source's text, in its order:
- * included once in all, directly, and with a text that means the same there. */
+/** The headers with refused loops (R518) whose text may replace their directives, in the source's
+ * order: included once in all, directly, and with a text that means the same there. */
 header_uses headers_that_fit(arena *a, const ir_unit *unit, const analysis_result *analysed);
 
-/** The source of `unit` with these of its headers in it. #line directives keep all places; with
- * as_clang headers have clang's names, else gcc's. */
+/** The source of `unit` with the text of these headers in place of their directives. #line
+ * directives keep all places; with as_clang headers have clang's names, else gcc's. */
 const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses *headers,
                                bool as_clang);
 
@@ -30,8 +30,8 @@ const source *headers_in_place(arena *a, const ir_unit *unit, const header_uses 
 bool header_is_used(const ir_unit *unit, const analysis_result *analysed, const reason *obstacles,
                     const char *header);
 
-/** The verdicts `found` of `unit`; of loops in headers that the source in_place has in its text,
- * with the reasons `known` from there. */
+/** The verdicts `found` of `unit`. A loop of a header whose text the source in_place contains was
+ * analysed there: it gets its reason from the verdicts `known` of in_place. */
 analysis_result with_reasons_in_place(arena *a, const ir_unit *unit, const analysis_result *found,
                                       const ir_unit *in_place, const analysis_result *known);
 

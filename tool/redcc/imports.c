@@ -5,6 +5,7 @@
 
 #include "analysis/memory/exported.h"
 #include "ir/ir_adopt.h"
+#include "redcc/records.h"
 #include "redcc/translate_file.h"
 
 enum { MOST_FILES = 12 };
@@ -163,12 +164,10 @@ const char *imports_check(arena *a, const ir_unit *unit, const analysis_result *
             map_get(unit->text.macros, function->name, strlen(function->name)))
             *obstacle = arena_format(a, "'%s' is declared inside a function, or is a macro as well",
                                      function->name);
-        buffer_format(
-            &records,
-            "extern const redcc_record redcc__record_%s "
-            "__asm__(\"redcc_record_%s\") __attribute__((__weak__));\n"
-            "static __typeof__(%s) redcc__called_%s __attribute__((__weakref__(\"%s\")));\n",
-            function->name, function->name, function->name, function->name, function->name);
+        record_declare_weak(&records, "redcc_record",
+                            arena_format(a, "redcc__record_%s", function->name), function->name);
+        function_declare_weak(&records, arena_format(a, "redcc__called_%s", function->name),
+                              function->name);
         buffer_format(&called, "%s{&redcc__record_%s, (redcc_code)redcc__called_%s}", i ? ", " : "",
                       function->name, function->name);
     }

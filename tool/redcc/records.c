@@ -6,7 +6,6 @@
 #include "analysis/base/loop_text.h"
 #include "analysis/memory/exported.h"
 #include "ir/ir_digest.h"
-#include "support/buffer.h"
 
 /* Does a macro replace a word of the text to be appended? */
 static bool has_macro_of_words(const ir_unit *unit) {
@@ -72,20 +71,26 @@ static bool declares_in_block(const ir_unit *unit, const ir_function *f) {
     return false;
 }
 
-/* If the compiler removes all calls of a function that is only declared here, the program need not
- * define it: the record refers to it weakly. */
+void record_declare_weak(buffer *out, const char *type, const char *as, const char *function) {
+    if (as)
+        buffer_format(out, "extern const %s %s __asm__(\"redcc_record_%s\")", type, as, function);
+    else
+        buffer_format(out, "extern const %s redcc_record_%s", type, function);
+    buffer_text(out, " __attribute__((__weak__));\n");
+}
+
+void function_declare_weak(buffer *out, const char *as, const char *function) {
+    buffer_format(out, "static __typeof__(%s) %s __attribute__((__weakref__(\"%s\")));\n", function,
+                  as, function);
+}
+
 static void write_callees(const char *name, const callees *c, buffer *out) {
     for (unsigned i = 0; i < c->found.count; i++) {
         const char *callee = c->found.items[i]->name;
-        buffer_format(out,
-                      "extern const struct redcc__record redcc_record_%s "
-                      "__attribute__((__weak__));\n",
-                      callee);
+        record_declare_weak(out, "struct redcc__record", NULL, callee);
         if (!c->found.items[i]->body)
-            buffer_format(out,
-                          "static __typeof__(%s) redcc__callee%u_%s "
-                          "__attribute__((__weakref__(\"%s\")));\n",
-                          callee, i, name, callee);
+            function_declare_weak(out, arena_format(c->memory, "redcc__callee%u_%s", i, name),
+                                  callee);
     }
     if (c->found.count)
         buffer_format(out, "static const struct redcc__callee redcc__callees_%s[] = {", name);
@@ -143,7 +148,7 @@ const char *records_write(arena *a, const ir_unit *unit, const project *around) 
         out.length == 0
             ? NULL
             : arena_format(a,
-                           "\n/* redcc: of these functions loops of other files may ask */\n"
+                           "\n/* redcc: functions that loops of other files may call */\n"
                            "struct redcc__callee;\n"
                            "struct redcc__record { const char *name; unsigned digest[2]; "
                            "void (*own)(void); __SIZE_TYPE__ callee_count; "

@@ -91,8 +91,8 @@ static bool show_pragma_errors(arena *a, const ir_unit *unit) {
 
 /* ---- verdicts ------------------------------------------------------------------------------ */
 
-static analysis_options options_of(arena *a, const options *o, const foreign_functions *foreign) {
-    return (analysis_options){.external = foreign ? foreign_known(a, foreign) : NULL,
+static analysis_options options_of(arena *a, const options *o, const external_functions *external) {
+    return (analysis_options){.external = external ? external_known(a, external) : NULL,
                               .pure_count = o->pure.count,
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
@@ -143,7 +143,7 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
 /** The verdicts after writing, in which loops that could not be written are refused. */
 static analysis_result after_writing(arena *a, const ir_unit *unit, const analysis_result *analysis,
                                      const emit_result *written, const analysis_options *how,
-                                     const foreign_functions *foreign) {
+                                     const external_functions *external) {
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysis->verdict_count + 1);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         verdicts[i] = analysis->verdicts[i];
@@ -163,8 +163,8 @@ static analysis_result after_writing(arena *a, const ir_unit *unit, const analys
         verdicts[i].why.message =
             arena_format(a, "its parallel form cannot be written: %s", obstacle->message);
     }
-    if (foreign)
-        foreign_note(a, foreign, how, unit, analysis, verdicts);
+    if (external)
+        external_note(a, external, how, unit, analysis, verdicts);
     return (analysis_result){analysis->verdict_count, verdicts};
 }
 
@@ -213,7 +213,7 @@ static file_outcome count_verdicts(const analysis_result *analysis) {
     file_outcome counts = {0};
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         counts.transformed += verdict_is_written(&analysis->verdicts[i]);
-        counts.by_declarations += analysis->verdicts[i].foreign_count > 0;
+        counts.by_declarations += analysis->verdicts[i].external_call_count > 0;
     }
     return counts;
 }
@@ -269,7 +269,7 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
     }
 }
 
-/** Analyses the file; if a loop calls functions of other files, again with those. */
+/** Analyses the file. If a loop calls functions of other files, adds these and analyses again. */
 static analysis_result analyse_with_imports(arena *a, ir_unit *unit, const string_list *flags,
                                             const project *around, const analysis_options *asked) {
     loop_loads_name(unit);
@@ -301,7 +301,7 @@ typedef struct analysed_file {
     ir_unit *unit;
     const char *records; /* NULL: none */
     analysis_result analysed;
-    header_uses headers; /* headers that stand in place of their #include directives */
+    header_uses headers; /* headers whose text replaces their #include directives */
 } analysed_file;
 
 /** What the analysis of a file depends on. */
@@ -378,11 +378,11 @@ static emit_result write_analysed(const analysing *by, analysed_file *file, plan
 
 static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, ir_unit *unit,
-                              const foreign_functions *foreign) {
+                              const external_functions *external) {
     const analysing by = {.memory = a,
                           .options = o,
                           .flags = flags,
-                          .asked = options_of(a, o, foreign),
+                          .asked = options_of(a, o, external),
                           .around = o->sees_project ? project_around(a, file->path) : NULL};
     analysed_file alone = analyse_unit(&by, unit);
     analysed_file in = may_have_headers(o) ? with_headers(&by, &alone) : alone;
@@ -405,7 +405,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
         written = write_analysed(&by, &in, &how);
     }
     const analysis_result final =
-        after_writing(a, in.unit, &in.analysed, &written, &by.asked, foreign);
+        after_writing(a, in.unit, &in.analysed, &written, &by.asked, external);
     const report_input input =
         report_on(o, in.unit, &final, lanes_remarks(a, &written, final.verdict_count));
     const char *wrong = show_report(a, o, &input);
@@ -421,8 +421,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
-/** Did redcc write this text? A line of it shows that, which only directives and comments of other
- * tools may precede. */
+/** Did redcc write this text? Then a line says so, and only directives and comments of other tools
+ * precede that line. */
 static bool is_translated(const source *file) {
     static const char beginning[] = REDCC_BEGINNING "REDCC_REQUIRE_VERSION(";
     return !is_binary(file) &&
@@ -449,7 +449,7 @@ static const source *read_input(arena *a, const char *path, const char **wrong) 
 }
 
 file_outcome translate_file(arena *a, const options *o, const char *path,
-                            const foreign_functions *foreign) {
+                            const external_functions *external) {
     const char *wrong = NULL;
     const source *file = read_input(a, path, &wrong);
     if (!file)
@@ -472,7 +472,7 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
         return (file_outcome){0};
     if (show_pragma_errors(a, parsed.unit))
         return (file_outcome){.status = FILE_WRONG_PRAGMA};
-    file_outcome outcome = translate(a, o, file, &flags, parsed.unit, foreign);
+    file_outcome outcome = translate(a, o, file, &flags, parsed.unit, external);
     outcome.unknown_pure = unknown_pure(o, parsed.unit);
     return outcome;
 }
@@ -488,5 +488,5 @@ void translate_file_exports(arena *a, const options *o, const char *path, buffer
         return;
     const analysis_options own = options_of(a, o, NULL);
     const exported_functions functions = exported_of_unit(a, parsed.unit, &own);
-    foreign_write(out, &functions);
+    external_write(out, &functions);
 }

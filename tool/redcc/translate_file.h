@@ -4,7 +4,7 @@
 #define TRANSLATE_FILE_H
 
 #include "frontend/frontend.h"
-#include "redcc/foreign.h"
+#include "redcc/external_functions.h"
 #include "redcc/options.h"
 
 typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_status;
@@ -20,10 +20,10 @@ typedef struct file_outcome {
 } file_outcome;
 
 /** Parses, analyses, writes and reports; messages and reports go to the files that the options
- * name. "-" is standard input. `foreign`: facts about other files' functions, only for a report;
+ * name. "-" is standard input. `external`: facts about other files' functions, only for a report;
  * NULL: none. */
 file_outcome translate_file(arena *a, const options *o, const char *path,
-                            const foreign_functions *foreign);
+                            const external_functions *external);
 
 /** Warns of the names of --pure that no file declares, which are probably misspelt. `unknown`: the
  *  intersection of the outcomes; `where`: the file, or a word for several. */
@@ -32,7 +32,7 @@ void translate_file_warn_pure(const options *o, unsigned long long unknown, cons
 /** Parses as translate_file does. */
 frontend_result translate_file_parse(arena *a, const source *file, const string_list *flags);
 
-/** Appends the facts about the file's functions, for foreign_read; nothing, without a message, if
+/** Appends the facts about the file's functions, for external_read; nothing, without a message, if
  * it cannot be parsed. */
 void translate_file_exports(arena *a, const options *o, const char *path, buffer *out);
 

@@ -10,7 +10,7 @@
 
 #include "redcc/build_counts.h"
 #include "redcc/compile_commands.h"
-#include "redcc/foreign.h"
+#include "redcc/external_functions.h"
 #include "redcc/joined_report.h"
 #include "redcc/translate_file.h"
 #include "redcc/workers.h"
@@ -23,7 +23,7 @@ typedef struct whole_program {
     options options;
     string_list files;  /* the build's C files, each once */
     unsigned *mentions; /* [files.count] how often the build compiles the file */
-    foreign_functions functions;
+    external_functions functions;
     joined_report joined;
     const char *what; /* the name of the round, for the progress line */
     unsigned failed, by_declarations;
@@ -74,7 +74,7 @@ static void take_exports(unsigned number, const void *result, int ended_by, void
     text = arena_string(p->memory, text);
     for (unsigned i = 0; i < p->mentions[number]; i++) /* a file compiled twice defines its
                                                         * functions twice */
-        foreign_read(p->memory, &p->functions, p->files.items[number], text);
+        external_read(p->memory, &p->functions, p->files.items[number], text);
 }
 
 /* ---- the second round ----------------------------------------------------------------------- */

@@ -33,13 +33,13 @@ static json_t *guards_of(arena *a, const loop_verdict *verdict) {
     return guards;
 }
 
-static json_t *foreign_of(const loop_verdict *verdict) {
+static json_t *external_of(const loop_verdict *verdict) {
     json_t *calls = json_array();
-    for (unsigned i = 0; i < verdict->foreign_count; i++) {
+    for (unsigned i = 0; i < verdict->external_call_count; i++) {
         json_t *call = json_object();
-        json_object_set_new(call, "function", json_text(verdict->foreign[i].name));
-        json_object_set_new(call, "file", json_text(verdict->foreign[i].file));
-        json_object_set_new(call, "is", json_text(verdict->foreign[i].word));
+        json_object_set_new(call, "function", json_text(verdict->external_calls[i].name));
+        json_object_set_new(call, "file", json_text(verdict->external_calls[i].file));
+        json_object_set_new(call, "is", json_text(verdict->external_calls[i].word));
         json_array_append_new(calls, call);
     }
     return calls;
@@ -110,8 +110,8 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
     json_object_set_new(loop, "arrays", arrays_of(verdict));
     json_object_set_new(loop, "guards", guards_of(a, verdict));
     add_plan(a, loop, input, verdict);
-    if (verdict->foreign_count > 0)
-        json_object_set_new(loop, "from_other_files", foreign_of(verdict));
+    if (verdict->external_call_count > 0)
+        json_object_set_new(loop, "from_other_files", external_of(verdict));
     if (verdict->pragma_count > 0)
         json_object_set_new(loop, "pragmas", pragmas_of(verdict));
     const lanes_remark *lanes = verdict_lanes(input, verdict);

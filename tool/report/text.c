@@ -35,8 +35,8 @@ static bool has_place(ir_range range) {
 /** Notes for facts that come from other files. */
 static void by_other_files(arena *a, buffer *out, const report_input *input,
                            const loop_verdict *verdict) {
-    for (unsigned i = 0; i < verdict->foreign_count; i++) {
-        const foreign_call *call = &verdict->foreign[i];
+    for (unsigned i = 0; i < verdict->external_call_count; i++) {
+        const external_call *call = &verdict->external_calls[i];
         message(out, input, has_place(call->range) ? call->range.begin : verdict_offset(verdict),
                 "note",
                 arena_format(a,

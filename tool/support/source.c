@@ -133,8 +133,16 @@ uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to) {
     return from < to ? from + 1 : to;
 }
 
+bool source_is_word_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
+
 bool source_is_name_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
+    return source_is_word_byte(c) || c == '$' || (unsigned char)c >= 0x80;
+}
+
+bool source_same_text(const char *a, const char *b) {
+    return a == b || (a && b && strcmp(a, b) == 0);
 }
 
 bool source_starts_with(const char *text, const char *prefix) {
@@ -159,12 +167,19 @@ const char *source_find_name(const char *text, const char *end, const map *names
     return NULL;
 }
 
-bool source_has_name(const char *text, size_t length, const char *name) {
-    const size_t size = strlen(name);
+static bool has_between(const char *text, size_t length, const char *word, bool (*is_part)(char)) {
+    const size_t size = strlen(word);
     const char *end = text + length;
-    for (const char *at = text; (at = memmem(at, (size_t)(end - at), name, size)); at++)
-        if ((at == text || !source_is_name_byte(at[-1])) &&
-            (at + size == end || !source_is_name_byte(at[size])))
+    for (const char *at = text; (at = memmem(at, (size_t)(end - at), word, size)); at++)
+        if ((at == text || !is_part(at[-1])) && (at + size == end || !is_part(at[size])))
             return true;
     return false;
+}
+
+bool source_has_name(const char *text, size_t length, const char *name) {
+    return has_between(text, length, name, source_is_name_byte);
+}
+
+bool source_has_word(const char *text, size_t length, const char *word) {
+    return has_between(text, length, word, source_is_word_byte);
 }

@@ -34,6 +34,8 @@ uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to);
 /** The first offset in [from, to) of something other than blanks, comments and spliced line ends;
  *  `to` if there is none. */
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
+/** Is the byte part of a name in all compilers: a letter, a digit or `_`? */
+bool source_is_word_byte(char c);
 /** May the byte be part of a name: letters, digits, `_`, and by compiler extension `$` and the
  *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
@@ -42,6 +44,11 @@ bool source_is_name_byte(char c);
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 /** Does the name occur in text[0 .. length)? */
 bool source_has_name(const char *text, size_t length, const char *name);
+/** The same, for a search that must not miss the word: a `$` or a byte of UTF-8 next to it may
+ *  belong to no name (-fno-dollars-in-identifiers), so the word occurs there as well. */
+bool source_has_word(const char *text, size_t length, const char *word);
+/** Are the texts equal, or both NULL? */
+bool source_same_text(const char *a, const char *b);
 bool source_starts_with(const char *text, const char *prefix);
 bool source_ends_with(const char *text, const char *suffix);
 

@@ -193,7 +193,7 @@ static double iterate(solver *s, const constraints *c, double (*dv)[3], double *
     return solver_sum(s->sum_direction, s->chunks);
 }
 
-/* z of all vertices. */
+/* Sets z to the changes of velocity that the constraints give. */
 static void set_given_changes(const constraints *c, double (*z)[3]) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->count; i++)

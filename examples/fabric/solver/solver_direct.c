@@ -90,7 +90,7 @@ void direct_solver_memory(const direct_solver *d, double *held, double *more) {
     *more = factor + copies;
 }
 
-/* Entry (r, c) of S_i A_ij S_j + s (I - S_i), the last on the diagonal only. */
+/* Entry (r, c) of S_i A_ij S_j + s (I - S_i); the second term on the diagonal only. */
 static double entry(const block_matrix *A, const constraints *given, int i, int k, int r, int c) {
     const int j = A->column[k];
     const double(*a)[3] = (const double(*)[3])A->value[k];

@@ -11,7 +11,7 @@
 
 typedef struct vertex_constraint {
     double S[3][3]; /* projection onto free directions */
-    double z[3];    /* m/s */
+    double z[3];    /* m/s, the given change of velocity */
 } vertex_constraint;
 
 /** S and z are stored only for vertices that have been constrained; others have the identity and 0.

@@ -96,22 +96,8 @@ static bool split_condition(const ir_node *condition, counted_loop *counted) {
 
 /* ---- putting it together -------------------------------------------------------------------- */
 
-/* The first variable that the condition of a loop, or an expression, mentions; NULL: none. */
-static const char *first_name(const ir_node *node) {
-    if (node->kind == IR_VARIABLE)
-        return node->variable->name;
-    if (ir_is_loop(node))
-        return first_name(node->children[node->kind == IR_WHILE ? 0 : 1]);
-    const char *name = NULL;
-    for (unsigned i = 0; i < node->child_count && !name; i++)
-        name = first_name(node->children[i]);
-    return name;
-}
-
-/* `name`: of the counter; NULL: it is not known, and the compared expression replaces it. */
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
-    if (!name)
-        name = first_name(node);
+    assert(name || why == REASON_TRIP_COUNT);
     return (counted_result){.why = why, .node = node, .name = name};
 }
 
@@ -157,7 +143,7 @@ static bool is_plain_end(const counted_loop *loop, const ir_node *node) {
                                                    : ir_type_is_plain_integer(node->type);
 }
 
-/* No assignment, increment or opaque node in it. */
+/* Does it contain no assignment, increment or opaque node? */
 static bool is_plain_but_for_calls(const ir_node *node) {
     if (node->kind == IR_OPAQUE || expression_written(node))
         return false;
@@ -184,7 +170,8 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
         return false;
     if (compares_while_stepping(counted))
         return counted_stepping_wraps(counted);
-    /* A first value on the wrong side of the bound gives no count, and the original loop runs. */
+    /* If the first value lies beyond the bound, the computed trip count is not positive, and the
+     * original loop runs. */
     if (loop->kind == IR_DO && counted->comparison == IR_OP_NOT_EQUAL && !counter->is_signed)
         return counter->size < 4 || counted->bound->type->size > counter->size;
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);

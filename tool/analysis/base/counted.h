@@ -10,7 +10,8 @@ typedef struct counted_result {
     counted_loop loop;
     reason_id why;       /* if not counted: the reason */
     const ir_node *node; /* place of the reason */
-    const char *name;    /* name in the reason's message */
+    const char *name;    /* name in the reason's message. NULL, in REASON_TRIP_COUNT only: the loop
+                          * has no counter */
 } counted_result;
 
 /** Brings a for or while loop into the form of counted_loop; rejects do loops. Checks that the
@@ -20,12 +21,13 @@ counted_result counted_recognise(ir_node *loop);
 /** The same, but the header may set and step variables other than the counter. */
 counted_result counted_recognise_with_others(ir_node *loop);
 
-/** As counted_recognise, with checks left to the caller: the bound may call functions, the
- *  counter's address may be taken outside of the loop, the header may set a variable to the bound
- *  (bound_variable) and step others besides the counter. The step need not be constant (stride),
- *  and an unsigned counter may wrap around in a way that its final value shows. A do loop may have
- *  a first value that does not satisfy the condition, or a counter that never reaches the bound:
- *  its iterations then differ from those given by counter, bound and step. */
+/** Accepts more loops than counted_recognise; the caller must check what they have in addition. The
+ *  bound may call functions. The counter's address may be taken outside of the loop. The header may
+ *  set a variable to the bound (bound_variable) and step others besides the counter. The step need
+ *  not be constant (stride), and an unsigned counter may wrap around in a way that its final value
+ *  shows. A do loop may have a first value that does not satisfy the condition, or a counter that
+ *  never reaches the bound: its iterations then differ from those given by counter, bound and
+ *  step. */
 counted_result counted_recognise_analysed(ir_node *loop);
 
 /** v++, v += c, v = v + c and the like, with a constant: the variable and the step. */

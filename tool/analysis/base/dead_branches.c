@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * A condition is constant if it is made of numbers, of calls of functions that return one constant,
- * and of local variables that hold such a value whenever the condition is evaluated: going back
- * from the `if` through the blocks around it, up to the innermost loop, the first statement that
- * may change the variable assigns it, and no label lies between. Only values of a signed byte are
- * followed: every integer type holds them, or those that are not negative, unchanged.
+ * A condition is constant if it consists of numbers, of calls of functions that return one
+ * constant, and of local variables whose value is known. To find a variable's value, the search
+ * goes back from the `if` through the blocks around it, up to the innermost loop. The first
+ * statement found that may change the variable must assign it, and no label may lie between. Only
+ * values of a signed byte are followed: each signed type represents all of them, each unsigned type
+ * those that are not negative.
  */
 #include "analysis/base/dead_branches.h"
 
@@ -14,13 +15,13 @@
 typedef struct result_of {
     enum { UNSEEN, BEGUN, CONSTANT, VARIES } state;
     int64_t value;
-    bool is_foreign; /* another file defines it, or a function whose result it returns */
+    bool is_external; /* another file defines it, or a function whose result it returns */
 } result_of;
 
 typedef struct search {
     ir_unit *unit;
     result_of *results; /* by function id */
-    bool is_foreign;    /* the value being computed depends on such a function */
+    bool is_external;   /* the value being computed depends on such a function */
 } search;
 
 static bool constant_of(search *s, const ir_node *node, int64_t *value);
@@ -35,7 +36,8 @@ static bool holds(const ir_type *type, int64_t value) {
 
 /* ---- results of functions -------------------------------------------------------------------- */
 
-/* Does every return give the value in `found`, or if it has none yet, the first one's? */
+/* Does every `return` below the node give the same value? Stores it in *found, or compares it with
+ * the value that is already there. */
 static bool returns_one(search *s, const ir_node *node, const ir_type *type, result_of *found) {
     if (node->kind == IR_OPAQUE)
         return false;
@@ -58,21 +60,21 @@ static void take_out_below(search *s, ir_node *node);
 static bool constant_result(search *s, const ir_function *function, int64_t *value) {
     result_of *known = &s->results[function->id];
     if (known->state == UNSEEN && function->body && !function->has_errors) {
-        const bool was_foreign = s->is_foreign;
+        const bool was_external = s->is_external;
         result_of found = {VARIES, 0, false};
         known->state = BEGUN;
         take_out_below(s, function->body);
-        s->is_foreign = function->linkage.import != NULL;
+        s->is_external = function->linkage.import != NULL;
         if (function->linkage.is_weak || function->linkage.is_renamed ||
             function->has_other_attributes ||
             !returns_one(s, function->body, function->type->target, &found))
             found.state = VARIES;
-        found.is_foreign = s->is_foreign;
-        s->is_foreign = was_foreign;
+        found.is_external = s->is_external;
+        s->is_external = was_external;
         *known = found;
     }
     *value = known->value;
-    s->is_foreign |= known->is_foreign;
+    s->is_external |= known->is_external;
     return known->state == CONSTANT;
 }
 
@@ -257,9 +259,10 @@ static bool constant_of(search *s, const ir_node *node, int64_t *value) {
 
 /* ---- branches -------------------------------------------------------------------------------- */
 
-/* Could executing the branch refute what is known about the file's variables? Only for a loop's own
- * function and those it calls is it checked which functions of other files were linked (imports.c):
- * in any other function the branch may be executed after all. */
+/* Does the branch change, or pass on, variables of the file? If a function of another file makes
+ * the condition constant, only functions with translated loops, and the functions that these call,
+ * check at run time that this definition is linked (imports.c). Any other function may execute the
+ * branch after all, so the analysis must see what the branch does to these variables. */
 static bool concerns_others(const ir_node *node) {
     const ir_node *written = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)
@@ -279,7 +282,7 @@ static bool concerns_others(const ir_node *node) {
 static void take_out(search *s, ir_node *statement, unsigned number) {
     ir_node *branch = statement->children[number];
     if (branch->flags & IR_DEAD || ir_may_be_entered(branch) || ir_has_kind(branch, IR_OPAQUE) ||
-        (s->is_foreign && concerns_others(branch)))
+        (s->is_external && concerns_others(branch)))
         return;
     ir_node *rest = ir_new(s->unit->arena, IR_BLOCK, NULL, 1);
     rest->children[0] = branch;
@@ -295,7 +298,7 @@ static void take_out(search *s, ir_node *statement, unsigned number) {
 
 static void take_out_below(search *s, ir_node *node) {
     int64_t value;
-    s->is_foreign = false;
+    s->is_external = false;
     if (node->kind == IR_IF && constant_of(s, node->children[0], &value)) {
         if (value == 0)
             take_out(s, node, 1);

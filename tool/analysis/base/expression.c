@@ -13,10 +13,6 @@ bool expression_constant(const ir_node *node, int64_t *value) {
     return true;
 }
 
-static bool same_text(const char *a, const char *b) {
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 /* *p is p[0] */
 static const ir_node *first_element(const ir_node *node) {
     int64_t subscript;
@@ -45,7 +41,7 @@ bool expression_same(const ir_node *a, const ir_node *b) {
         return false;
     if (a->kind == IR_SIZEOF) /* without a value: its text may denote another type elsewhere */
         return false;
-    if ((a->kind == IR_NUMBER || a->kind == IR_STRING) && !same_text(a->text, b->text))
+    if ((a->kind == IR_NUMBER || a->kind == IR_STRING) && !source_same_text(a->text, b->text))
         return false;
     if (a->kind == IR_CAST && !ir_type_equal(a->type, b->type))
         return false;
@@ -80,33 +76,29 @@ bool expression_is_plain(const ir_node *node) {
     return !ir_has_effect(node);
 }
 
-static bool is_array(const ir_node *node) {
-    return node->type && node->type->kind == IR_ARRAY;
-}
-
 bool expression_has_load(const ir_node *node, bool as_address) {
     switch (node->kind) {
     case IR_VARIABLE:
         return false;
     case IR_INDEX:
-        if (!as_address && !is_array(node))
+        if (!as_address && !ir_is_array(node))
             return true;
-        return expression_has_load(node->children[0], is_array(node->children[0])) ||
+        return expression_has_load(node->children[0], ir_is_array(node->children[0])) ||
                expression_has_load(node->children[1], false);
     case IR_MEMBER:
         if (node->flags & IR_ARROW) {
-            if (!as_address && !is_array(node))
+            if (!as_address && !ir_is_array(node))
                 return true;
-            return expression_has_load(node->children[0], is_array(node->children[0]));
+            return expression_has_load(node->children[0], ir_is_array(node->children[0]));
         }
-        return expression_has_load(node->children[0], as_address || is_array(node));
+        return expression_has_load(node->children[0], as_address || ir_is_array(node));
     case IR_UNARY:
         if (node->op == IR_OP_ADDRESS)
             return expression_has_load(node->children[0], true);
         if (node->op == IR_OP_DEREFERENCE) {
-            if (!as_address && !is_array(node))
+            if (!as_address && !ir_is_array(node))
                 return true;
-            return expression_has_load(node->children[0], is_array(node->children[0]));
+            return expression_has_load(node->children[0], ir_is_array(node->children[0]));
         }
         return expression_has_load(node->children[0], false);
     case IR_CALL:
@@ -114,7 +106,7 @@ bool expression_has_load(const ir_node *node, bool as_address) {
         return true;
     default:
         for (unsigned i = 0; i < node->child_count; i++)
-            if (expression_has_load(node->children[i], is_array(node->children[i])))
+            if (expression_has_load(node->children[i], ir_is_array(node->children[i])))
                 return true;
         return false;
     }
@@ -125,12 +117,17 @@ bool expression_is_lvalue(const ir_node *node) {
            (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
 }
 
+bool expression_is_scalar_access(const ir_node *node) {
+    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
+           ir_type_is_scalar(node->type);
+}
+
 ir_variable *expression_object(const ir_node *lvalue) {
     while (lvalue->kind == IR_INDEX || lvalue->kind == IR_MEMBER) {
         const ir_node *child = lvalue->children[0];
         bool child_is_pointer = lvalue->kind == IR_INDEX
-                                    ? !is_array(child)
-                                    : (lvalue->flags & IR_ARROW) != 0 && !is_array(child);
+                                    ? !ir_is_array(child)
+                                    : (lvalue->flags & IR_ARROW) != 0 && !ir_is_array(child);
         if (child_is_pointer)
             return NULL;
         lvalue = child;
@@ -161,17 +158,14 @@ const ir_node *expression_place(const ir_node *node) {
     return node;
 }
 
-static bool is_floating(const ir_type *type) {
-    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
-}
-
 bool expression_is_floating_work(const ir_node *node) {
     if (node->kind == IR_BINARY && node->op >= IR_OP_ADD && node->op <= IR_OP_DIVIDE)
-        return is_floating(node->type);
+        return ir_type_is_floating(node->type);
     if (node->kind == IR_ASSIGN && node->op != IR_OP_NONE)
-        return is_floating(node->children[0]->type) || is_floating(node->children[1]->type);
+        return ir_type_is_floating(node->children[0]->type) ||
+               ir_type_is_floating(node->children[1]->type);
     if (ir_is_increment(node))
-        return is_floating(node->type);
+        return ir_type_is_floating(node->type);
     return false;
 }
 
@@ -221,20 +215,20 @@ bool variable_is_automatic(const ir_variable *variable) {
 
 /* ---- possibly undefined operations ----------------------------------------------------------- */
 
-static bool is_scalar_access(const ir_node *node) {
+static bool is_lvalue_or_number(const ir_node *node) {
     return expression_is_lvalue(node) || node->kind == IR_NUMBER;
 }
 
 /* Is a floating value computed, compared or converted here? It may be out of range or NaN, and
  * exceptions may trap. */
 static bool has_floating_hazard(const ir_node *node) {
-    if (is_floating(node->type) && !is_scalar_access(node))
+    if (ir_type_is_floating(node->type) && !is_lvalue_or_number(node))
         return true;
     if (node->kind == IR_DECLARATOR && node->child_count && node->children[0]->type &&
-        is_floating(node->children[0]->type))
+        ir_type_is_floating(node->children[0]->type))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (is_floating(node->children[i]->type) &&
+        if (ir_type_is_floating(node->children[i]->type) &&
             (node->kind == IR_CAST || node->kind == IR_BINARY || node->kind == IR_ASSIGN ||
              node->kind == IR_INITIALIZERS))
             return true;
@@ -261,8 +255,9 @@ bool expression_is_hazard(const ir_node *node) {
     if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER || node->op == IR_OP_SHIFT_LEFT ||
         node->op == IR_OP_SHIFT_RIGHT)
         return !is_harmless_operand(node, node->children[1]);
+    /* a difference of pointers: they may point into different objects */
     return node->op == IR_OP_SUBTRACT && node->children[1]->type &&
-           node->children[1]->type->kind == IR_POINTER; /* perhaps into different objects */
+           node->children[1]->type->kind == IR_POINTER;
 }
 
 bool expression_has_hazard(const ir_node *node) {
@@ -273,4 +268,24 @@ bool expression_is_assigned(const ir_node *node) {
     const ir_node *parent = node->parent;
     return parent && parent->kind == IR_ASSIGN && parent->op == IR_OP_NONE &&
            parent->children[0] == node;
+}
+
+bool expression_evaluates_parts(const ir_node *node) {
+    switch (node->kind) {
+    case IR_BLOCK:
+    case IR_DECLARATION:
+    case IR_DECLARATOR:
+    case IR_EXPRESSION:
+    case IR_ASSIGN:
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CAST:
+        return true;
+    case IR_UNARY:
+        return node->op != IR_OP_ADDRESS;
+    case IR_BINARY:
+        return node->op != IR_OP_AND && node->op != IR_OP_OR;
+    default:
+        return false;
+    }
 }

@@ -32,6 +32,9 @@ bool expression_has_load(const ir_node *node, bool as_address);
 /** Is it an lvalue of memory (a[i], *p, s->x, s.x, v), casts not counted? */
 bool expression_is_lvalue(const ir_node *node);
 
+/** Is it an lvalue of memory and of scalar type, but no variable? */
+bool expression_is_scalar_access(const ir_node *node);
+
 /** The variable that contains the lvalue: of v, v.f, v[1].f, but not behind a pointer; or NULL. */
 ir_variable *expression_object(const ir_node *lvalue);
 
@@ -67,6 +70,10 @@ ir_operator expression_negated(ir_operator op);
 
 /** Is it a local or parameter with automatic storage? */
 bool variable_is_automatic(const ir_variable *variable);
+
+/** Does evaluating the node evaluate each of its parts once? False for && and ||, and for an
+ * operand of &. */
+bool expression_evaluates_parts(const ir_node *node);
 
 /** Is the node what a plain `=` assigns to? Then its value is not read there. */
 bool expression_is_assigned(const ir_node *node);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Results of the analysis of a loop: facts, reasons, verdicts. All rooms of the analysis and its
+ * Results of the analysis of a loop: facts, reasons, verdicts. All parts of the analysis and its
  * callers share these types.
  */
 #ifndef ANALYSIS_FACTS_H
@@ -130,8 +130,8 @@ typedef enum source_extent {
     EXTENT_BOUNDED    /* elements between bounds that are known before the loop (element_bounds) */
 } source_extent;
 
-/** Only iterations read whose counter satisfies this comparison with `bound`. Both are compared as
- *  mathematical numbers. */
+/** The read is made only in iterations whose counter satisfies this comparison with `bound`. Both
+ *  are compared as mathematical numbers. */
 typedef struct counter_limit {
     ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL */
     const ir_node *bound;   /* loop-invariant integer; evaluating it reads no memory */
@@ -158,8 +158,8 @@ enum { BOUNDS_MOST_TERMS = 8, BOUNDS_MOST_CONDITIONS = 8 };
 
 /** Elements base[k] of which some are read: k lies between the minimum and the maximum of the
  * terms, provided that no condition, a floating value, is negative. Terms and conditions are
- * parameters, or are read through parameters, in the caller's terms. Generated code reads them even
- * where the program would not. */
+ * parameters, or are read through parameters; they are expressed by the caller's variables.
+ * Generated code reads them even where the program would not. */
 typedef struct element_bounds {
     const ir_node *base; /* a pointer */
     const ir_type *element;
@@ -185,13 +185,13 @@ typedef struct loop_source {
     bool meets_scalars;   /* may overlap such a scalar */
     bool meets_arrays;    /* may overlap a reduction array, according to the analysis */
     bool is_sometimes; /* read in some iterations only: its address may be invalid in others, and is
-                        * computed as a number (known to row_address.h, except for TOUCHED) */
+                        * computed as a number (row_address.h; EXTENT_TOUCHED otherwise) */
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
                         * bounds there: both ends must be computed with checks (exact.h) */
     bool is_ahead; /* EXTENT_TOUCHED: recorded before a condition inside of `place` decides whether
                     * it is read */
-    bool is_repeated; /* EXTENT_TOUCHED: each iteration executes `place`, with the same rows while
-                       * nothing is stored */
+    bool is_repeated; /* EXTENT_TOUCHED: each iteration executes `place`, and reads the same rows as
+                       * long as nothing is stored */
     unsigned loop_count;      /* EXTENT_TOUCHED: it is many rows, one for each iteration of these */
     const source_loop *loops; /* outermost first */
     unsigned limit_count;     /* EXTENT_AFFINE, is_checked */
@@ -211,11 +211,11 @@ typedef struct triangle {
 
 typedef struct private_variable {
     ir_variable *variable;
-    bool is_declared_inside; /* then no code is generated for it */
-    bool is_live_after;      /* live-out, and proved to be assigned in every iteration */
-    bool is_last_sought;     /* live-out, but some iterations leave it unchanged (conditional
-                              * lastprivate): a scalar assigned by separate statements
-                              * (IR_EXPRESSION) */
+    bool is_declared_inside;      /* then no code is generated for it */
+    bool is_live_after;           /* live-out, and proved to be assigned in every iteration */
+    bool is_conditional_live_out; /* live-out, but some iterations leave it unchanged (conditional
+                                   * lastprivate): a scalar assigned by separate statements
+                                   * (IR_EXPRESSION) */
     bool is_stepped; /* an integer or pointer that each iteration steps once by `step`: its value is
                       * the one on entry plus the steps of all preceding iterations */
     bool is_step_wanted; /* is_stepped: its last value is used, because it is live-out */
@@ -251,8 +251,7 @@ typedef struct scalar_update {
                           * iteration are kept, for all updates of the scalar together */
     bool is_guarded;     /* memory that other accesses of the loop may alias: checked before
                           * anything is written */
-    bool is_extremum;    /* if (e op s) s = e; with a comparison op, and e of the type of s. If it
-                          * is conditional, no operand precedes s in that order */
+    bool is_extremum;    /* if (e op s) s = e; with a comparison op, and e of the type of s */
     bool is_negated;     /* is_extremum: if (!(e op s)) s = e */
     ir_variable *place;  /* is_extremum: a variable that gets the counter's value when s is set; or
                           * NULL */
@@ -261,16 +260,16 @@ typedef struct scalar_update {
 /** target = value, for an element that the same iteration reads again later: other occurrences of
  *  `target` in the loop are reads, and use the stored value instead of memory. */
 typedef struct forwarded_store {
-    const ir_node *statement; /* IR_EXPRESSION; one of the updates. In the slice if the slice needs
-                               * the stored value */
+    const ir_node *statement; /* IR_EXPRESSION; it is also one of `updates`. In the slice if the
+                               * slice needs the stored value */
     const ir_node *target;
     const ir_node *value;
 } forwarded_store;
 
-/** t[i] = v or t[i] op= v, for the iteration's own element of an array that other statements of the
- *  same iteration only read, and before it: such stores are made by a separate loop after the
- *  others (loop fission). While the loop is analysed and written, `rest` replaces the statement
- *  (distributed.h). */
+/** t[i] = v or t[i] op= v, for the iteration's own element of an array. Other statements of the
+ *  iteration only read that element, and only before the store. A separate loop makes such stores
+ *  after this one (loop fission). While the loop is analysed and written, `rest` replaces the
+ *  statement (distributed.h). */
 typedef struct distributed_store {
     ir_node *statement;        /* IR_EXPRESSION */
     ir_node *rest;             /* IR_EMPTY */
@@ -372,15 +371,15 @@ typedef struct loop_variables {
     const loop_loads *loads;      /* NULL: no variable replaces a pointer */
     unsigned own_count;
     const own_element *own;
-    const struct openmp_loop *openmp;  /* its directives, without which it is executed if it is
-                                        * transformed; NULL: none */
+    const struct openmp_loop *openmp;  /* its OpenMP directives, which the parallel form does not
+                                        * have; NULL: none */
     const struct fixed_blocks *blocks; /* of VERDICT_BLOCKS */
 } loop_variables;
 
 /** The slice: statements and control needed for rows and touched sources. */
 typedef struct loop_slice {
-    const loop_exits *exits; /* whose conditions it evaluates; NULL: no iteration leaves. Without
-                              * items: a callee may end the program by an assertion */
+    const loop_exits *exits; /* those whose conditions it evaluates; NULL: no iteration leaves the
+                              * loop. An empty list: a callee may end the program by an assertion */
     bool may_abort;          /* by an assertion in a function that it calls */
     bool has_rows;           /* false: it is for the touched sources alone */
     bool *holds;       /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
@@ -438,22 +437,22 @@ typedef enum verdict_kind {
 
 /** A function of another file that a verdict depends on; set by the callers that know other
  *  files. */
-typedef struct foreign_call {
+typedef struct external_call {
     const char *name, *file;
     const char *word; /* its property: "const" */
     ir_range range;   /* range of its name in the loop, or of the name of the callee that calls
                        * it */
-} foreign_call;
+} external_call;
 
 typedef struct loop_verdict {
     verdict_kind kind;
     const ir_node *loop; /* the reported loop: the outermost one analysed as a whole, or the
                           * innermost one if refused */
     const ir_function *function;
-    reason why; /* refusals */
+    reason why; /* if it is refused */
     unsigned pragma_count;
-    unsigned foreign_count;
-    const foreign_call *foreign;
+    unsigned external_call_count;
+    const external_call *external_calls;
     const user_pragma *pragmas; /* the pragmas that the verdict depends on, or that it follows */
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;

@@ -90,8 +90,7 @@ static bool branch_leaves(const ir_node *branch, bool break_leaves) {
     return true;
 }
 
-/* ---- branches with messages -------------------------------------------------------------------
- */
+/* ---- branches with messages ------------------------------------------------------------------ */
 
 enum { DEEPEST_MESSAGE = 4 }; /* nested calls */
 
@@ -102,7 +101,7 @@ static bool is_stateful(const ir_function *function) {
     return effect && strncmp(effect, "writes memory", 13) != 0;
 }
 
-/* Does the statement print or keep state? Without the branches of its inner conditions, which are
+/* Does the statement print or keep state? Ignores the branches of inner `if` statements, which are
  * checked separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {

@@ -15,8 +15,8 @@
  *  once, before variables are analysed. */
 void loop_loads_name(ir_unit *unit);
 
-/** The loads of the loop's body, with those they are loaded through. NULL: there are none, or too
- *  many. */
+/** The loads of such pointers in the loop's body, and the loads through which they are reached.
+ *  NULL: there are none, or too many. */
 loop_loads *loop_loads_find(arena *a, const ir_unit *unit, const ir_function *function,
                             const ir_node *body);
 

@@ -193,7 +193,7 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
 
 /* ---- pragmas made by macros, and those in functions ------------------------------------------ */
 
-/* Is a name split over two lines here? It would not be found. */
+/* Is a name split over two lines here? A search for it would miss it. */
 static bool splits_a_name(const char *text, uint32_t at) {
     return text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r') &&
            source_is_name_byte(text[at - 1]);

@@ -15,8 +15,8 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 /** Index of the unit's first directive at or after `offset`. */
 unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
 
-/** Does a directive that begins in the range have the word in its text? Also one that is not
- *  compiled, and a macro's definition. */
+/** Does a directive that begins in the range have the word in its text? Directives that are not
+ *  compiled count as well, and so do definitions of macros. */
 bool directives_name(const ir_unit *unit, ir_range range, const char *word);
 
 /** The same of the whole file, and of the pragmas in its headers. */
@@ -43,9 +43,9 @@ const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *fun
 /** Are there conditional directives in the loop's text? */
 bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
-/** May a copy of the text omit it, and the text that it excludes? True for conditional directives
- *  once they are decided, and for pragmas that are not compiled or only make a loop faster; for
- *  OpenMP's if they are inactive, as without -fopenmp. */
+/** May a copy of the text omit it, and the text that it excludes? True for conditional directives,
+ *  once it is known which branch is compiled, and for pragmas that are not compiled or only make a
+ *  loop faster; for OpenMP's if they are inactive, as without -fopenmp. */
 bool directive_can_be_left_out(const ir_unit *unit, const ir_directive *d);
 
 /** Is it an OpenMP directive in a compilation without OpenMP, which ignores it? */

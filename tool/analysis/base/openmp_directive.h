@@ -46,11 +46,11 @@ typedef struct openmp_directive {
     const char *kept; /* why it must be kept: the part that is not understood; NULL: none */
 } openmp_directive;
 
-/** What a directive's clause `schedule` says of the thread that executes an iteration. */
+/** How the clause `schedule` assigns iterations to threads. */
 typedef enum openmp_schedule {
     OPENMP_NO_SCHEDULE, /* nothing */
-    OPENMP_STATIC,      /* which it is; `runtime` and `auto` may do so */
-    OPENMP_BY_TURNS     /* the next one that is free: dynamic, guided */
+    OPENMP_STATIC,      /* it fixes the thread; `runtime` and `auto` may do so */
+    OPENMP_BY_TURNS     /* the next thread that is free: dynamic, guided */
 } openmp_schedule;
 
 openmp_schedule openmp_schedule_of(const openmp_directive *d);

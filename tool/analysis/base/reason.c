@@ -18,7 +18,7 @@ static const reason_entry reasons[REASON_COUNT] = {
 #undef X
 };
 
-/* Changes that help; tests follow them: tests/house/check-advice. */
+/* Changes of the source that help. Tests apply them: tests/house/check-advice. */
 static const char *const advices[REASON_COUNT] = {
     [REASON_ELEMENT_TYPE] = "use subscripts in place of pointers",
     [REASON_UPDATE_VALUE_USED] =

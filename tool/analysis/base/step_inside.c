@@ -39,27 +39,6 @@ static const ir_node *last_mention(const ir_node *node, const ir_variable *varia
     return NULL;
 }
 
-/* Are all parts evaluated once whenever the whole is? */
-static bool is_evaluated_once(const ir_node *node) {
-    switch (node->kind) {
-    case IR_BLOCK:
-    case IR_DECLARATION:
-    case IR_DECLARATOR:
-    case IR_EXPRESSION:
-    case IR_ASSIGN:
-    case IR_INDEX:
-    case IR_MEMBER:
-    case IR_CAST:
-        return true;
-    case IR_UNARY:
-        return node->op != IR_OP_ADDRESS;
-    case IR_BINARY:
-        return node->op != IR_OP_AND && node->op != IR_OP_OR;
-    default:
-        return false;
-    }
-}
-
 const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) {
     const ir_node *last = last_mention(body, variable);
     const ir_node *step = last ? last->parent : NULL;
@@ -69,7 +48,7 @@ const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) 
     if (mentions(statement, variable) != 1 || writes(body, variable) != 1)
         return NULL;
     for (const ir_node *node = step; node != body; node = node->parent)
-        if (!is_evaluated_once(node->parent))
+        if (!expression_evaluates_parts(node->parent))
             return NULL;
     return step;
 }

@@ -60,7 +60,7 @@ static bool find_stepped(const ir_node *step, loop_span *span) {
     return true;
 }
 
-/* Is each variable stepped in one way, and the counter with them? */
+/* Is no variable both stepped and changed otherwise, and is the counter stepped? */
 static bool are_disjoint(const loop_span *span) {
     for (unsigned i = 0; i < span->other_count; i++)
         if (is_stepped(span, span->others[i]) || span->others[i] == span->counted.counter)

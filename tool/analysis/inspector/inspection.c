@@ -12,7 +12,7 @@
 #include "analysis/loop/place.h"
 #include "analysis/loop/variation.h"
 #include "analysis/memory/value_bounds.h"
-#include "analysis/overlap/sources.h"
+#include "analysis/overlap/extent.h"
 
 typedef VECTOR(slice_touch) touch_list;
 
@@ -78,8 +78,8 @@ static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir
     return false;
 }
 
-/* The base of an array need not be compared: the plan is relative to it. Unless another value is
- * computed from it, h[s[t] + (q - h)]. */
+/* The base of an array need not be compared, because the plan is relative to it. It must be if
+ * another value is computed from it, as in h[s[t] + (q - h)]. */
 static bool is_array_base(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (!j->arrays.items[i].array.is_scattered &&
@@ -181,7 +181,7 @@ static void add_source(loop_analysis *j, const loop_source *item) {
     VECTOR_PUSH(j->an->memory, &j->sources, *item);
 }
 
-/* A callee's search reads between two elements that can be recorded. */
+/* Adds the first and the last element that a callee's search reads, if both can be recorded. */
 static bool add_search(loop_analysis *j, const loop_access *read) {
     source_plan first, last;
     if (!read->access.to || !source_plans_of_search(j, read, &first, &last))
@@ -198,11 +198,6 @@ static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node 
     if (j->slice.is_verifiable)
         j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
     j->slice.is_verifiable = false;
-}
-
-static bool is_load(const ir_node *node) {
-    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
-           ir_type_is_scalar(node->type);
 }
 
 /* Is it the lvalue `whole`, or an element or member inside of it? */
@@ -254,7 +249,7 @@ static void add_load_in_loops(loop_analysis *j, const ir_node *node, const recor
 }
 
 static void add_load(loop_analysis *j, const ir_node *node, const recorded_loads *of) {
-    if (!is_load(node))
+    if (!expression_is_scalar_access(node))
         return;
     const loop_access *load = read_of(j, node);
     if (load && load->class != CLASS_FORWARDED)
@@ -372,9 +367,9 @@ static bool has_sum_in_memory(const loop_analysis *j) {
     return false;
 }
 
-/* The slice reads before the loop: it must not read a sum in memory, or another iteration's own
- * element. Own elements have known places, and the slice's reads at known places are compared with
- * them before the slice is executed. */
+/* The slice is executed before the loop, so it must not read a sum in memory, or another
+ * iteration's own element. Own elements have known places, and the slice's reads at known places
+ * are compared with them before the slice is executed. */
 static bool check_scalars_unread(loop_analysis *j) {
     const bool has_sum = has_sum_in_memory(j);
     bool meets = false;
@@ -408,7 +403,8 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         if (!set_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
             return false;
     }
-    /* Sources found in the slice are recorded at their places, which may add to it. */
+    /* Sources found in the slice are recorded at their places. Computing their addresses may add
+     * statements to the slice. */
     bool is_stable = false;
     for (unsigned round = 0; round < 3 && !is_stable; round++) {
         const bool *before = j->slice.holds;
@@ -427,7 +423,7 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
         j->slice.is_verifiable = false;
     }
     j->slice.is_verifiable = j->slice.is_verifiable && is_stable && has_rows;
-    j->slice.has_floating_work |= !has_rows; /* of the rows */
+    j->slice.has_floating_work |= !has_rows; /* that of computing the rows */
     if (!check_scalars_unread(j))
         return false;
     if (!is_small(j))
@@ -435,7 +431,7 @@ static bool find_slice(loop_analysis *j, bool has_rows) {
     return true;
 }
 
-/* An executor without an inspection records these reads alone. */
+/* The slice for executions without an inspection, which record only the reads that need a guard. */
 static void find_slice_of_reads(loop_analysis *j) {
     touch_list touches = {0};
     for (unsigned i = 0; i < j->sources.count; i++)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Data: every statement of the body that may assign a needed variable, with all control around it,
- * closed under "needs". Floating-point arithmetic is recorded: the inspector must compute exactly
- * the subscripts of the executor, and two copies of one text do so only if the compiler rounds each
- * operation separately (docs/decisions/0003). Control that only decides whether an address is
- * touched is kept if it can be computed without floating-point values; else it is left out, if the
- * address may be computed without it.
+ * The slice keeps every statement of the body that may assign a needed variable, and the control
+ * around it; what these need is kept as well. It notes floating-point arithmetic: the inspector
+ * must compute exactly the subscripts of the executor, and two copies of one text do so only if the
+ * compiler rounds each operation separately (docs/decisions/0003). Control that only decides
+ * whether an address is touched is kept if it can be computed without floating-point values; else
+ * it is left out, if the address may be computed without it.
  */
 #include "analysis/inspector/slice.h"
 
@@ -262,7 +262,8 @@ static bool writes_shared(const slicer *s, const ir_node *node) {
     return false;
 }
 
-/* The value is needed, and the condition of the store; not the element. */
+/* Keeps what the stored value and the condition of the store need. The element itself is not
+ * needed. */
 static void need_forward(slicer *s, const forwarded_store *store) {
     if (s->keep[store->statement->id])
         return;
@@ -344,7 +345,7 @@ static snapshot take_snapshot(const slicer *s) {
     return before;
 }
 
-/* Keeps a piece of control if that succeeds; otherwise restores the state. */
+/* Keeps a control statement; if that fails, restores the state. */
 static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
     if (s->keep[node->id])
         return true;
@@ -433,7 +434,7 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *f
 /* ---- loops over blocks ------------------------------------------------------------------------
  * In an innermost loop over the rows of a block, inside of another loop of the iteration, the
  * condition of touching a single row is not worth evaluating: the block is recorded as a whole
- * (spans.c), and the condition's reads determine no subscripts. */
+ * (loop/spans.c), and the condition's reads determine no subscripts. */
 
 static ir_node *loop_around(const slicer *s, const ir_node *node) {
     ir_node *outer = node->parent;
@@ -452,7 +453,8 @@ static bool is_in_block(const slicer *s, const ir_node *node) {
             (s->touches[i].loop_count || !span_is_recorded(&span, s->touches[i].row) ||
              !slice_is_safe_here(s->j, s->touches[i].row, true)))
             return false;
-    for (unsigned i = 0; i < s->j->sources.count; i++) /* no read in it may be one to compare */
+    /* none of its reads may be a source that is compared */
+    for (unsigned i = 0; i < s->j->sources.count; i++)
         if (s->j->sources.items[i].is_subscript && s->j->sources.items[i].place &&
             ir_contains(span.counted.body, s->j->sources.items[i].place))
             return false;

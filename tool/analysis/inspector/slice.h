@@ -22,7 +22,7 @@ typedef struct slice {
     const ir_variable **needed;
     uint64_t own; /* bits, by number: own elements whose values it needs */
     bool has_floating_work;
-    const ir_node *obstacle; /* the node because of which there is no slice; NULL: there is one */
+    const ir_node *obstacle; /* the node that prevents a slice; NULL: there is a slice */
 } slice;
 
 /** The slice of all touches together. */

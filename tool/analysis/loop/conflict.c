@@ -39,31 +39,22 @@ static const ir_node *without_casts(const ir_node *node) {
 
 /* ---- pointers ------------------------------------------------------------------------------- */
 
-static bool is_load(const ir_node *node) {
-    return node->kind == IR_INDEX || node->kind == IR_MEMBER ||
-           (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
-}
-
-static bool is_pointer(const ir_node *node) {
-    return node->type && node->type->kind == IR_POINTER;
-}
-
 /* The pointer that an address begins with: of p[k], *p, *(p + k), p->m; NULL: it begins with an
  * object or an array. *has_subscript: it reaches more than the first element. */
 static const ir_node *pointer_of(const ir_node *node, bool *has_subscript) {
     const ir_node *child = node->child_count ? without_casts(node->children[0]) : NULL;
     *has_subscript = false;
-    if (node->kind == IR_INDEX && is_pointer(child)) {
+    if (node->kind == IR_INDEX && ir_is_pointer(child)) {
         *has_subscript = !(node->children[1]->flags & IR_HAS_VALUE);
         return child;
     }
     if (node->kind == IR_MEMBER)
-        return (node->flags & IR_ARROW) && is_pointer(child) ? child : NULL;
+        return (node->flags & IR_ARROW) && ir_is_pointer(child) ? child : NULL;
     if (node->kind != IR_UNARY || node->op != IR_OP_DEREFERENCE)
         return NULL;
-    while (child->kind == IR_BINARY && is_pointer(child)) {
+    while (child->kind == IR_BINARY && ir_is_pointer(child)) {
         *has_subscript = true;
-        child = without_casts(child->children[is_pointer(child->children[0]) ? 0 : 1]);
+        child = without_casts(child->children[ir_is_pointer(child->children[0]) ? 0 : 1]);
     }
     return child;
 }
@@ -94,7 +85,8 @@ static bool is_by_loaded_pointer(query *q, const ir_node *lvalue) {
     for (const ir_node *node = without_casts(lvalue); node;) {
         const ir_node *pointer = pointer_of(node, &has_subscript);
         if (!pointer) {
-            node = node->child_count && is_load(node) ? without_casts(node->children[0]) : NULL;
+            node =
+                node->child_count && ir_is_access(node) ? without_casts(node->children[0]) : NULL;
             continue;
         }
         if (pointer->kind == IR_VARIABLE && is_varying(q, pointer) && q->depth < DEEPEST) {
@@ -103,16 +95,16 @@ static bool is_by_loaded_pointer(query *q, const ir_node *lvalue) {
             pointer = value ? without_casts(value) : NULL;
             if (pointer && pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS)
                 pointer = without_casts(pointer->children[0]);
-            else if (pointer && is_load(pointer) && is_varying(q, pointer) &&
+            else if (pointer && ir_is_access(pointer) && is_varying(q, pointer) &&
                      !(has_subscript && pointer->kind == IR_INDEX))
                 return true;
             node = pointer;
             continue;
         }
         const bool is_row = pointer->kind == IR_INDEX && has_subscript;
-        if (is_load(pointer) && !is_row && is_varying(q, pointer))
+        if (ir_is_access(pointer) && !is_row && is_varying(q, pointer))
             return true;
-        node = is_load(pointer) ? pointer : NULL;
+        node = ir_is_access(pointer) ? pointer : NULL;
     }
     return false;
 }
@@ -247,22 +239,22 @@ static void add_all(terms *to, const terms *from) {
 static terms terms_of(query *q, const ir_node *lvalue) {
     terms all = {0};
     const ir_node *node = without_casts(lvalue);
-    while (node && (is_load(node) || node->kind == IR_BINARY || node->kind == IR_VARIABLE)) {
+    while (node && (ir_is_access(node) || node->kind == IR_BINARY || node->kind == IR_VARIABLE)) {
         terms own = {0};
         const ir_node *next = node->child_count ? node->children[0] : NULL;
         if (node->kind == IR_INDEX) {
             add_terms(q, node->children[1], false, &own);
         } else if (node->kind == IR_BINARY) {
-            const unsigned side = is_pointer(node->children[0]) ? 1 : 0;
+            const unsigned side = ir_is_pointer(node->children[0]) ? 1 : 0;
             add_terms(q, node->children[side], false, &own);
             next = node->children[1 - side];
         } else if (node->kind == IR_VARIABLE) {
-            const ir_node *value = is_pointer(node) && is_varying(q, node) && q->depth < DEEPEST
+            const ir_node *value = ir_is_pointer(node) && is_varying(q, node) && q->depth < DEEPEST
                                        ? value_in_loop(q, node->variable)
                                        : NULL;
             if (value && variable_fact_of(q->facts, node->variable)->write_count > 1)
                 own.has_long = true; /* the pointer steps through the elements */
-            else if (!value && is_pointer(node) && is_varying(q, node))
+            else if (!value && ir_is_pointer(node) && is_varying(q, node))
                 own.has_row = true;
             q->depth++;
             next = value && value->kind == IR_UNARY && value->op == IR_OP_ADDRESS

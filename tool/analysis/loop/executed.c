@@ -127,23 +127,8 @@ bool source_ends_equal(const loop_source *a, const loop_source *b) {
 
 /* Is this part evaluated whenever `parent` is, once? */
 static bool is_certain_part(const ir_node *parent, const ir_node *part) {
-    switch (parent->kind) {
-    case IR_BLOCK:
-    case IR_DECLARATION:
-    case IR_DECLARATOR:
-    case IR_EXPRESSION:
-    case IR_ASSIGN:
-    case IR_INDEX:
-    case IR_MEMBER:
-    case IR_CAST:
-        return true;
-    case IR_UNARY:
-        return parent->op != IR_OP_ADDRESS;
-    case IR_BINARY:
-        return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
-    default:
-        return false;
-    }
+    return expression_evaluates_parts(parent) ||
+           (parent->kind == IR_BINARY && parent->children[0] == part);
 }
 
 bool executed_certainly_in(const ir_node *outer, const ir_node *node) {

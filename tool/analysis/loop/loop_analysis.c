@@ -3,8 +3,10 @@
 
 #include <assert.h>
 
+#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
+#include "ir/ir_position.h"
 
 /* vector_grow copies; without items there is no storage to be shared */
 #define OWN_LIST(a, list)                                                                          \
@@ -76,12 +78,33 @@ void analysis_assert_unchanged(const loop_analysis *known, uint64_t before) {
 
 #endif
 
+/* For a message, the loop by the name of its counter, or by its line if it counts with none. */
+static const char *loop_text(const loop_analysis *j, const char *counter) {
+    const ir_unit *unit = j->an->unit;
+    const counted_result found = counted_recognise_analysed(j->loop);
+    if (!counter && found.is_counted)
+        counter = found.loop.counter->name;
+    if (counter)
+        return arena_format(j->an->memory, "the loop over '%s'", counter);
+    const ir_position *in_header = ir_position_in_header(unit, j->loop);
+    return arena_format(j->an->memory, "the loop in line %u",
+                        in_header ? in_header->line
+                                  : ir_position_of(unit, j->loop->range.begin).line);
+}
+
+static bool names_loop(reason_id why) {
+    return why == REASON_TRIP_COUNT || why == REASON_BREAK || why == REASON_RETURN ||
+           why == REASON_GOTO;
+}
+
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name) {
     assert(why > REASON_NONE && why < REASON_COUNT);
     ir_range range = node ? node->range : j->loop->range;
     if (range.begin >= range.end)
         range = j->loop->range;
+    if (names_loop(why))
+        name = loop_text(j, name);
     reason result = reason_make(j->an->memory, why, name ? name : "?", range);
     if (why == REASON_IMPURE_CALL && name) {
         const ir_function *function = ir_function_named(j->an->unit, name);

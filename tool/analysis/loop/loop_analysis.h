@@ -109,7 +109,9 @@ uint64_t analysis_fingerprint(const loop_analysis *known);
  *  Checks nothing if NDEBUG is defined. */
 void analysis_assert_unchanged(const loop_analysis *known, uint64_t before);
 
-/** The reason why the loop cannot be transformed, at this node; NULL: the loop itself. */
+/** The reason why the loop cannot be transformed, at this node; NULL: the loop itself. `name` is
+ *  that of the cause. If the message names the loop (reasons.def), it is that of the counter; NULL:
+ *  not known. */
 reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
                        const char *name);
 

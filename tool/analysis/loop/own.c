@@ -4,10 +4,10 @@
  * - its subscript has another value in each iteration, and nothing else on the way to it changes:
  * no two iterations have one element, and its address may be computed at any time;
  * - each iteration reads it, before it stores to it. So reading it at the beginning does nothing
- * that the program would not do, and it has this type from before the loop on: what other
- * iterations read as another type is no part of it (C17 6.5p7), since no store of the loop lies
- * between. Or each iteration stores to it, before it reads it: then nothing is read at the
- * beginning, and types distinguish only declared objects (6.5p6);
+ *   that the program would not do. It also has this type before the loop begins: no store of the
+ *   loop lies between, so other iterations cannot read it as another type (C17 6.5p7). Or each
+ *   iteration stores to it, before it reads it: then nothing is read at the beginning, and types
+ *   distinguish only declared objects (6.5p6);
  * - all else that the loop reads is disjoint from it, by proof or by a comparison before anything
  * is written, and all else that it writes is an update, with which all reads are compared. So no
  * iteration sees that the store is made later;

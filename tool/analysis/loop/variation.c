@@ -33,10 +33,6 @@ bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir
     return true;
 }
 
-static bool is_array(const ir_node *node) {
-    return node->type && node->type->kind == IR_ARRAY;
-}
-
 bool variation_is_fixed(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
     const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
     switch (lvalue->kind) {
@@ -46,16 +42,16 @@ bool variation_is_fixed(variable_facts *facts, const ir_node *loop, const ir_nod
     }
     case IR_INDEX:
         return variation_is_invariant(facts, loop, lvalue->children[1]) &&
-               (is_array(child) ? variation_is_fixed(facts, loop, child)
-                                : variation_is_invariant(facts, loop, child));
+               (ir_is_array(child) ? variation_is_fixed(facts, loop, child)
+                                   : variation_is_invariant(facts, loop, child));
     case IR_MEMBER:
-        return (lvalue->flags & IR_ARROW) && !is_array(child)
+        return (lvalue->flags & IR_ARROW) && !ir_is_array(child)
                    ? variation_is_invariant(facts, loop, child)
                    : variation_is_fixed(facts, loop, child);
     case IR_UNARY:
         if (lvalue->op == IR_OP_DEREFERENCE)
-            return is_array(child) ? variation_is_fixed(facts, loop, child)
-                                   : variation_is_invariant(facts, loop, child);
+            return ir_is_array(child) ? variation_is_fixed(facts, loop, child)
+                                      : variation_is_invariant(facts, loop, child);
         return false;
     default:
         return false;

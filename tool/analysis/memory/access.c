@@ -18,10 +18,6 @@ void access_problem_add(access_walk *w, reason_id why, const ir_node *node, cons
     VECTOR_PUSH(w->memory, &w->list->problems, problem);
 }
 
-static bool is_array(const ir_node *node) {
-    return node->type && node->type->kind == IR_ARRAY;
-}
-
 /* Must the object, or a part of it, be accessed exactly as written? */
 static bool has_volatile_part(const ir_type *type) {
     type = ir_type_innermost(type);
@@ -34,7 +30,7 @@ static bool has_volatile_part(const ir_type *type) {
     return false;
 }
 
-/* Volatile objects, bit-fields and the like appear in the types along the path. */
+/* The types along the path show volatile objects, bit-fields and the like. */
 static void check_type(access_walk *w, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const char *name = root ? root->name : "?";
@@ -65,21 +61,22 @@ static void add_lvalue(access_walk *w, access_kind kind, const ir_node *lvalue, 
                            .form = form});
 }
 
-/* Accesses of computing an lvalue's address: pointers and subscripts in it. */
+/* Adds the accesses that computing an lvalue's address makes: of the pointers and subscripts in
+ * it. */
 static void walk_address(access_walk *w, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
         check_type(w, node);
         return;
     case IR_INDEX:
-        if (is_array(node->children[0]))
+        if (ir_is_array(node->children[0]))
             walk_address(w, node->children[0]);
         else
             access_walk_node(w, node->children[0]);
         access_walk_node(w, node->children[1]);
         return;
     case IR_MEMBER:
-        if ((node->flags & IR_ARROW) && !is_array(node->children[0]))
+        if ((node->flags & IR_ARROW) && !ir_is_array(node->children[0]))
             access_walk_node(w, node->children[0]);
         else if ((node->flags & IR_ARROW) || expression_is_lvalue(node->children[0]))
             walk_address(w, node->children[0]);
@@ -88,7 +85,7 @@ static void walk_address(access_walk *w, const ir_node *node) {
         return;
     case IR_UNARY:
         if (node->op == IR_OP_DEREFERENCE) {
-            if (is_array(node->children[0]))
+            if (ir_is_array(node->children[0]))
                 walk_address(w, node->children[0]);
             else
                 access_walk_node(w, node->children[0]);
@@ -101,7 +98,8 @@ static void walk_address(access_walk *w, const ir_node *node) {
     }
 }
 
-/* A value read; `skip` is the occurrence of the target in R = R + e. */
+/* Adds the accesses that reading a value makes, without those of `skip`: the target's occurrence in
+ * R = R + e. */
 static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *skip) {
     if (node == skip)
         return;
@@ -137,7 +135,7 @@ static void walk_unary(access_walk *w, const ir_node *node) {
         walk_address(w, node->children[0]);
     } else if (node->op == IR_OP_DEREFERENCE) {
         walk_address(w, node);
-        if (!is_array(node))
+        if (!ir_is_array(node))
             add_lvalue(w, ACCESS_READ, node, (update_form){0});
     } else if (expression_written(node)) {
         walk_assignment(w, node);
@@ -184,7 +182,7 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     case IR_BREAK:
     case IR_RETURN:
         walk_children(w, node);
-        w->condition_depth++; /* the following code may be skipped; never taken back */
+        w->condition_depth++; /* never decreased: the following code may be skipped */
         return;
     case IR_DECLARATOR:
         walk_children(w, node);
@@ -219,7 +217,7 @@ static bool walk_assertion(access_walk *w, const ir_node *node) {
         return false;
     access_walk_node(w, condition);
     VECTOR_PUSH(w->memory, &w->list->ends, node);
-    w->condition_depth++; /* the following code may not be executed; never taken back */
+    w->condition_depth++; /* never decreased: the following code may not be executed */
     return true;
 }
 
@@ -231,7 +229,7 @@ void access_walk_node(access_walk *w, const ir_node *node) {
     case IR_INDEX:
     case IR_MEMBER:
         walk_address(w, node);
-        if (!is_array(node) && !is_part_of_value(node))
+        if (!ir_is_array(node) && !is_part_of_value(node))
             add_lvalue(w, ACCESS_READ, node, (update_form){0});
         return;
     case IR_UNARY:
@@ -292,7 +290,7 @@ static bool is_selected(const ir_node *lvalue) {
 
 static const ir_node *without_proved(const ir_node *lvalue, bool may_be_whole) {
     const ir_node *row = lvalue;
-    while (row->kind == IR_INDEX && is_array(row->children[0]) &&
+    while (row->kind == IR_INDEX && ir_is_array(row->children[0]) &&
            is_inside(row->children[1], row->children[0]->type) &&
            (may_be_whole || is_selected(row->children[0])))
         row = row->children[0];

@@ -19,7 +19,7 @@ static bool continues_before(const ir_node *part, const ir_node *node) {
     return false;
 }
 
-/* A return before `node`. */
+/* Is there a `return` before `node`? */
 static bool returns_before(const ir_node *part, const ir_node *node) {
     if (part->id >= node->id)
         return false;
@@ -31,23 +31,13 @@ static bool returns_before(const ir_node *part, const ir_node *node) {
     return false;
 }
 
-/* A label of a switch around the statement: it can be entered other than at its beginning. */
-static bool holds_label(const ir_node *node) {
-    if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
-        return true;
-    for (unsigned i = 0; node->kind != IR_SWITCH && i < node->child_count; i++)
-        if (holds_label(node->children[i]))
-            return true;
-    return false;
-}
-
 /* ---- the loops ------------------------------------------------------------------------------- */
 
 static void take_loop(callee_loops *loops, ir_node *loop) {
     const counted_result found = counted_recognise(loop);
     const ir_variable *counter;
     int64_t first, last;
-    if (!found.is_counted || !found.loop.lower || holds_label(ir_loop_body(loop)))
+    if (!found.is_counted || !found.loop.lower || ir_holds_case(ir_loop_body(loop)))
         return;
     if (loops->count == CALLEE_MOST_LOOPS) {
         loops->are_known = false;
@@ -178,7 +168,7 @@ bool callee_loops_is_set_before(const ir_node *place, const ir_node *site) {
         return false;
     for (unsigned i = 0; i < block->child_count; i++) {
         const ir_node *between = block->children[i];
-        if (between->id > statement->id && between->id <= later->id && holds_label(between))
+        if (between->id > statement->id && between->id <= later->id && ir_holds_case(between))
             return false;
     }
     return true;

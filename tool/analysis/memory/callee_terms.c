@@ -47,7 +47,7 @@ static bool is_stable(const rewriting *r, const ir_node *load) {
     return true;
 }
 
-/* Does it belong to this function's text, not to the access of another function? */
+/* Does the node belong to this function's text, not to the access of another function? */
 static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
@@ -72,8 +72,9 @@ static bool is_member_of(const ir_node *lvalue, const ir_node *pointer) {
            expression_same(lvalue->children[0], pointer);
 }
 
-/* Is memory at the load's address certain to be read: by this load or an equal one, or (which shows
- * as well that the pointer is valid) is another member of the same object certain to be read? */
+/* Is memory at the load's address certain to be read, by this load or an equal one? A certain read
+ * of another member of the same object counts as well, because it shows that the pointer is
+ * valid. */
 static bool is_certain_load(const rewriting *r, const ir_node *load) {
     if (callee_loops_is_certain(r->loops, load))
         return true;
@@ -104,13 +105,8 @@ static void note_load(rewriting *r, const ir_node *load) {
                                 (r->item->loop_count || !r->item->is_conditional);
 }
 
-static bool is_load(const ir_node *node) {
-    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
-           ir_type_is_scalar(node->type);
-}
-
 static ir_node *rewrite_value(rewriting *r, const ir_node *node) {
-    if (is_load(node))
+    if (expression_is_scalar_access(node))
         note_load(r, node);
     return rewrite(r, node);
 }

@@ -147,10 +147,6 @@ static bool is_presumed_pure(const effects *all, const ir_function *function) {
     return false;
 }
 
-static bool is_floating(const ir_type *type) {
-    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
-}
-
 static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
                         const ir_node *pointer, bool is_presumed) {
     ir_node *whole = ir_new(w->memory, IR_UNARY, NULL, 1);
@@ -295,12 +291,12 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
     }
     if (known->ends.count) {
         VECTOR_PUSH(all->memory, &w->list->ends, call);
-        w->condition_depth++; /* the following code may not be executed; never taken back */
+        w->condition_depth++; /* never decreased: the following code may not be executed */
     }
 }
 
 static void walk_library_call(access_walk *w, const ir_node *call, const library_function *found) {
-    if (is_floating(call->type))
+    if (ir_type_is_floating(call->type))
         w->list->has_floating_work = true;
     if (!found->is_exact)
         w->list->has_unrepeatable_work = true;

@@ -54,7 +54,7 @@ bool exported_is_plain(arena *a, const ir_unit *unit, const ir_function *functio
            !text_openmp_in(a, unit, function);
 }
 
-/* Is this one step from a pointer argument of the function? */
+/* Is the accessed memory the target of a pointer argument, reached through no other pointer? */
 static bool is_of_argument(const access *item) {
     const ir_node *lvalue = item->lvalue;
     while (lvalue && lvalue->kind != IR_VARIABLE) {

@@ -26,7 +26,7 @@ static void add_step(location *l, const ir_field *field, const ir_record *record
     l->steps[l->step_count++] = (location_step){field, record, subscript};
 }
 
-/* For arithmetic on a pointer to a single object, such as &v[0].x + k: undefined in C, but programs
+/* Arithmetic on a pointer to a single object, such as &v[0].x + k, is undefined in C, but programs
  * and compilers let the result be anywhere in the enclosing object. */
 static void leave_single_object(location *l) {
     l->step_count = 0;

@@ -15,7 +15,7 @@ typedef struct known_value {
     value_bounds integer;
     bool has_least;
     const ir_node *least;
-    unsigned needs; /* bits: the conditions that this depends on */
+    unsigned needs; /* bits: the conditions on which the bounds depend */
 } known_value;
 
 /* Nothing is known about variables that are not in it. */
@@ -249,8 +249,7 @@ static bool require(bounding *b, const ir_node *value) {
 static const ir_node *keeps_sign(const bounding *b, const ir_node *call, bool *is_always) {
     static const char *const names[] = {"sqrt", "fabs", "floor",    "trunc",
                                         "ceil", "rint", "nearbyint"};
-    const ir_function *function =
-        call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
+    const ir_function *function = ir_called_function(call);
     const library_function *found =
         function ? library_find(variable_facts_unit(b->facts), function) : NULL;
     for (unsigned i = 0; found && call->child_count == 2 && i < sizeof names / sizeof *names; i++)

@@ -3,14 +3,6 @@
 
 #include <assert.h>
 
-static bool is_array(const ir_node *node) {
-    return node->type && node->type->kind == IR_ARRAY;
-}
-
-static bool is_pointer(const ir_node *node) {
-    return node->type && node->type->kind == IR_POINTER;
-}
-
 static bool take_term(row_address *sum, const ir_node *subscript, int64_t bytes) {
     if (sum->term_count == ROW_MOST_TERMS || !subscript->type ||
         subscript->type->kind != IR_INTEGER || subscript->type->size > 8)
@@ -46,7 +38,7 @@ static bool take_object(row_address *sum, const ir_node *node) {
 /* p + k, k + p, p - k */
 static bool take_moved(row_address *sum, const ir_node *node) {
     const ir_type *target = node->type->target;
-    const bool is_second = !is_pointer(node->children[0]) && !is_array(node->children[0]);
+    const bool is_second = !ir_is_pointer(node->children[0]) && !ir_is_array(node->children[0]);
     const bool is_down = node->op == IR_OP_SUBTRACT;
     if ((node->op != IR_OP_ADD && !is_down) || (is_second && is_down) || !target ||
         target->size <= 0)
@@ -58,15 +50,15 @@ static bool take_moved(row_address *sum, const ir_node *node) {
 
 static bool take_pointer(row_address *sum, const ir_node *node) {
     const ir_node *child = node->child_count ? node->children[0] : NULL;
-    if (is_array(node))
+    if (ir_is_array(node))
         return take_object(sum, node);
-    if (!is_pointer(node))
+    if (!ir_is_pointer(node))
         return false;
     if (node->kind == IR_BINARY)
         return take_moved(sum, node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)
         return take_object(sum, child);
-    if (node->kind == IR_CAST && (is_pointer(child) || is_array(child)))
+    if (node->kind == IR_CAST && (ir_is_pointer(child) || ir_is_array(child)))
         return take_pointer(sum, child);
     sum->base = node;
     sum->base_is_object = false;

@@ -24,7 +24,7 @@ static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
            executed_certainly_in(j->loop->children[2], write);
 }
 
-/* The step of a pointer is the size of its target. */
+/* Is it a pointer whose target has a known size, which is its step? */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
            type->target->kind != IR_VOID && type->target->size > 0;

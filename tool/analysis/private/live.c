@@ -53,22 +53,12 @@ static paths any_paths(const search *s, const ir_node *node) {
            (expression_mentions(node, s->variable) ? (paths)PATH_READS : 0);
 }
 
-/* Does it contain a case of an enclosing switch? */
-static bool holds_case(const ir_node *node) {
-    if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
-        return true;
-    for (unsigned i = 0; i < node->child_count && node->kind != IR_SWITCH; i++)
-        if (holds_case(node->children[i]))
-            return true;
-    return false;
-}
-
 /* Statements one after another; a switch may enter at its cases. */
 static paths paths_in_order(const search *s, const ir_node *node) {
     paths all = PATH_PASSES;
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
-        all = then(holds_case(child) ? all | PATH_PASSES : all, paths_of(s, child));
+        all = then(ir_holds_case(child) ? all | PATH_PASSES : all, paths_of(s, child));
     }
     return all;
 }
@@ -134,11 +124,11 @@ static paths paths_of_switch(const search *s, const ir_node *node) {
 static paths paths_of_statement(const search *s, const ir_node *node) {
     switch (node->kind) {
     case IR_IF:
-        return holds_case(node) ? any_paths(s, node) : paths_of_choice(s, node);
+        return ir_holds_case(node) ? any_paths(s, node) : paths_of_choice(s, node);
     case IR_FOR:
     case IR_WHILE:
     case IR_DO:
-        return holds_case(node) ? any_paths(s, node) : paths_of_loop(s, node);
+        return ir_holds_case(node) ? any_paths(s, node) : paths_of_loop(s, node);
     case IR_SWITCH:
         return paths_of_switch(s, node);
     case IR_BREAK:

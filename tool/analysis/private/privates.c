@@ -39,8 +39,9 @@ static bool check_last_value(loop_analysis *j, private_variable *item) {
         return true;
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
     item->is_live_after = result.assigned_at_end;
-    item->is_last_sought = !result.assigned_at_end && is_assigned_by_statements(j, variable);
-    return item->is_live_after || item->is_last_sought ||
+    item->is_conditional_live_out =
+        !result.assigned_at_end && is_assigned_by_statements(j, variable);
+    return item->is_live_after || item->is_conditional_live_out ||
            analysis_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
 }
 

@@ -37,9 +37,9 @@ static bool may_be_distributed(const loop_analysis *j, const ir_node *statement)
            is_value(j, store->children[1]);
 }
 
-/* Does it have the same value after all iterations as at the store: apart from invariants it uses
- * only the counter, or the element itself? Floating-point operations may round differently in
- * another copy. */
+/* Does the expression have the same value after all iterations as at the store? Besides invariants
+ * it may use only the counter and the element itself. Floating-point operations may round
+ * differently in another copy, so it has none. */
 static bool is_repeatable(const loop_analysis *j, const ir_node *node, const ir_node *target) {
     if (expression_same(node, target) || expression_is_variable(node, j->counted.counter) ||
         analysis_is_fixed(j, node))

@@ -68,7 +68,7 @@ static void check_item(search *s, const openmp_item *item, fixed_blocks *blocks)
     if (item->kind <= OPENMP_REDUCTION && !(counter = variable_of(s, item->text)))
         refuse(s, "a clause with '%s', which is no variable", item->text);
     else if (item->kind == OPENMP_REDUCTION && !reduces_scalar(s, item))
-        refuse(s, "'%s', an array, is reduced beside a scalar", item->text);
+        refuse(s, "'%s', an array, is reduced together with a scalar", item->text);
     else if (item->kind == OPENMP_REDUCTION && !is_accepted(counter))
         refuse(s, "'%s' is reduced, which is no plain number", item->text);
     else if (item->kind == OPENMP_OTHER_CLAUSE)

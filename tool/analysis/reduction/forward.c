@@ -59,14 +59,9 @@ static bool changes_address(const loop_analysis *j, const ir_node *element, cons
     return false;
 }
 
-/* A label of a switch around the statement: it can be entered other than at its beginning. */
+/* Can a jump enter the statement other than at its beginning? */
 static bool has_entry(const ir_node *node) {
-    if (node->kind == IR_CASE || node->kind == IR_DEFAULT || node->kind == IR_LABEL)
-        return true;
-    for (unsigned i = 0; node->kind != IR_SWITCH && i < node->child_count; i++)
-        if (has_entry(node->children[i]))
-            return true;
-    return false;
+    return ir_holds_case(node) || ir_has_kind(node, IR_LABEL);
 }
 
 static const ir_node *value_of(const loop_access *store) {

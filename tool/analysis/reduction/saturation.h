@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A counter that stops at a limit: if (R < C) R++, with a constant C. After n such updates R is R
- * where R >= C, else min(C, R + n), whatever their order. The same holds for a private copy that
- * begins with the type's lowest value L. If the copy is below C, n = R - L; if it has reached C, n
- * >= C - L, so that the element reaches C from any value. So copies can be merged
+ * A counter that stops at a limit: if (R < C) R++, with a constant C. After n such updates, in any
+ * order, R is unchanged if it was at least C, and otherwise min(C, R + n). The same holds for a
+ * private copy that begins with the type's lowest value L. If the copy is below C, n = R - L; if it
+ * has reached C, n >= C - L, so that the element reaches C from any value. So copies can be merged
  * (runtime/src/plan/elements.c).
  */
 #ifndef ANALYSIS_SATURATION_H

@@ -105,7 +105,7 @@ static bool is_declared_within(const loop_analysis *j, const ir_variable *variab
     return variable->storage == IR_THREAD_LOCAL || analysis_declares(j, variable);
 }
 
-/* Every access to the variable in the statement belongs to the update. */
+/* Marks every access to the variable in the statement as part of the update. */
 static void mark_own(loop_analysis *j, const ir_node *statement, const ir_variable *variable) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *a = &j->accesses[i];
@@ -215,7 +215,7 @@ static bool commute(ir_operator a, ir_operator b) {
     return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
 }
 
-/* One operation combines all operands of a series. */
+/* Can one operation combine the operands of both updates? */
 static bool is_of_series(const scalar_update *other, const scalar_update *repeated) {
     return !other->is_extremum && other->op == repeated->op && other->operand == repeated->operand;
 }

@@ -51,7 +51,7 @@ static bool is_in(ir_range inner, ir_range outer) {
     return inner.begin >= outer.begin && inner.end <= outer.end;
 }
 
-/* Does each thread have its own? */
+/* Does each thread have its own copy of the variable? */
 static bool is_private(const team_loop *it, const ir_variable *variable) {
     if (variable->storage == IR_THREAD_LOCAL)
         return true;
@@ -171,12 +171,12 @@ const char *team_of_loop(const analyser *an, const ir_function *function, const 
     find_region(&it);
     if (it.above.kept)
         return arena_format(an->memory, "its region has %s", it.above.kept);
-    if (file_names(an->unit, "cancel")) /* threads that leave do not come to barriers */
+    if (file_names(an->unit, "cancel")) /* threads that `cancel` ends do not reach the barriers */
         return "'cancel' in the file";
     for (unsigned i = 0; i < directive->item_count; i++) {
         const openmp_item *item = &directive->items[i];
         const ir_variable *variable = item->kind == OPENMP_REDUCTION ? named_by(&it, item) : NULL;
-        /* a pointer to what is reduced may be each thread's */
+        /* each thread may have its own pointer to the reduced array */
         if (variable && variable->type->kind != IR_POINTER && is_private(&it, variable))
             return arena_format(an->memory, "'%s' is not shared by the team", variable->name);
     }

@@ -27,8 +27,8 @@ static bool base_is_invariant(const loop_analysis *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
-/* A local table into which the loop stores pointers: they may differ in each iteration, and depend
- * on data that are not compared when a plan is reused. */
+/* Is it a local table into which the loop stores pointers? They may differ in each iteration, and
+ * depend on data that are not compared when a plan is reused. */
 static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
     for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
@@ -66,7 +66,7 @@ static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *ta
     if (!table)
         return analysis_refuse(j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES,
                                target, name);
-    if (!ir_type_is_scalar(target->type)) /* an owner might have a part of it only */
+    if (!ir_type_is_scalar(target->type)) /* an owner might own only a part of it */
         return analysis_refuse(j, REASON_ROW_POINTERS, target, name);
     return true;
 }

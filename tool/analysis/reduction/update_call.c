@@ -183,7 +183,8 @@ static bool is_in_part(const ir_node *lvalue, const written_part *part) {
                          : lies_within(lvalue, part->parameter, part->size);
 }
 
-/* Is a sum of such values the same in any order, except for floating-point rounding? */
+/* Does the update compute in the target's own type? A floating value added to an integer is rounded
+ * at each step, so that the order matters. */
 static bool keeps_type(const update_form *form) {
     const ir_type *type = form->target->type;
     return type && type->kind != IR_BOOLEAN &&

@@ -366,7 +366,7 @@ static bool is_own_scalar(const loop_analysis *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
 }
 
-/* An element of an array, either the object itself or a member of a record. */
+/* Does it write an element of an array: of the object itself, or of a member of a record? */
 static bool is_in_array(const loop_access *write) {
     const ir_variable *object = write->where.object;
     const ir_node *base = write->where.base;

@@ -40,8 +40,7 @@ typedef struct outline_text {
     const char *text;                   /* slice, body and each thread's last statements: the names
                                          * in it are those that the context must pass */
     const char *slice_call, *body_call; /* for iteration redcc__k */
-    const char *reads_call; /* replaces the slice while records are appended; NULL: the slice
-                             * serves */
+    const char *reads_call; /* in place of the slice while records are appended; or NULL */
     const char *tile_call;  /* for the inner iterations of a row in a tile; or NULL */
     const char *body_parameters, *body_arguments; /* ", ..." without the counter */
 } outline_text;

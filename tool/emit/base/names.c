@@ -29,7 +29,7 @@ static void name_arrays(loop_text *loop) {
         array_text *text = &arrays[i];
         text->owner = arena_format(loop->arena, "redcc__own_%s", name);
         if (facts->arrays[i].is_scattered)
-            continue; /* the array has no name: the body's text reaches its elements */
+            continue; /* the array needs no name: the body reaches its elements through pointers */
         text->base = loop_operand(loop, base);
         text->is_shadowed = loop->plan->is_shadowed[i];
         text->declarator = text->is_shadowed ? origin_declarator(loop->arena, base->variable)

@@ -7,14 +7,13 @@
 
 #include "emit/base/names.h"
 #include "emit/base/own.h"
+#include "emit/bins/spans.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
 #include "ir/ir_syntax.h"
-#include "plan/bins.h"
 #include "plan/execution.h"
 
-/** The type of a record's value, by a name that needs no declaration; NULL for VALUE_NONE. */
-static const char *kind_text(value_kind kind) {
+const char *bins_kind_text(value_kind kind) {
     static const char *const names[] = {
         [VALUE_INT] = "int",        [VALUE_UNSIGNED] = "redcc_u32",
         [VALUE_LONG] = "redcc_int", [VALUE_UNSIGNED_LONG] = "redcc_word",
@@ -44,15 +43,15 @@ static bool is_plain_record(const bins_stream *stream) {
     return is_floating(stream->kinds[0]);
 }
 
-static const char *record_name(loop_text *loop, unsigned stream) {
+const char *bins_record_name(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const unsigned count = stream_value_count(its);
     if (span_of_stream(loop->bins, stream))
         return arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
     if (count < 2)
-        return kind_text(its->kinds[0]);
+        return bins_kind_text(its->kinds[0]);
     return is_plain_record(its)
-               ? arena_format(loop->arena, "redcc_%s_%u", kind_text(its->kinds[0]), count)
+               ? arena_format(loop->arena, "redcc_%s_%u", bins_kind_text(its->kinds[0]), count)
                : arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
 }
 
@@ -145,7 +144,7 @@ static const char *nest_counter_text(const loop_text *loop, const bins_nest *nes
     const value_kind kind = value_kind_of(level->counter->type);
     const long long value = nest_counter_value(nest, level, part);
     return kind == VALUE_INT ? arena_format(loop->arena, "%lld", value)
-                             : arena_format(loop->arena, "((%s)%lld)", kind_text(kind), value);
+                             : arena_format(loop->arena, "((%s)%lld)", bins_kind_text(kind), value);
 }
 
 /* ---- in the body ---------------------------------------------------------------------------- */
@@ -178,8 +177,8 @@ static const char *value_text(loop_text *loop, const bins_record *record, unsign
         loop_obstacle(loop, operand->range, "an operand cannot be spelled a second time");
         return "0";
     }
-    return macro_argument(a, is_floating(kind) ? text
-                                               : arena_format(a, "(%s)%s", kind_text(kind), text));
+    return macro_argument(
+        a, is_floating(kind) ? text : arena_format(a, "(%s)%s", bins_kind_text(kind), text));
 }
 
 /** The values of the record, as an argument of the appending macro. */
@@ -247,7 +246,7 @@ const char *bins_update(loop_text *loop, const reduction_update *update, const c
         return arena_format(loop->arena, "REDCC_%s_ALIKE(%u, %u, %u, %s)", macro, update->array,
                             record->stream, record->tag, place);
     return arena_format(loop->arena, "REDCC_%s_BY(%u, %u, %u, %s, %s, %s)", macro, update->array,
-                        record->stream, record->tag, place, record_name(loop, record->stream),
+                        record->stream, record->tag, place, bins_record_name(loop, record->stream),
                         values_text(loop, record, name));
 }
 
@@ -265,145 +264,13 @@ static const char *append_text(loop_text *loop, const bins_record *record, ir_c_
                                      record->stream, record->tag, loop->arrays[update->array].local,
                                      address, row_type(loop, update->array),
                                      part_of_row(loop->facts, loop->bins, update, 0));
-    return has_values
-               ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
-                              record_name(loop, record->stream), values_text(loop, record, name))
-               : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
+    return has_values ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
+                                     bins_record_name(loop, record->stream),
+                                     values_text(loop, record, name))
+                      : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
 }
 
-/* ---- spans ---------------------------------------------------------------------------------- */
-
-typedef struct span_names {
-    loop_text *loop;
-    const bins_span *span;
-    ir_c_rename others;
-} span_names;
-
-/** A hook that replaces the span's counter by its first value. */
-static const char *name_at_first(const ir_node *node, void *context) {
-    const span_names *its = context;
-    if (node->kind == IR_VARIABLE && node->variable == its->span->counted->counted.counter)
-        return arena_format(its->loop->arena, "%lld", (long long)its->span->first);
-    return its->others(node, its->loop);
-}
-
-static const char *span_text(loop_text *loop, const bins_record *record, const ir_node *node,
-                             ir_c_rename name) {
-    span_names names = {loop, record->span, name};
-    const char *text = text_operand(loop->arena, node, name_at_first, &names);
-    if (!text)
-        loop_obstacle(loop, node->range, "an updated element cannot be spelled");
-    return macro_argument(loop->arena, text ? text : "0");
-}
-
-/** The text that appends the record of a span; the loop itself is executed only if there are no
- *  bins. */
-static const char *push_span_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
-    const bins_span *span = record->span;
-    const reduction_update *update = record->updates[0];
-    const counted_loop *counted = &span->counted->counted;
-    const bool is_scattered = loop->facts->arrays[update->array].is_scattered;
-    const ir_node *load = row_load_of(loop->facts, update);
-    const char *from = load ? arena_format(loop->arena, "&%s", span_text(loop, record, load, name))
-                       : is_scattered ? "0"
-                                      : loop->arrays[update->array].local;
-    buffer out = {0};
-    buffer_format(&out, "REDCC_PUSH_SPAN%s(%u, %u, %s, &%s, (redcc_int)%s - %lld, %s",
-                  is_scattered ? "_BEHIND" : "", update->array, record->stream, from,
-                  span_text(loop, record, update->target, name),
-                  span_text(loop, record, counted->bound, name),
-                  (long long)span->first - (counted->comparison == IR_OP_LESS_EQUAL),
-                  record_name(loop, record->stream));
-    buffer_text(&out, ", (");
-    for (unsigned i = 0; i < span->variable_count; i++)
-        buffer_format(&out, "redcc__e.v%u = (%s)%s, ", i,
-                      kind_text(value_kind_of(span->variables[i]->type)),
-                      origin_variable(loop->arena, span->variables[i]));
-    buffer_text(&out, "0)) else ");
-    return buffer_take(loop->arena, &out);
-}
-
-static const char *name_in_span(const ir_node *node, void *context) {
-    const bins_record *record = context;
-    return ir_is_expression(node) && is_updated_element(node, record->updates[0]->target)
-               ? "(*redcc__to)"
-               : NULL;
-}
-
-/** The declaration, in an apply function, of a copy of a variable of the context. */
-static const char *copy_declaration(loop_text *loop, const ir_variable *variable) {
-    const char *name = origin_declarator(loop->arena, variable);
-    return variable->type->kind == IR_ARRAY
-               ? declaration_text(loop, variable->type->target,
-                                  arena_format(loop->arena, "*%s", name))
-               : declaration_text(loop, variable->type, name);
-}
-
-/** Declares copies of the context's variables that the update's operands name. */
-static void declare_captured(loop_text *loop, const reduction_update *update, const ir_node *node,
-                             bool *is_declared, writer *out) {
-    if (is_updated_element(node, update->target))
-        return;
-    if (node->kind == IR_VARIABLE && !is_declared[node->variable->id] &&
-        loop->outline.is_passed[node->variable->id]) {
-        is_declared[node->variable->id] = true;
-        writer_line(out, "%s = redcc__context->%s;", copy_declaration(loop, node->variable),
-                    node->variable->name);
-    }
-    for (unsigned i = 0; i < node->child_count; i++)
-        declare_captured(loop, update, node->children[i], is_declared, out);
-}
-
-/** The function that applies the records of a span, to the rows of one bin. */
-static void write_apply_span(loop_text *loop, const bins_record *record, writer *out) {
-    const bins_span *span = record->span;
-    const reduction_update *update = record->updates[0];
-    const ir_variable *counter = span->counted->counted.counter;
-    const char *element = origin_type(loop->arena, loop->facts->arrays[update->array].element);
-    bool *is_declared = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
-    is_declared[counter->id] = true;
-    for (unsigned i = 0; i < span->variable_count; i++)
-        is_declared[span->variables[i]->id] = true;
-    writer_line(out, "REDCC_APPLY_SPANS(%s_%u, %s)", outlined_name(loop, "apply"), record->stream,
-                outlined_name(loop, "context"));
-    out->depth++;
-    declare_captured(loop, update, update->statement, is_declared, out);
-    writer_line(out, "REDCC_EACH_SPAN(%s, %s)", element, record_name(loop, record->stream));
-    for (unsigned i = 0; i < span->variable_count; i++)
-        writer_line(out, "%s %s = (%s)redcc__e.v%u;",
-                    origin_type(loop->arena, span->variables[i]->type),
-                    origin_declarator(loop->arena, span->variables[i]),
-                    origin_type(loop->arena, span->variables[i]->type), i);
-    const char *type = origin_type(loop->arena, counter->type);
-    const char *name = origin_variable(loop->arena, counter);
-    const long long first = (long long)span->first;
-    writer_line(out, "%s %s = (%s)(redcc__from + %lld);", type,
-                origin_declarator(loop->arena, counter), type, first);
-    writer_line(out, "const %s redcc__behind = (%s)(redcc__end + %lld);", type, type, first);
-    writer_line(out, "for (; %s < redcc__behind; %s++, redcc__to++) {", name, name);
-    out->depth++;
-    printer p = {.arena = loop->arena,
-                 .out = out,
-                 .rename = name_in_span,
-                 .context = (void *)(uintptr_t)record};
-    print_statement(&p, update->statement);
-    if (p.problem)
-        loop_obstacle(loop, update->statement->range, "%s", p.problem);
-    out->depth--;
-    writer_line(out, "}");
-    out->depth--;
-    writer_line(out, "REDCC_SPANS_END");
-}
-
-static void write_span_record(loop_text *loop, const bins_record *record, writer *out) {
-    buffer members = {0};
-    for (unsigned i = 0; i < record->span->variable_count; i++)
-        buffer_format(&members, "%s v%u; ",
-                      kind_text(value_kind_of(record->span->variables[i]->type)), i);
-    writer_line(out, "typedef struct { redcc_size first; redcc_int count; %s} %s;",
-                members.data ? members.data : "", record_name(loop, record->stream));
-    buffer_free(&members);
-}
+/* ---- before a statement ---------------------------------------------------------------------- */
 
 bool bins_have_spans(const loop_text *loop) {
     for (unsigned i = 0; loop->bins && i < loop->bins->record_count; i++)
@@ -466,8 +333,8 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
         return;
     buffer members = {0};
     for (unsigned i = 0; i < count; i++)
-        buffer_format(&members, "%s v%u; ", kind_text(its->kinds[i]), i);
-    writer_line(out, "typedef struct { %s} %s;", members.data, record_name(loop, stream));
+        buffer_format(&members, "%s v%u; ", bins_kind_text(its->kinds[i]), i);
+    writer_line(out, "typedef struct { %s} %s;", members.data, bins_record_name(loop, stream));
     buffer_free(&members);
 }
 
@@ -501,8 +368,8 @@ void write_bins(loop_text *loop, writer *out) {
         else
             writer_line(out, "%sREDCC_APPLY(%s_%u, %s, %s, %u,%s)",
                         rounds_in_between(loop, its) ? "REDCC_ROUNDED " : "",
-                        outlined_name(loop, "apply"), i, row, record_name(loop, i), tag_bits(its),
-                        updates_text(loop, i));
+                        outlined_name(loop, "apply"), i, row, bins_record_name(loop, i),
+                        tag_bits(its), updates_text(loop, i));
     }
 }
 
@@ -516,7 +383,8 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)
-        assert(!is_floating(stream->kinds[i])); /* such updates of integers keep the order */
+        assert(!is_floating(stream->kinds[i])); /* may_be_copied: the order does not matter, so no
+                                                 * operand is floating */
     return true;
 }
 
@@ -524,7 +392,7 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
 static const char *stream_text(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const char *apply = arena_format(loop->arena, "%s_%u", outlined_name(loop, "apply"), stream);
-    const char *record = record_name(loop, stream);
+    const char *record = bins_record_name(loop, stream);
     const char *rest = arena_format(loop->arena, "%s, %u, %d",
                                     record ? arena_format(loop->arena, "sizeof(%s)", record) : "0",
                                     tag_bits(its), is_exact(loop, its));

@@ -4,7 +4,12 @@
 #define EMIT_BINS_BINS_H
 
 #include "emit/base/loop.h"
+#include "plan/bins.h"
 
+/** The type of a record's value, by a name that needs no declaration; NULL for VALUE_NONE. */
+const char *bins_kind_text(value_kind kind);
+/** The type of a stream's records; NULL: they have no values. */
+const char *bins_record_name(loop_text *loop, unsigned stream);
 /** The text before an update whose element has this address; `name` spells variables. */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address,
                         ir_c_rename name);

@@ -291,7 +291,7 @@ static void keep_others_rolled(body_copy *copy, const ir_node *node) {
         at--;
     const char *counter =
         text_operand(copy->loop->arena, step->children[0], local_name, copy->loop);
-    if (counter && at > node->range.begin && text[at - 1] == ';') /* else a macro's text */
+    if (counter && at > node->range.begin && text[at - 1] == ';') /* no macro's text */
         edit_insert(copy->loop->arena, &copy->edits, step->range.begin,
                     arena_format(copy->loop->arena, "REDCC_ROLLED(%s), ", counter));
 }

@@ -16,7 +16,7 @@ void declare_conditional_live_outs(loop_text *loop, writer *out) {
     if (has_conditional_live_outs(loop->facts))
         writer_line(out, "int redcc__lock = 0;");
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
-        if (!loop->facts->variables.privates[i].is_last_sought)
+        if (!loop->facts->variables.privates[i].is_conditional_live_out)
             continue;
         const char *name =
             origin_variable(loop->arena, loop->facts->variables.privates[i].variable);
@@ -26,7 +26,7 @@ void declare_conditional_live_outs(loop_text *loop, writer *out) {
 }
 
 void write_note(loop_text *loop, writer *out, unsigned number) {
-    assert(loop->facts->variables.privates[number].is_last_sought);
+    assert(loop->facts->variables.privates[number].is_conditional_live_out);
     writer_line(out, "if (redcc__k >= *redcc__when_%u) {", number);
     writer_line(out, "    *redcc__when_%u = redcc__k;", number);
     writer_line(out, "    *redcc__noted_%u = %s;", number,
@@ -39,7 +39,7 @@ void write_last_notes(loop_text *loop, writer *out) {
         return;
     writer_line(out, "redcc_lock(redcc__lock);");
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
-        if (!loop->facts->variables.privates[i].is_last_sought)
+        if (!loop->facts->variables.privates[i].is_conditional_live_out)
             continue;
         writer_line(out, "if (*redcc__when_%u > *redcc__latest_%u) {", i, i);
         writer_line(out, "    *redcc__latest_%u = *redcc__when_%u;", i, i);
@@ -51,7 +51,7 @@ void write_last_notes(loop_text *loop, writer *out) {
 
 void take_conditional_live_outs(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
-        if (!loop->facts->variables.privates[i].is_last_sought)
+        if (!loop->facts->variables.privates[i].is_conditional_live_out)
             continue;
         writer_line(out, "if (redcc__latest_%u >= 0) {", i);
         writer_line(out, "    %s = redcc__found_%u; }",

@@ -156,8 +156,7 @@ static lane_value call_by_lane(vectoriser *l, const ir_node *node) {
 }
 
 static lane_value call(vectoriser *l, const ir_node *node) {
-    const ir_function *callee =
-        node->children[0]->kind == IR_FUNCTION ? node->children[0]->function : NULL;
+    const ir_function *callee = ir_called_function(node);
     if (callee && callee->body)
         return (lane_value){lane_call(l, node), true};
     if (callee && lane_known_call(callee) && node->child_count == 2)

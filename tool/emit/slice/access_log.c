@@ -106,7 +106,7 @@ const char *log_address_text(inspector *self, const ir_node *row, const ir_varia
     if (self->is_unconditional && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
         if (row_needs_address(&address) &&
-            number) /* & of a pointer that replaces the object differs */
+            number) /* the address of a pointer that replaces the object would be another one */
             self->loop->outline.possible = false;
     }
     if (number)

@@ -32,7 +32,7 @@ typedef struct inspector {
     const ir_node *place; /* the place of that row's access */
     bool is_at_last;      /* the last row is being spelled, not the first */
     row_list recent;      /* the rows logged by the last statements of the text */
-    size_t recent_end;    /* length of the text after them; if it differs, others have followed */
+    size_t recent_end;    /* where they end in the text; statements follow if the text is longer */
 } inspector;
 
 bool logged_same(const logged_row *a, const logged_row *b);

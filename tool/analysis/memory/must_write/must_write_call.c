@@ -21,7 +21,7 @@ typedef struct known_function {
     const char *name;
     unsigned access_count;
     known_access accesses[2];
-    bool is_gnu; /* the name is the program's, unless the system declares it */
+    bool is_gnu; /* it counts as the program's own unless a system header declares it */
 } known_function;
 
 /* C17 7.12 and 7.24, and some of GNU's and POSIX'. None stores an address; memcpy, memmove, memset

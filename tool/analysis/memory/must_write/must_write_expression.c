@@ -209,8 +209,9 @@ static value evaluate_binary(run *r, state *s, const ir_node *node) {
         run_discard(r, s, node->children[0]);
         return run_evaluate(r, s, node->children[1]);
     }
-    /* Left-nested chains are long: only the right operand is searched for effects. If it has none,
-     * it is evaluated first and does not see the left one's writes. */
+    /* Chains like a + b + c nest on the left and may be long, so only the right operand is searched
+     * for effects. If it has none, it is evaluated first: writes of the left operand do not count
+     * for its reads. */
     if (!run_has_effects(r, node->children[1])) {
         const value right = run_evaluate(r, s, node->children[1]);
         return value_combine(node, run_evaluate(r, s, node->children[0]), right);

@@ -122,9 +122,8 @@ static bool same_headers(twin_loops *twins) {
     return true;
 }
 
-static bool is_jump(const ir_node *node) {
-    return node->kind == IR_BREAK || node->kind == IR_CONTINUE || node->kind == IR_RETURN ||
-           node->kind == IR_GOTO || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
+static bool may_jump(const ir_node *node) {
+    return ir_is_jump(node) || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
 /* Is it `object[the reader's subscript] = ...;`, executed in each iteration of the writer? */
@@ -141,7 +140,7 @@ static bool writes_element(const twin_loops *twins, const ir_node *statement, co
 
 static bool are_twins(twin_loops *twins, const ir_node *read) {
     const ir_node *body = twins->writer->children[3];
-    if (ir_any(twins->writer, is_jump) || !same_headers(twins))
+    if (ir_any(twins->writer, may_jump) || !same_headers(twins))
         return false;
     if (body->kind != IR_BLOCK)
         return writes_element(twins, body, read);

@@ -141,7 +141,7 @@ static void execute_loop(run *r, state *s, const loop_parts *loop, state *breaks
         if (!s->is_reachable || !state_same_bindings(s, before))
             continue;
         if (repeated.words != NULL && byte_set_includes(repeated, s->written)) {
-            s->is_reachable = false; /* this repeats; only a break ends it */
+            s->is_reachable = false; /* the iterations now repeat; only a break ends them */
             return;
         }
         if (run_step(r, loop->body, state_weight(s)))

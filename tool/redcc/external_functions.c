@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "redcc/foreign.h"
+#include "redcc/external_functions.h"
 
 #include <string.h>
 
@@ -7,21 +7,21 @@
 
 /* ---- from file to file ---------------------------------------------------------------------- */
 
-void foreign_write(buffer *out, const exported_functions *functions) {
+void external_write(buffer *out, const exported_functions *functions) {
     for (unsigned i = 0; i < functions->count; i++)
         buffer_format(out, "%u %s\n", (unsigned)functions->items[i].kind, functions->items[i].name);
 }
 
-void foreign_read(arena *a, foreign_functions *all, const char *file, const char *text) {
+void external_read(arena *a, external_functions *all, const char *file, const char *text) {
     if (!all->by_name)
         all->by_name = map_new(a);
     while (text[0] && text[1] == ' ') {
         const exported_kind kind = (exported_kind)(text[0] - '0');
         const char *name = text + 2;
         const size_t length = strcspn(name, "\n");
-        foreign_function **known = (foreign_function **)map_at(all->by_name, name, length);
+        external_function **known = (external_function **)map_at(all->by_name, name, length);
         if (!*known) {
-            *known = ARENA_NEW(a, foreign_function);
+            *known = ARENA_NEW(a, external_function);
             VECTOR_PUSH(a, &all->names, arena_copy(a, name, length));
         }
         (*known)->kind = kind;
@@ -33,11 +33,11 @@ void foreign_read(arena *a, foreign_functions *all, const char *file, const char
 
 /* ---- in a file ------------------------------------------------------------------------------ */
 
-const map *foreign_known(arena *a, const foreign_functions *all) {
+const map *external_known(arena *a, const external_functions *all) {
     map *known = map_new(a);
     for (unsigned i = 0; i < all->names.count; i++) {
         const char *name = all->names.items[i];
-        foreign_function *function = map_get(all->by_name, name, strlen(name));
+        external_function *function = map_get(all->by_name, name, strlen(name));
         if (function->definitions == 1 && function->kind != EXPORTED_NOTHING)
             *map_at(known, name, strlen(name)) = &function->kind;
     }
@@ -48,11 +48,11 @@ const map *foreign_known(arena *a, const foreign_functions *all) {
 
 typedef struct call_search {
     arena *memory;
-    const foreign_functions *all;
+    const external_functions *all;
     const analysis_options *options;
     bool *is_visited; /* [function_count] */
-    ir_range place;   /* the call in the loop, also if the callee makes the call in question */
-    VECTOR(foreign_call) found;
+    ir_range place;   /* the call in the loop, which may reach the function through others */
+    VECTOR(external_call) found;
 } call_search;
 
 /* Does the user assert that the function is pure (--pure)? Then no other file is needed. */
@@ -76,10 +76,10 @@ static bool visit(ir_node *node, void *context) {
         search->place = node->range;
     if (external_kind(search->options, function) != EXPORTED_NOTHING &&
         !is_given(search->options, function)) {
-        const foreign_function *known =
+        const external_function *known =
             map_get(search->all->by_name, function->name, strlen(function->name));
-        const foreign_call call = {function->name, known->file, exported_word(known->kind),
-                                   search->place};
+        const external_call call = {function->name, known->file, exported_word(known->kind),
+                                    search->place};
         VECTOR_PUSH(search->memory, &search->found, call);
     }
     if (function->body)
@@ -88,8 +88,8 @@ static bool visit(ir_node *node, void *context) {
     return true;
 }
 
-void foreign_note(arena *a, const foreign_functions *all, const analysis_options *options,
-                  const ir_unit *unit, const analysis_result *analysis, loop_verdict *verdicts) {
+void external_note(arena *a, const external_functions *all, const analysis_options *options,
+                   const ir_unit *unit, const analysis_result *analysis, loop_verdict *verdicts) {
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         if (verdicts[i].kind != VERDICT_TRANSFORM)
             continue;
@@ -98,7 +98,7 @@ void foreign_note(arena *a, const foreign_functions *all, const analysis_options
                               .options = options,
                               .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
         ir_walk((ir_node *)verdicts[i].loop, visit, &search);
-        verdicts[i].foreign = search.found.items;
-        verdicts[i].foreign_count = search.found.count;
+        verdicts[i].external_calls = search.found.items;
+        verdicts[i].external_call_count = search.found.count;
     }
 }
