@@ -25,7 +25,7 @@ run() {
   echo "$experiment,$variant,$round,$(jq "$filter" "$work/$variant/summary.json")" >>"$csv"
 }
 
-# ratios EXPERIMENT VARIANT: serial's seconds over the variant's, round by round
+# ratios EXPERIMENT VARIANT: seconds of the serial build divided by the variant's, round by round
 ratios() {
   awk -F, -v e="$1" -v v="$2" '$1 == e && $2 == "serial" {s[$3] = $4} $1 == e && $2 == v {p[$3] = $4}
     END {for (r in p) if (p[r] > 0) print s[r] / p[r]}' "$csv"

@@ -66,8 +66,8 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* The number of executions of this duration after which the budget covers an inspection, and a plan
- * construction that takes half an execution. */
+/* The number of executions of this duration after which auto's credit covers an inspection and a
+ * plan construction that takes half an execution. */
 static long repaid_after(double seconds) {
     const double look = LEARN_SAMPLE < LEARN_CLEAR * seconds ? LEARN_SAMPLE / seconds : LEARN_CLEAR;
     return (long)((look + 0.5) / LEARN_SHARE);

@@ -118,8 +118,8 @@ void redcc_inspection_end(struct inspection *inspection);
 /** Has the inspection taken longer than auto allows? */
 bool redcc_inspection_is_late(const struct inspection *inspection);
 
-/** Will it, if it continues at its pace? `done`: the completed fraction of the stage, 0 to 1. False
- * in the first 16th of the time. */
+/** Will the inspection miss its deadline if it continues at its pace? `done`: the completed
+ * fraction of the stage, 0 to 1. False in the first 16th of the time. */
 bool redcc_inspection_will_be_late(const struct inspection *inspection, double done);
 
 /** With a deadline, the clock is first read after a few iterations, since they may be heavy, then
