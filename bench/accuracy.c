@@ -55,7 +55,8 @@ static void make_rows(int shuffled) {
     }
 }
 
-/* If ill, the last contribution to each element cancels all but 1e-12 of the others. */
+/* Makes the values; if `ill`, the last contribution to each element cancels all but 1e-12 of the
+ * others. */
 static void make_values(int ill) {
     static wide sum[ROWS], size[ROWS];
     static int last[ROWS];
@@ -193,7 +194,7 @@ static void run_child(const struct way *way, int threads, struct outcome *outcom
     }
 }
 
-/* Collected over all runs of one combination. */
+/* Results collected over all runs of one combination. */
 struct collected {
     unsigned long result[MOST_RESULTS]; /* hashes of the different results */
     int results;

@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What each order and each sum costs in time and buys in accuracy (bench/accuracy.c): a table, the
-# figures of each way as CSV, and, where gnuplot is installed, a plot of one against the other.
+# Time and accuracy of each order and each sum (bench/accuracy.c): a table, all figures as CSV and, if gnuplot is
+# installed, a plot of accuracy against time.
 . bench/common.sh
 cmake --build --preset release --target bench_accuracy >/dev/null
 accuracy=$(find "$build" -name bench_accuracy -type f)
@@ -9,7 +9,7 @@ csv=$results/accuracy.csv
 load_note
 "$accuracy" "$(nproc)" >"$csv"
 
-# time: seconds over the sequential loop's of the same process, over those of order any, auto
+# time: seconds divided by those of the sequential loop of the same process, then by those of order any with auto
 table() {
   awk -F, 'NR > 1 {
       relative = $7 / $8
@@ -24,8 +24,8 @@ table() {
 } | column -s, -t
 
 plot=$results/accuracy.png
-# One panel for each mesh: a row for each variant, time over any across; at each point its largest error,
-# and * where results differ between runs or with the thread count.
+# One panel for each mesh, one row for each variant; the horizontal axis is the time divided by that of `any`. Each point
+# shows the largest error, and * if results differ between runs or thread counts.
 panel() { # rows: gnuplot commands, their data in $work
   awk -F, -v r="$1" '
     NR > 1 && $1 == r && $3 == "any" && $5 == "auto" {base[$2] = $7 / $8}

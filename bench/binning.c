@@ -220,7 +220,7 @@ struct kernel {
     const char *name;
     size_t rows, row; /* rows: for a grid, cells per side; row: bytes of a row */
     enum pattern pattern;
-    int most_threads; /* 0: any number */
+    int most_threads; /* 0: no limit */
     void (*sequential)(const struct data *, void *);
     bool (*parallel)(const struct data *, void *, int);
     redcc_binned *loop;
@@ -283,7 +283,7 @@ static void execute(const struct kernel *kernel, struct variant *variant, const 
     }
     variant->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
     variant->cpu[round] = (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) /
-                          (variant->method ? threads : 1); /* auto: all */
+                          (variant->method ? threads : 1); /* auto: the total time of all threads */
 }
 
 static int ascending(const void *a, const void *b) {
@@ -305,7 +305,7 @@ static double extreme(const double *values_of, int count, int sign) {
     return found;
 }
 
-/* Leaves out the first round, which causes page faults. */
+/* Prints the figures of all rounds but the first, which causes page faults. */
 static void print(const struct kernel *kernel, const struct variant *serial,
                   const struct variant *variant, int threads, int rounds, size_t bytes) {
     double ratio[MOST_ROUNDS];

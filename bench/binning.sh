@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# In-order binning on loops whose subscripts are new at each execution (bench/binning.c), against the
-# sequential loop and LOCALWRITE, which inspects each time; bits compared in every round.
+# In-order binning on loops with new subscripts in each execution (bench/binning.c), against the sequential loop and
+# LOCALWRITE, which inspects each time. Bits are compared in every round.
 #   ROUNDS=13 KERNELS="doubles-16M ..." (none: all)
 . bench/common.sh
 read -r -a kernels <<<"${KERNELS:-}"

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# examples/by-hand: each loop as it is written, by hand, by OpenMP's `reduction` and by its `atomic`;
-# milliseconds of an execution, medians of rounds that take the versions in turn, with the tenth and
-# the ninetieth percentile. Two programs: in the one that has OpenMP regions of its own, its library
-# opens those of redcc's as well; in the other the runtime's own threads execute them.
+# examples/by-hand: each loop sequentially, by hand for redcc, and with OpenMP's `reduction` and `atomic`. Prints
+# milliseconds per execution: medians, 10th and 90th percentiles of interleaved rounds. There are two programs. One has
+# OpenMP regions of its own, so OpenMP's library also opens redcc's regions. In the other the runtime's own threads
+# execute them.
 #   SIDE=400 ROUNDS=15 THREADS=2
 . bench/common.sh
 SIDE=${SIDE:-400} ROUNDS=${ROUNDS:-15} THREADS=${THREADS:-2}

@@ -1,13 +1,12 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What redcc costs and gains from the first execution on: the total time of N executions of loops as
-# programs have them (bench/choice.c), most of which are not worth running in parallel, by `auto`, by
-# each method named, and sequentially. Rounds are interleaved, and the sequential program is first in
-# every other one, else last; each ratio is of one round, and the table has their medians, lowest and
-# highest. Results are compared bit for bit.
-# The -short ones, of 0.1 to 0.3 ms, are parts of others: CALLS="400 4000 20000" tells of them.
-# Of the loops of `script/bench methods`, force is its heavy and springs its light one, by rows alone.
-# NEIGHBOURS: number of compute-bound processes running throughout, also with the sequential program.
+# Cost and gain of redcc from the first execution on: the total time of N executions of typical loops (bench/choice.c),
+# most of which are not worth running in parallel. Each runs by `auto`, by each named method, and sequentially. Rounds are
+# interleaved; the sequential program runs first in every second one, last in the others. Each ratio is of one round; the
+# table has their medians, minima and maxima. Results are compared bit for bit. The loops named -short, of 0.1 to 0.3 ms,
+# are parts of others; they need CALLS="400 4000 20000". force and springs are the heavy and the light loop of
+# `script/bench methods`, by rows only. NEIGHBOURS: number of compute-bound processes running throughout, also with the
+# sequential program.
 #   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..." NEIGHBOURS=1
 . bench/common.sh
 rounds=${ROUNDS:-5}

@@ -13,7 +13,7 @@ minimum() { sort -g | head -n 1; }
 maximum() { sort -g | tail -n 1; }
 ratio() { awk -v a="$1" -v b="$2" 'BEGIN {printf "%.3f\n", (b > 0 ? a / b : 0)}'; }
 load_note() { awk -v n="$(nproc)" '$1 > n * 0.5 {print "note: load average " $1 " before the run: figures are noisy"}' /proc/loadavg; }
-# The direct solution is meant to be measured with OpenBLAS on one thread: Debian's where it is installed.
+# Direct solutions are measured with OpenBLAS on one thread: uses Debian's package if it is installed.
 use_openblas() {
   local folder
   for folder in /usr/lib/*/openblas-serial; do

@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Processor time of compiling translated files, as a multiple of the untouched file's: without lanes, with
-# them in heavy loops and in all. In every round each is compiled once; medians, and the quartiles of the ratios.
+# Processor time of compiling translated files, relative to the original file: without lanes, with lanes in heavy loops,
+# and with lanes in all loops. Each is compiled once per round. Prints medians, and quartiles of the ratios.
 #   ROUNDS=9 CC=gcc FILES="bench/lanes_kernels.c" FLAGS="-O2;-O3 -march=native" script/bench compile
 . bench/common.sh
 compiler=${CC:-gcc}

@@ -1,15 +1,14 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What the bits cost over ranks: fabric-mpi with --bits=serial against --bits=any, where PETSc solves, on
-# the large mesh, to the same tolerance; fabric-serial in the same rounds. Block-jacobi is the same
-# preconditioner on both sides. Gauss-seidel is compared with PETSc's sor within each rank, and gamg.
+# The cost of serial bits over MPI ranks: fabric-mpi with --bits=serial against --bits=any (solved by PETSc), on the large
+# mesh to the same tolerance, and fabric-serial in the same rounds. Block-jacobi is the same preconditioner on both sides.
+# Gauss-seidel is compared with PETSc's sor within each rank, and gamg.
 #   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
 #   MORE=1 adds the rounds to those in the file
-# Seconds are those of the steps, wall time: on a machine with other work they say little of several
-# ranks, which wait for each other. Shown are the median of the rounds, the least and the greatest. All
-# are kept, a line a run, in distributed.csv: what solved, ranks (0: fabric-serial, without MPI), round,
-# seconds, iterations, metres of the vertex farthest from fabric-serial. Runs with --bits=serial must have
-# the bits of fabric-serial.
+# Seconds are wall time of the steps. On a machine with other work they say little about several ranks, which wait for
+# each other. The table has the median, minimum and maximum of the rounds. distributed.csv has one line per run: solver,
+# ranks (0: fabric-serial, without MPI), round, seconds, iterations, the largest distance of a vertex from fabric-serial's
+# in metres. Runs with --bits=serial must have the bits of fabric-serial.
 . bench/common.sh
 if ! command -v mpirun.openmpi >"$work/found" || ! pkg-config --exists PETSc; then
   echo "distributed: not measured: it needs Open MPI and PETSc, which script/distributed installs"
@@ -78,8 +77,7 @@ done
 
 # column VARIANT RANKS NUMBER: this column of all rounds
 column_of() { awk -F, -v v="$1" -v r="$2" -v c="$3" '$1 == v && $2 == r {print $c}' "$csv"; }
-# against VARIANT RANKS VARIANT RANKS COLUMN: the first over the second, round by round
-# of those that have both: one that was stopped lacks some
+# against VARIANT RANKS VARIANT RANKS COLUMN: ratios of the first to the second, for each round that has both
 against() {
   awk -F, -v v="$1" -v r="$2" -v w="$3" -v q="$4" -v c="$5" '$1 == v && $2 == r {one[$3] = $c}
     $1 == w && $2 == q {other[$3] = $c} END {for (n in one) if (n in other) print one[n] / other[n]}' "$csv"

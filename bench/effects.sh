@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What each effect of the cloth simulator costs, one added after the other: instructions a step, by
-# callgrind, which do not depend on what else the machine does. Needs valgrind.
+# The cost of each effect of the cloth simulator, added one after the other, in instructions per step. callgrind counts
+# these, so other programs do not disturb them. Needs valgrind.
 #   STEPS=4
 . bench/common.sh
 command -v valgrind >/dev/null || { echo "effects: valgrind is not installed: nothing measured"; exit 0; }
@@ -11,8 +11,8 @@ steps=${STEPS:-4}
 csv=$results/effects.csv
 echo "added,blocks,iterations,forces,collisions,solve,update,product" >"$csv"
 
-# By block-Jacobi, an iteration of which is one product with the matrix.
-# A sheet of 900 particles whose corner is above the ball from the start; nothing acts on it.
+# With block-Jacobi, an iteration of which is one product with the matrix. A sheet of 900
+# particles whose corner is above the ball from the start; nothing acts on it.
 none=(--set colliders='[]' --set self_collision.gap=0 --set mesh.origin='[0.2, 0, 0.715]'
   --set surroundings.gravity='[0, 0, 0]' --set surroundings.drag=0
   --set material.stretch=0 --set material.shear=0 --set material.bend=0
@@ -21,7 +21,7 @@ none=(--set colliders='[]' --set self_collision.gap=0 --set mesh.origin='[0.2, 0
 ball='{kind: sphere, position: [0, 0, 0.4], radius: 0.3, friction: 0.3, gap: 0.01}'
 far='{kind: sphere, position: [90, 0, 0.4], radius: 0.3, friction: 0.3, gap: 0.01}'
 
-# instructions FUNCTION FILE: those within it, called functions included; 0 if it was not called
+# instructions FUNCTION FILE: instructions in the function, including called functions; 0: not called
 instructions() {
   callgrind_annotate --inclusive=yes --threshold=100 "$2" 2>/dev/null | tr -d , |
     awk -v f=":$1 " 'index($0, f) {print $1; found = 1; exit} END {if (!found) print 0}'

@@ -1,12 +1,11 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What accuracy costs in time: fabric's own experiments (docs/accuracy.md says what they show), whole
-# for `flap`, errors against time for the paper's scenes and the flag, the orders of reduction by the
-# parallel program, where chaos ends what accuracy buys, whole runs by preconditioner, and advice for 10, 1 and
-# 0.1 mm. CPU seconds of one
-# core, the least of REPEAT; whole runs interleaved. PICTURES=docs/pictures replaces that page's
-# pictures. The direct solution is meant to be measured with OpenBLAS: a note says if it is missing.
-# With 2602 vertices it is hours; VERTICES=300 BOUNDARY=60 MOST=128 was the page's before.
+# What accuracy costs in time: fabric's own experiments (docs/accuracy.md says what they show), all of them for `flap`;
+# errors against time for the paper's scenes and the flag; the orders of reduction by the parallel program; the time after
+# which chaos makes accuracy useless; whole runs by preconditioner; advice for 10, 1 and 0.1 mm. CPU seconds of one core,
+# the least of REPEAT; whole runs interleaved. PICTURES=docs/pictures replaces that page's pictures. The direct solution
+# is meant to be measured with OpenBLAS: a note says if it is missing. With 2602 vertices it takes hours; VERTICES=300
+# BOUNDARY=60 MOST=128 is faster.
 #   REPEAT=3 ROUNDS=3 PICTURES= VERTICES=2602 BOUNDARY=220 MOST=64
 #   KEPT=1 PICTURES=docs/pictures script/bench fabric-accuracy    draws the opening figure anew from the kept table
 . bench/common.sh
@@ -77,7 +76,7 @@ done
 awk -F, 'NR > 1 {k = $1 " " $2 " " $3; if (!(k in least) || $5 < least[k]) least[k] = $5}
   END {for (k in least) printf "%s: %.2f s\n", k, least[k]}' "$whole" | sort
 
-# You want this error: set that, pay so much.
+# For each error: the advised settings and their cost.
 echo "scene | error | settings | time"
 for scene in flap hanging tablecloth; do
   for error in 10mm 1mm 0.1mm; do

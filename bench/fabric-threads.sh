@@ -1,10 +1,10 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# How whole runs of the cloth simulator go with the threads: the paper's scenes, the large mesh and
-# scenes of the gallery, seconds of all steps, against the sequential program in the same round. The
-# last state of each run must have the bits of the sequential one.
+# Speed-up of whole runs of the cloth simulator by number of threads, for the paper's scenes, the large mesh and scenes of
+# the gallery: seconds of all steps, against the sequential program in the same round. The last state of each run must
+# have the bits of the sequential one.
 #   ROUNDS=3 THREADS="1 2 4 8 16" SCENES="tablecloth hanging sheet218k ball curtain scarf" STEPS=N
-# THREADS: by default powers of two up to the cores there are. STEPS: at most so many of each scene.
+# THREADS: by default powers of two up to the number of cores. STEPS: maximum steps of each scene.
 . bench/common.sh
 rounds=${ROUNDS:-3}
 threads=${THREADS:-$(for ((t = 1; t <= $(nproc); t *= 2)); do echo "$t"; done)}

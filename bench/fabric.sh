@@ -25,7 +25,7 @@ run() {
   echo "$experiment,$variant,$round,$(jq "$filter" "$work/$variant/summary.json")" >>"$csv"
 }
 
-# ratios EXPERIMENT VARIANT: serial's seconds over the variant's, round by round
+# ratios EXPERIMENT VARIANT: seconds of the serial build divided by the variant's, round by round
 ratios() {
   awk -F, -v e="$1" -v v="$2" '$1 == e && $2 == "serial" {s[$3] = $4} $1 == e && $2 == v {p[$3] = $4}
     END {for (r in p) if (p[r] > 0) print s[r] / p[r]}' "$csv"
@@ -36,8 +36,8 @@ line() {
     "$(ratios "$1" "$2" | median)" "$(ratios "$1" "$2" | minimum)" "$(ratios "$1" "$2" | maximum)"
 }
 
-# The bound: the sequential program on every core at once, each on a mesh of its own. What it falls
-# behind by then, memory and the machine's other users take, and no parallel program gets back.
+# The upper bound: the sequential program on every core at once, each with a separate mesh. Its slowdown is due to memory
+# and to other users of the machine; no parallel program can avoid it.
 run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest of them
   local experiment=$1 round=$2 core slowest
   shift 2
@@ -49,7 +49,7 @@ run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest of them
   echo "$experiment,crowd,$round,$(jq -n "$slowest / $threads")" >>"$csv"
 }
 
-# The force loops need no long solve: a short step keeps the conjugate gradient out of the way.
+# Only the force loops matter: with a short step the conjugate gradient takes little time.
 large=(run sheet218k --steps "$steps" --set time.step=0.0002)
 for round in $(seq "$rounds"); do
   run forces-218k serial "$round" "$force_seconds" "$serial" "${large[@]}"
@@ -58,7 +58,7 @@ for round in $(seq "$rounds"); do
     env OMP_NUM_THREADS="$threads" "$parallel" "${large[@]}"
   run_crowd forces-218k "$round" "${large[@]}"
 done
-# One step: one inspection of each loop, beside one sequential execution of it.
+# One step: one inspection of each loop, compared with one sequential execution of it.
 one=(run sheet218k --steps 1 --set time.step=0.0002)
 for round in 1 2 3; do
   run one-step serial "$round" "$force_seconds" "$serial" "${one[@]}"

@@ -1,10 +1,10 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# CSparse's cs_gaxpy, its file as it is, compiled by gcc and by redcc-cc: y = A*x + y for a matrix of
-# a million rows and ten million entries, of four shapes (bench/gaxpy.c). Rounds are interleaved;
-# ratios are of one round. The source comes from Debian (build/packages; the first time by network).
-# By default unmodified subscripts are write-tracked from the 14th call on and not read any
-# more (docs/decisions/0007), which the median of so many calls shows; compared: with REDCC_WATCH=off.
+# CSparse's unchanged cs_gaxpy, compiled by gcc and by redcc-cc: y = A*x + y for a matrix of a million rows and ten
+# million entries, of four shapes (bench/gaxpy.c). Rounds are interleaved; ratios are of one round. The source comes from
+# Debian (build/packages; the first time by network). By default unmodified subscripts are write-tracked from the 14th
+# call on and no longer read (docs/decisions/0007); the median of 41 calls includes that. For comparison also with
+# REDCC_WATCH=off.
 #   ROUNDS=5 CALLS=41 SIDE=1000 SHAPES="banded mesh shuffled random"
 . bench/common.sh
 rounds=${ROUNDS:-5}
@@ -44,7 +44,7 @@ run() {
   [ ! -s "$work/report" ] || method=$(jq -r '.loops[0].method' "$work/report")
   echo "$shape,$variant,$round,$median,$first,$bits,$method" >>"$csv"
 }
-# The bound: gcc's program on every core at once, each on a matrix of its own; the slowest of them.
+# The upper bound: gcc's program on every core at once, each with a separate matrix; the slowest counts.
 run_crowd() { # run_crowd SHAPE ROUND
   local core
   for core in $(seq "$(nproc)"); do

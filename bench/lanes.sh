@@ -1,14 +1,13 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Lanes and prefetches in the executors of LOCALWRITE: the untouched loops (bench/lanes_kernels.c)
-# against the translated ones with neither, with each, with both and as the runtime finds to be the
-# fastest, as compiled for this machine and by -O2 alone; bits compared in every round. Below the table: what was not written for
-# vectors, and why.
+# Lanes and prefetches in the executors of LOCALWRITE: the original loops (bench/lanes_kernels.c) against the translated
+# ones with neither, with each, with both, and with the runtime's choice. They are compiled for this machine and with -O2
+# only; bits are compared in every round. Below the table: the loops without lanes, and why.
 #   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native LANES=4 (auto: of heavy loops alone)
-# For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only makes the programs
-# there, which need nothing but the C library and libgomp. Each is run by
+# For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only builds the programs in that folder; they
+# need only the C library and libgomp. Run each by
 #   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive folder/lanes-O2 ROUNDS SIDE KERNEL
-# where all arguments may be left out: 15 rounds, a mesh of 467 x 467, all kernels.
+# All arguments are optional: the defaults are 15 rounds, a mesh of 467 x 467 and all kernels.
 . bench/common.sh
 compiler=${CC:-gcc}
 csv=$results/lanes.csv

@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c),
-# against the sequential loop of the same run, and with hand-written alternatives. Then
-# `auto` with order any. WARM: seconds of executions before `auto` is timed; its credit for cutting the
-# access graph of the heavy loop, a tenth of the loop's time, takes some seconds to gather.
+# The runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c), against the
+# sequential loop of the same run, and with hand-written alternatives. Then `auto` with order any. WARM: seconds of
+# executions before `auto` is timed. It needs some seconds until its credit covers cutting the access graph of the heavy
+# loop.
 . bench/common.sh
 threads=$(nproc)
 warm=${WARM:-15}
@@ -12,7 +12,7 @@ loops=$(find "$build" -name bench_loops -type f)
 csv=$results/methods.csv
 echo "loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,inspection_of_serial,extra_percent,replication,modelled" >"$csv"
 load_note
-# Copies of the arrays of OpenMP's reductions lie on the stacks.
+# OpenMP's reductions put copies of the arrays on the stacks.
 ulimit -s unlimited 2>/dev/null || echo "note: the stack is limited; omp-sections may fail"
 export OMP_NUM_THREADS=$threads OMP_STACKSIZE=512M
 cells() { # arguments for loops after the mesh

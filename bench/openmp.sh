@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# A histogram with OpenMP directives, compiled by gcc and by redcc-cc: milliseconds (medians of
-# interleaved runs), and how many different results RUNS runs gave.
+# A histogram with OpenMP directives, compiled by gcc and by redcc-cc: milliseconds (medians of interleaved runs), and the
+# number of different results of RUNS runs.
 #   RUNS=20   THREADS="1 2"   SIZES="50000,1000,500 ... 4000000,12500000,4"
 #             iterations, elements of 8 bytes, executions
 . bench/common.sh

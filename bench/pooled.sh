@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Not a measurement: every run of `script/bench methods` that the history keeps, pooled. Of each loop
-# the median of the runs' medians, the least and the greatest of them, and how many runs there are; the
-# oldest commit and the newest. Runs of older code are among them: the figures say what a reader may
-# expect, not what the best minute gave.
+# Measures nothing: pools all runs of `script/bench methods` in the git history. For each loop it prints the median,
+# minimum and maximum of the runs' medians, the number of runs, and the oldest and newest commit. Runs of older code are
+# included, so the figures show what a user may expect, not the best case.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 for results in bench/results/*/methods.csv; do

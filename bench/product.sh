@@ -1,7 +1,7 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Half of the cloth's symmetric matrix, which fabric stores, against all of it: blocks, megabytes and
-# the time of one product on one core, on the paper's two meshes. The two products are compared first.
+# Compares products with half of the cloth's symmetric matrix, as fabric stores it, and with the whole matrix: blocks,
+# megabytes and the time of one product on one core, for the paper's two meshes. First checks that both products agree.
 #   MESHES="2602,220,1001 218272,1713,31"   vertices, those on the border, repetitions
 . bench/common.sh
 MESHES=${MESHES:-2602,220,1001 218272,1713,31}

@@ -1,10 +1,10 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Real programs (bench/real) as a whole: each is built by gcc -O2 and by redcc-cc -O2 in its place, its
-# libraries with it, and run on input of real size. Wall time from start to end, of gcc's program and
-# of redcc-cc's at 1 and 2 threads, in turns; ratios are of one round. What is printed must be the
-# same to the byte, in every run. Sources of SuiteSparse come from Debian (build/packages; the first
-# time by network). The share of a run that its loops take is found by perf where that is there.
+# Real programs (bench/real) as a whole: each is built, with its libraries, by gcc -O2 and by redcc-cc -O2, and run on
+# input of real size. Measures wall time from start to end of gcc's program and of redcc-cc's with 1 and 2 threads, in
+# turn; ratios are of one round. All runs must print the same bytes. Sources of SuiteSparse come from Debian
+# (build/packages; the first time by network). perf, if it is installed, measures the fraction of a run that the loops
+# take.
 #   ROUNDS=5 PROGRAMS="molecules bricks jelly euler fairing transport plate" SMALL= (1: the tests' sizes)
 . bench/common.sh
 . bench/real/library.sh
@@ -19,7 +19,7 @@ prefix=$work/prefix
 cmake --install "$build" --prefix "$prefix" >/dev/null
 load_note
 
-# build_all NAME: by both compilers, and once more by gcc for the profile; 1 where there is no source
+# build_all NAME: builds by both compilers, and again by gcc for the profile; 1: the source is unavailable
 build_all() {
   (fetch_real "$1") || return 1
   {

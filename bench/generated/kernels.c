@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* For bench/generated.sh: springs, a histogram, y = A x by columns, and a loop with a live-out
- * value, whose body is not outlined; the argument selects one. kernels-long.txt, the longer code
- * that redcc generated at first, comes from this file. */
+ * value, whose body is not outlined; the argument selects one. */
 #include <stdio.h>
 #include <stdlib.h>
 struct sys {

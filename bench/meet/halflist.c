@@ -79,7 +79,8 @@ static void find_neighbours(double reach) {
     for (int i = 0; i < ATOMS; i++) {
         start[i] = count;
         last[i] = i;
-        const int layer = 3 * SIDE * SIDE; /* atoms farther behind in the order are no neighbours */
+        /* atoms with larger distances in the order are not neighbours */
+        const int layer = 3 * SIDE * SIDE;
         for (int j = i + 1; j < ATOMS && j < i + layer; j++) {
             const double dx = at[i][0] - at[j][0], dy = at[i][1] - at[j][1],
                          dz = at[i][2] - at[j][2];

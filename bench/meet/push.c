@@ -86,7 +86,8 @@ static void push(int n, particle *p, float *g) {
 }
 #endif
 
-/* Particles are sorted by rows of the grid, as programs of this kind do now and then, and slow. */
+/* Makes slow particles, sorted by rows of the grid, as programs of this kind do from time to time.
+ */
 void make(void) {
     particles = room(PARTICLES * sizeof *particles);
     grid = room(SIDE * SIDE * sizeof *grid);

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# shellcheck shell=bash disable=SC2034
-# The real programs of `script/bench real`: what they are built from and run on. Sourced, from the
-# repository's root, by the benchmark and by tests/real.
+# shellcheck shell=bash disable=SC2034 The real programs of `script/bench real`: their sources and arguments. Sourced from
+# the repository's root by the benchmark and by tests/real.
 #
-# Given: PACKAGES_FOLDER, where Debian's sources go (tests/packages/library.sh).
+# Requires PACKAGES_FOLDER, the folder for Debian's sources (tests/packages/library.sh).
 real_programs=(molecules bricks jelly euler fairing transport plate)
 
 # Arguments of a run of some seconds, and of one for a test.
@@ -12,7 +11,7 @@ declare -A real_size=([molecules]="24 200" [bricks]="24 400" [jelly]="32 300" [e
 declare -A test_size=([molecules]="8 41" [bricks]="6 100" [jelly]="8 100" [euler]="16 20" [fairing]="5 30"
   [transport]="4000 5" [plate]="60 3")
 
-# The functions that hold the irregular reductions, as a regular expression, for their share of a run.
+# The functions with irregular reductions, as a regular expression: to find their share of a run.
 declare -A real_loops=([molecules]="forces" [bricks]="internal_forces|element_force"
   [jelly]="elastic_forces|stress|product|edges|cofactors|determinant" [euler]="residual|wave_speeds|rusanov"
   [fairing]="curvature_normals|cotangents" [transport]="umfdi_solve" [plate]="cs_gaxpy")
@@ -28,7 +27,7 @@ fetch_real() { # NAME
   fetch
 }
 
-# build_real NAME COMPILER FOLDER [FLAG...]: makes FOLDER/NAME, all of it by that compiler.
+# build_real NAME COMPILER FOLDER [FLAG...]: builds FOLDER/NAME with that compiler, including libraries.
 build_real() {
   local name=$1 compiler=$2 folder=$3 flags=(-O2 "${@:4}") source=bench/real/$1.c
   mkdir -p "$folder"
@@ -45,7 +44,7 @@ build_real() {
   esac
 }
 
-# UMFPACK in doubles and int, without CHOLMOD and the BLAS: each compiler builds all that is timed.
+# UMFPACK for double and int, without CHOLMOD and BLAS, so that each compiler builds all timed code.
 build_umfpack() { # COMPILER FOLDER FLAGS
   cp -r "$PACKAGES_FOLDER"/sources/suitesparse/{UMFPACK,AMD,SuiteSparse_config} "$2" &&
     make -C "$2"/SuiteSparse_config CC="$1" CFLAGS="$3" static &&
@@ -54,8 +53,7 @@ build_umfpack() { # COMPILER FOLDER FLAGS
       'OBJ=$(II) $(GN) $(DI)' static
 }
 
-# The share of a run, in percent, that perf's samples find in the given functions, and in what was
-# inlined into them; "-" where there is no perf, or it may not be used.
+# The percentage of perf's samples in the given functions, including code inlined into them; "-" if perf is unavailable.
 loop_share() { # PROGRAM FUNCTIONS ARGUMENT...   (PROGRAM built with -g -no-pie)
   local program=$1 functions=$2 samples=$1.samples
   shift 2

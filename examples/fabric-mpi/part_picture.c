@@ -18,7 +18,7 @@
 /* Sizes in the picture, in pixels. It is drawn four times (FINE) as wide and high, then halved
  * twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };
-/* With more triangles than this no edges are drawn: they would hide the small triangles. */
+/* With more triangles than this, edges are not drawn, since they would hide the small triangles. */
 enum { MOST_WITH_EDGES = 20000 };
 
 /* From Okabe and Ito's palette for colour-blind readers. */

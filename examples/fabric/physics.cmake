@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The sources of the cloth's physics, with simulation.h as its face.
+# The sources of the cloth's physics; simulation.h is their interface.
 set(FABRIC_PHYSICS_SOURCES)
 foreach(source
     step/simulation.c step/team.c step/simulation_state.c step/simulation_archive.c step/integrator.c step/newton.c step/forces.c contact/motion.c contact/collision.c contact/pin.c contact/shape.c system/constraint.c solver/solver.c solver/solver_precondition.c
@@ -13,6 +13,6 @@ foreach(source
     step/barrier_step.c)
   list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})
 endforeach()
-# Built without OpenMP, its pragmas on regular loops mean nothing.
+# Without OpenMP the compiler ignores the pragmas on regular loops.
 set_source_files_properties(${FABRIC_PHYSICS_SOURCES} PROPERTIES
                             COMPILE_OPTIONS -Wno-unknown-pragmas)

@@ -60,7 +60,7 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
-    case REASON_SAVING: /* the inspection took place */
+    case REASON_SAVING: /* an inspection took place */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;
@@ -214,7 +214,8 @@ static void note_variant(const struct execution *execution, struct statistics *s
     statistics->last.lanes_reason = execution->run.variant.why;
 }
 
-/* If threads find their iterations during execution, their number is known only afterwards. */
+/* If threads find their iterations during execution, the number of executed iterations is known
+ * only afterwards. */
 static void count_selected(const struct execution *execution) {
     struct plan *plan = execution->run.plan;
     if (!plan->method->selects)
@@ -262,7 +263,7 @@ static void account_execution(struct execution *execution, double now) {
     }
 }
 
-/* Also if the loop continued sequentially after some rounds. */
+/* Counts an execution in bins, even if the loop continued sequentially after some rounds. */
 static void account_binned(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;

@@ -23,9 +23,9 @@ enum {
     MOST_ARRAYS = 8 /* more than any translated loop has */
 };
 
-/* Seconds of sequential time above which the other iterations may repay the extra cost of a first
+/* Seconds of sequential time. Above this, the other iterations may repay the extra cost of a first
  * parallel execution: a sample, starting threads, and page faults. */
-static const double long_enough = 4 * LEARN_LOOK / LEARN_SHARE;
+static const double long_enough = 4 * LEARN_SAMPLE / LEARN_SHARE;
 
 /* The calling thread's state while it executes iterations in order. */
 struct in_order {
@@ -86,8 +86,8 @@ void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_me
     execute(site, attempt, member, context, from, attempt->trip);
 }
 
-/* Is this the first execution, and may `auto` decide about it? Not in a fixed order, in which sums
- * depend on the iterations that are executed together. */
+/* Is this the first execution, and may `auto` decide about it? No with REDCC_ORDER=fixed, where
+ * sums depend on which iterations are executed together. */
 static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
     if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))

@@ -18,8 +18,8 @@ struct beginning {
     redcc_word key[BEGINNING_KEYS];
 };
 
-/** If the loop was never executed before: executes and times the first iterations, perhaps all.
- *  `threads`: the number for the others. */
+/** If the loop was never executed before, executes and times the first iterations, perhaps all.
+ * `threads`: the number of threads for the other iterations. */
 void redcc_begin_in_order(struct beginning *beginning, redcc_site *site,
                           const redcc_attempt *attempt, redcc_member *member, const void *context,
                           int threads);

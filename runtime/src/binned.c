@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Binned loops in the pipeline: calls bins/, and returns to the other stages. */
+/** The pipeline's stage for binned loops: calls bins/, and returns to the other stages. */
 #include "loop.h"
 
 #include "base/clock.h"
 
 #include <errno.h>
 
-/* Continues after the last round. All threads find the same result. */
+/* Continues after the last round, with the same result in all threads. */
 static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;
@@ -55,7 +55,7 @@ int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands
         return 0;
     struct execution *execution = thread->execution;
     struct run *run = &execution->run;
-    if (worker->last == 0 && !resumes) { /* for the first time */
+    if (worker->last == 0 && !resumes) { /* the first call of this execution */
         errno = 0;
         if (thread->thread == 0)
             run->ready = redcc_seconds();
@@ -65,12 +65,12 @@ int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands
     if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands)) {
         for (uint32_t s = 0; s < execution->state->binning.loop->stream_count; s++)
             bins[s].calls = worker->call->calls;
-        return REDCC_HANDED;
+        return REDCC_TO_PUSH;
     }
     if (thread->binner->phase != BINS_STRETCH) {
         end(thread, worker);
         return 0;
     }
     stretch(thread, worker);
-    return REDCC_BETWEEN;
+    return REDCC_TO_EXECUTE;
 }

@@ -84,7 +84,7 @@ static int serially(struct loop_state *state, enum reason reason) {
     return 0;
 }
 
-/* Records a call that does not reach redcc_enter. */
+/* Counts a sequential call that did not reach redcc_enter. */
 static void note_serial(redcc_loop *loop, enum reason reason) {
     struct loop_state *state = redcc_state_of(loop);
     if (!state)
@@ -99,7 +99,7 @@ void redcc_note_no_memory(redcc_loop *loop) {
 
 int redcc_is_unlinked(redcc_loop *loop) {
     (void)redcc_is_forked();        /* must precede any use of the parent's memory */
-    (void)redcc_settings_for(loop); /* sets the report's file */
+    (void)redcc_settings_for(loop); /* reads REDCC_REPORT */
     note_serial(loop, REASON_UNLINKED);
     return 0;
 }
@@ -112,7 +112,7 @@ int redcc_is_alone(redcc_loop *loop) {
     return 0;
 }
 
-redcc_crew *redcc_meet(redcc_loop *loop, int locks) {
+redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks) {
     if (!locks || redcc_team_has_met())
         return redcc_crew_new();
     if (redcc_settings_for(loop)->report)
@@ -130,7 +130,7 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* Releases the loop. The execution's data must not be used afterwards. */
+/* Ends the execution and releases the loop. Its data must not be used afterwards. */
 static void end(struct loop_state *state) {
     const struct within within = state->execution.within;
     redcc_loop_release(state);
@@ -221,7 +221,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->planned = threads;
     call->started = alone ? 0 : redcc_team_missing(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
-    if (call->request.sections && threads < 1) /* the bits do not depend on the number */
+    /* sections give the same bits with any number of threads */
+    if (call->request.sections && threads < 1)
         threads = 1;
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (!alone && threads < (call->one_will_do || call->in_bins ? 1 : 2))
@@ -531,8 +532,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
         redcc_team_begun(threads);
         const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
         if (!execution->advice.alone || execution->call.request.sections ||
-            is_dry) /* a sample is too short for a user to wait for its
-                     * end */
+            is_dry) /* only a dry run is so long that a user may wait for its end */
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
     }

@@ -27,16 +27,16 @@ static int may_load(const redcc_loop *loop, redcc_word *last) {
 
 static const redcc_series_calls series = {.join = redcc_series_join,
                                           .room = redcc_series_room,
-                                          .again = redcc_series_again,
+                                          .repeats = redcc_series_repeats,
                                           .is_over = redcc_series_is_over,
                                           .has_any = redcc_series_has_any,
                                           .find = redcc_series_find,
                                           .await_band = redcc_series_await_band,
                                           .part_of = redcc_series_part_of,
                                           .end_band = redcc_series_end_band,
-                                          .give = redcc_operands_give_all};
+                                          .release = redcc_operands_free_all};
 
-static const redcc_behind_calls behind = {.is_there = redcc_is_readable,
+static const redcc_behind_calls behind = {.is_readable = redcc_is_readable,
                                           .push_span = redcc_push_span};
 
 static int is_in_order(const redcc_loop *loop) {
@@ -46,7 +46,7 @@ static int is_in_order(const redcc_loop *loop) {
 }
 
 static const redcc_crew_calls crew = {.arrive = redcc_crew_arrive,
-                                      .meet = redcc_meet,
+                                      .begin = redcc_crew_begin,
                                       .help = redcc_crew_help,
                                       .end = redcc_crew_end};
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Maximum length of a call chain. (Loops that call mutually recursive functions are not
+/* Maximum length of a chain of calls. (Loops that call mutually recursive functions are not
  * translated.) */
 enum { MOST_DEEP = 64 };
 

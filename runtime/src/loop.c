@@ -15,16 +15,16 @@ static void state_free(struct loop_state *state) {
     redcc_cache_drop_all(&state->cache);
     redcc_sections_end(&state->sections);
     redcc_threads_end(state);
-    redcc_memory_give(request->bases);
-    redcc_memory_give(request->known);
-    redcc_memory_give(request->key);
+    redcc_memory_free(request->bases);
+    redcc_memory_free(request->known);
+    redcc_memory_free(request->key);
     redcc_partition_end(&execution->inspection.partition);
-    redcc_memory_give(execution->inspection.touched);
-    redcc_memory_give(execution->inspection.sources);
-    redcc_memory_give(state->binning.stream);
-    redcc_memory_give(state->reported.file);
-    redcc_memory_give(state->reported.function);
-    redcc_memory_give(state);
+    redcc_memory_free(execution->inspection.touched);
+    redcc_memory_free(execution->inspection.sources);
+    redcc_memory_free(state->binning.stream);
+    redcc_memory_free(state->reported.file);
+    redcc_memory_free(state->reported.function);
+    redcc_memory_free(state);
 }
 
 /* Sets the references shared by all parts of an execution. */
@@ -44,19 +44,19 @@ static void join_parts(struct loop_state *state) {
 }
 
 static struct loop_state *state_new(redcc_loop *loop) {
-    struct loop_state *state = redcc_memory_take_zeroed(1, sizeof *state);
+    struct loop_state *state = redcc_memory_alloc_zeroed(1, sizeof *state);
     if (!state)
         return NULL;
     struct inspection *inspection = &state->execution.inspection;
     struct request *request = &state->execution.call.request;
     request->loop = loop;
-    request->bases = redcc_memory_take(loop->array_count * sizeof *request->bases);
-    request->known = redcc_memory_take(loop->source_count * sizeof *request->known);
-    request->key = redcc_memory_take(loop->key_count * sizeof *request->key);
-    inspection->touched = redcc_memory_take(loop->array_count * sizeof *inspection->touched);
-    inspection->sources = redcc_memory_take(loop->source_count * sizeof *inspection->sources);
-    state->reported.file = redcc_memory_take_text(loop->file);
-    state->reported.function = redcc_memory_take_text(loop->function);
+    request->bases = redcc_memory_alloc(loop->array_count * sizeof *request->bases);
+    request->known = redcc_memory_alloc(loop->source_count * sizeof *request->known);
+    request->key = redcc_memory_alloc(loop->key_count * sizeof *request->key);
+    inspection->touched = redcc_memory_alloc(loop->array_count * sizeof *inspection->touched);
+    inspection->sources = redcc_memory_alloc(loop->source_count * sizeof *inspection->sources);
+    state->reported.file = redcc_memory_copy_text(loop->file);
+    state->reported.function = redcc_memory_copy_text(loop->function);
     state->reported.line = loop->line;
     join_parts(state);
     if (!redcc_bins_new(&state->binning, loop) || !request->bases || !request->known ||

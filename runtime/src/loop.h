@@ -30,9 +30,9 @@ struct execution {
     struct reuse reuse;
     struct inspection inspection;
     bool inspected;              /* an inspection began, and its memory must be freed */
-    const struct method *method; /* selected by the inspection */
+    const struct method *method; /* the method that the inspection selected */
     struct run run;
-    bool binned;        /* it was binned, entirely or in its first rounds */
+    bool binned;        /* the execution was binned, entirely or in its first rounds */
     enum stage stage;   /* the next stage of all threads, after a barrier */
     enum reason reason; /* why there is no plan */
     double woken;       /* s, arrival of the region's last thread; 0: none arrived */
@@ -46,7 +46,7 @@ struct thread_state {
     int thread;
     int threads;
     enum stage stage;
-    bool telling;               /* in this stage, iterations to record were handed out */
+    bool telling;               /* iterations to record were handed out in this stage */
     int node;                   /* its last NUMA node (base/node.h); -1: unknown */
     bool moved;                 /* its node differs from that in the previous execution */
     struct inspector inspector; /* sample, sweep, log, partition */
@@ -59,7 +59,8 @@ _Static_assert(offsetof(struct thread_state, runner) == 0, "execute/executor.c g
 struct loop_state {
     struct reported reported;
     atomic_int busy;
-    bool temporary; /* for one execution, besides the loop's own state; not in the report */
+    bool temporary; /* used for one execution while another thread holds the loop's own state; not
+                       in the report */
     struct chooser chooser;
     struct variants variants;
     struct plan_cache cache;
@@ -129,7 +130,8 @@ void redcc_count_fallback(struct loop_state *state, enum reason reason);
 /** Stores the row of auto's table for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);
 
-/** Counts the plan that was invalidated since the last call of this function, if any. */
+/** Counts the plan that a changed subscript has invalidated since the last call of this function,
+ * if any. */
 void redcc_count_lost(struct execution *execution);
 
 /** Records a timed execution of the original loop; one thread at a time. */

@@ -80,8 +80,8 @@ static void read_loop(struct named *named, char *item, const char *whole) {
     for (const struct named_loop *other = named->loops; other; other = other->next)
         if (other->line == line && is_same_file(other->file, item))
             redcc_complain("REDCC_METHOD=%s: two methods for %s:%d", whole, item, line);
-    struct named_loop *loop = redcc_memory_take_zeroed(1, sizeof *loop);
-    char *file = redcc_memory_take_text(item);
+    struct named_loop *loop = redcc_memory_alloc_zeroed(1, sizeof *loop);
+    char *file = redcc_memory_copy_text(item);
     if (!loop || !file)
         return; /* auto applies */
     *loop = (struct named_loop){.next = named->loops, .file = file, .line = line, .as = as};
@@ -95,7 +95,7 @@ void redcc_named_read(struct named *named, const char *value) {
         named->all = parse_method(value);
         return;
     }
-    char *text = redcc_memory_take_text(value);
+    char *text = redcc_memory_copy_text(value);
     bool for_all = false;
     for (char *item = text; item;) {
         char *comma = strchr(item, ',');
@@ -113,7 +113,7 @@ void redcc_named_read(struct named *named, const char *value) {
         }
         item = comma ? comma + 1 : NULL;
     }
-    redcc_memory_give(text);
+    redcc_memory_free(text);
 }
 
 /* ---- finding --------------------------------------------------------------------------------- */

@@ -49,7 +49,7 @@ static void say_other_version(redcc_u32 version) {
 static void prepare(redcc_site *site) {
     if (__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
         return;
-    /* No data race matters: if several threads are first, all store the same value. */
+    /* If several threads come first, all store the same value. */
     if (site->binned.loop.flags & REDCC_BINNED && !redcc_bins_can_apply(&site->binned))
         site->binned.loop.flags &= ~(unsigned)REDCC_BINNED;
     __atomic_store_n(&site->calls, &redcc_library, __ATOMIC_RELEASE);
@@ -75,7 +75,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
     if (linkage && !redcc_are_linked(linkage->called, linkage->count, linkage->expected,
                                      linkage->expected_count))
         return redcc_is_unlinked(loop);
-    if (!redcc_operands_take_all(loop, attempt))
+    if (!redcc_operands_alloc_all(loop, attempt))
         return 0;
     /* Checked even if the loop then runs sequentially: a row named for the wrong array may be the
      * reason, because it makes arrays appear to overlap. */
@@ -93,7 +93,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
         redcc_region_run(shared.call.threads, work, &shared);
     if (!redcc_leave(&shared.call)) {
         if (!beginning.done) {
-            redcc_operands_give_all(attempt);
+            redcc_operands_free_all(attempt);
             return 0;
         }
         redcc_end_in_order(site, attempt, member, context, beginning.done);

@@ -12,7 +12,7 @@
 static enum stage refuse(struct execution *execution, enum reason reason) {
     assert(reason != REASON_NONE);
     execution->reason = reason;
-    if (reason != REASON_DEADLINE) /* after a deadline, the progress is recorded by the route */
+    if (reason != REASON_DEADLINE) /* after a deadline, each route records its own progress */
         execution->inspection.route = ROUTE_SERIAL;
     return STAGE_OVER;
 }
@@ -20,7 +20,8 @@ static enum stage refuse(struct execution *execution, enum reason reason) {
 /* ---- verify ---------------------------------------------------------------------------------- */
 
 /* A named method may use any kept plan of it; auto only a plan of the strategy that it has chosen.
- * Of plans without schedules only those for tiles are kept: they do not depend on subscripts. */
+ * Of the plans without schedules, only those for tiles are kept, because they do not depend on
+ * subscripts. */
 void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
@@ -70,7 +71,7 @@ static enum stage begin_inspection(struct execution *execution) {
         return refuse(execution, REASON_NO_MEMORY);
     const bool is_direct = redcc_goes_directly(&execution->advice);
     if (!named && !is_direct && !execution->call.in_bins &&
-        execution->advice.action == ACTION_REUSE) /* no budget for a new plan yet */
+        execution->advice.action == ACTION_REUSE) /* auto cannot afford a new plan yet */
         return refuse(execution, REASON_CHANGED);
     if (!redcc_known_are_disjoint_from_scalars(execution->call.request.loop,
                                                execution->call.request.known,
@@ -105,7 +106,7 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 static enum stage after_dry_run(struct execution *execution) {
     const enum reason reason = redcc_dry_run_finish(&execution->inspection);
     execution->inspection.pace.deadline = 0;
-    if (reason == REASON_DEADLINE) /* it passed before a strategy was chosen */
+    if (reason == REASON_DEADLINE) /* the deadline passed before a strategy was chosen */
         execution->inspection.route = ROUTE_SERIAL;
     return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
 }
@@ -297,7 +298,7 @@ static enum stage after_sweep(struct execution *execution) {
         return refuse(execution, REASON_SERIAL_FASTER);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
-    if (execution->call.in_bins) /* its own guard checks arrays that overlap each other */
+    if (execution->call.in_bins) /* bins have their own guard for arrays that overlap each other */
         return STAGE_BINS;
     switch (redcc_partition_merge(&inspection->partition, inspection->touched)) {
     case MERGE_REFUSED:
@@ -397,7 +398,7 @@ _Static_assert(STAGE_OVER + 1 == STAGES, "the last stage");
 static const struct stage_entry {
     enum progress (*each)(struct thread_state *, redcc_worker *);
     enum stage (*then)(struct execution *);
-    enum stage passed; /* the stage after PROGRESS_PASS */
+    enum stage passed; /* the next stage if `each` returns PROGRESS_PASS */
 } stages[STAGES] = {
     [STAGE_RECOUNT] = {come_together, recount, STAGE_OVER},
     [STAGE_VERIFY] = {verify, begin_inspection, STAGE_RUN},

@@ -50,9 +50,10 @@ struct execution;
 /** Searches for a kept plan for the call, with its current number of threads. */
 void redcc_find_plan(struct execution *execution);
 
-/** The result of a stage's `each`. */
+/** What `each` of a stage returns. */
 enum progress {
-    PROGRESS_TELL, /* the program must record iterations; then `each` is called again */
+    PROGRESS_TELL, /* the program must record the addresses of some iterations; then `each` is
+                      called again */
     PROGRESS_MEET, /* done: a barrier follows, and one thread calls `then` */
     PROGRESS_PASS  /* done: without a barrier, the next stage is `passed` */
 };

@@ -73,7 +73,7 @@ void redcc_report_lost(struct statistics *statistics, const char *array) {
  * out of memory. */
 static char *spell_name(const char *name) {
     const size_t room = 24 * strlen(name) + 1; /* %p is two letters, an id fewer than 40 */
-    char *spelled = redcc_memory_take(room);
+    char *spelled = redcc_memory_alloc(room);
     size_t length = 0;
     for (; spelled && *name; name++) {
         if (name[0] == '%' && name[1] == 'p') {
@@ -113,7 +113,7 @@ static char *read_all(const char *name) {
 #if defined(__linux__)
     const int file = is_regular(name, 0, false) ? redcc_system_open(name) : -1;
     size_t room = 4096, length = 0;
-    char *text = file >= 0 ? redcc_memory_take(room) : NULL;
+    char *text = file >= 0 ? redcc_memory_alloc(room) : NULL;
     while (text) {
         const long more = redcc_system_read(file, text + length, room - 1 - length);
         if (more <= 0)
@@ -123,7 +123,7 @@ static char *read_all(const char *name) {
             continue;
         char *longer = redcc_memory_resize(text, room *= 2);
         if (!longer)
-            redcc_memory_give(text);
+            redcc_memory_free(text);
         text = longer;
     }
     if (file >= 0)
@@ -147,7 +147,7 @@ static char *read_others(const char *name, const char *head) {
         text[length - end] = '\0';
         return text;
     }
-    redcc_memory_give(text);
+    redcc_memory_free(text);
     return NULL;
 }
 
@@ -182,7 +182,7 @@ static bool write_through(const char *name, const char *head, const char *others
  * writable. */
 static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
-    char *beside = redcc_memory_take(room);
+    char *beside = redcc_memory_alloc(room);
     if (!beside)
         return write_through(name, head, others);
     snprintf(beside, room, "%s.%ld", name, redcc_system_process());
@@ -191,7 +191,7 @@ static bool replace(const char *name, const char *head, const char *others) {
                              : write_through(name, head, others);
     if (out && !written)
         remove(beside);
-    redcc_memory_give(beside);
+    redcc_memory_free(beside);
     return written;
 }
 
@@ -200,7 +200,7 @@ static bool write_file(const char *name) {
     char head[REDCC_REPORT_HEAD];
     redcc_report_head(head);
     if (strcmp(name, "/dev/stdout") ==
-        0) /* opening it again would overwrite the program's output */
+        0) /* opening the file again would overwrite the program's output */
         return write_whole(stdout, head, NULL);
     if (strcmp(name, "/dev/stderr") == 0)
         return write_whole(stderr, head, NULL);
@@ -208,12 +208,12 @@ static bool write_file(const char *name) {
     const bool written = is_regular(name, AT_SYMLINK_NOFOLLOW, true)
                              ? replace(name, head, others)
                              : write_through(name, head, others);
-    redcc_memory_give(others);
+    redcc_memory_free(others);
     return written;
 }
 
 void redcc_report_write(void) {
-    redcc_memory_limit(0); /* the limit was for the loops; the report must not fail by it */
+    redcc_memory_limit(0); /* the limit was for loops; the report may exceed it */
     char *name = redcc_settings()->report ? spell_name(redcc_settings()->report) : NULL;
     if (!name)
         return;
@@ -221,7 +221,7 @@ void redcc_report_write(void) {
         redcc_report_table(stderr);
     else if (!write_file(name))
         fprintf(stderr, "redcc: cannot write the report %s\n", name);
-    redcc_memory_give(name);
+    redcc_memory_free(name);
 }
 
 /* ---- the end of the program ---------------------------------------------------------------- */

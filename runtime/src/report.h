@@ -85,11 +85,11 @@ struct statistics {
     const struct method *method; /* the method used last; NULL: none yet */
     int parameter;
     redcc_order order;
-    int threads; /* number in the last execution */
+    int threads; /* number of threads in the last execution */
     struct placement placement;
     long plans_built;
     long plans_reused;
-    long watched; /* number of these in which write tracking made reading some subscripts
+    long watched; /* number of reuses in which write tracking made reading some subscripts
                      unnecessary */
     struct lost_plans lost;
     double inspect_seconds;

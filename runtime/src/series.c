@@ -12,10 +12,9 @@
 
 #include "base/forked.h"
 #include "base/memory.h"
-#include "base/system.h"
 #include "execute/run.h"
 #include "loop.h"
-#include "settings.h"
+#include "operands.h"
 
 #include <assert.h>
 
@@ -27,14 +26,14 @@ enum {
 
 /* A block of memory for operands; written by one thread. */
 struct operand_block {
-    struct operand_block *next; /* in the list of all blocks */
-    struct operand_block *more; /* in the list of the thread's blocks */
+    struct operand_block *next; /* the next one in the list of all blocks */
+    struct operand_block *more; /* the next one in the list of the thread's blocks */
     double operand[BLOCK_OPERANDS];
 };
 
 struct redcc_series {
     _Atomic(struct operand_block *) blocks; /* all of them */
-    atomic_size_t bytes;                    /* of these blocks */
+    atomic_size_t bytes;                    /* total bytes of these blocks */
     size_t most;                            /* limit of `bytes` */
     atomic_bool lost;                       /* some operand was lost */
     redcc_int trip;
@@ -44,22 +43,15 @@ struct redcc_series {
 _Static_assert(offsetof(redcc_series_part, value) % sizeof(double) == 0,
                "parts lie among operands");
 
-/* The limit of a series' memory. Without REDCC_MEMORY_LIMIT it is a quarter of the machine's
- * memory, as in operands.c. */
-static size_t most_bytes(void) {
-    const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
-    return there > 0 && there / 4 < SIZE_MAX ? (size_t)(there / 4) : SIZE_MAX;
-}
-
-redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip) {
+redcc_series *redcc_series_alloc(redcc_loop *loop, redcc_int trip) {
     if (trip <= 0)
         return NULL;
     (void)redcc_is_forked(); /* must precede any use of the parent's memory */
-    const size_t most = most_bytes();
+    const size_t most = redcc_operands_most_bytes();
     redcc_series *series = NULL;
     const size_t each = sizeof series->part[0];
     if ((redcc_size)trip <= (most - sizeof *series) / each)
-        series = redcc_memory_take_zeroed(1, sizeof *series + (size_t)trip * each);
+        series = redcc_memory_alloc_zeroed(1, sizeof *series + (size_t)trip * each);
     if (!series) {
         redcc_note_no_memory(loop);
         return NULL;
@@ -69,14 +61,14 @@ redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip) {
     return series;
 }
 
-void redcc_series_give(redcc_series *series) {
+void redcc_series_free(redcc_series *series) {
     struct operand_block *block = series ? series->blocks : NULL;
     while (block) {
         struct operand_block *next = block->next;
-        redcc_memory_give(block);
+        redcc_memory_free(block);
         block = next;
     }
-    redcc_memory_give(series);
+    redcc_memory_free(series);
 }
 
 void redcc_series_join(redcc_series_writer *writer, redcc_series *series) {
@@ -87,7 +79,7 @@ void redcc_series_join(redcc_series_writer *writer, redcc_series *series) {
 static struct operand_block *new_block(redcc_series *series) {
     const size_t bytes = sizeof(struct operand_block);
     const size_t taken = atomic_fetch_add_explicit(&series->bytes, bytes, memory_order_relaxed);
-    struct operand_block *block = taken <= series->most - bytes ? redcc_memory_take(bytes) : NULL;
+    struct operand_block *block = taken <= series->most - bytes ? redcc_memory_alloc(bytes) : NULL;
     if (!block)
         return NULL;
     block->next = atomic_load_explicit(&series->blocks, memory_order_relaxed);
@@ -154,7 +146,7 @@ static bool any_is_lost(const redcc_series_writer *writers, redcc_u32 count) {
     return false;
 }
 
-int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
+int redcc_series_repeats(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count) {
     assert(count > 0);
     struct thread_state *thread = worker->execution;
     for (redcc_u32 i = 0; i < count; i++)

@@ -7,10 +7,10 @@
 
 /** Allocates a series for a loop of `trip` iterations. NULL: trip is not positive, or memory is
  *  lacking (which is reported), and the original loop must run. */
-redcc_series *redcc_series_take(redcc_loop *loop, redcc_int trip);
+redcc_series *redcc_series_alloc(redcc_loop *loop, redcc_int trip);
 
 /** Frees a series; NULL does nothing. */
-void redcc_series_give(redcc_series *series);
+void redcc_series_free(redcc_series *series);
 
 void redcc_series_join(redcc_series_writer *writer, redcc_series *series);
 
@@ -20,7 +20,7 @@ int redcc_series_room(redcc_series_writer *writer, redcc_int k);
 
 /** If operands were lost, hands out all iterations again, to the first thread, as redcc_next does.
  * Each thread must call it with all series of the loop until it returns 0. */
-int redcc_series_again(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
+int redcc_series_repeats(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
 
 /** 1 for the first thread if the loop is done. Then all operands are stored. */
 int redcc_series_is_over(const redcc_worker *worker);

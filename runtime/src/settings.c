@@ -26,10 +26,10 @@ enum { LEAST_TRIP = 1024 };
 /* The number of short iterations before the first call of the runtime, which costs 2 microseconds
  * for page faults. Iterations take at least 0.3 ns each, so the call costs at most a twentieth of
  * this time. With the longest iterations this time is 0.04 s. */
-enum { UNASKED_ITERATIONS = 1 << 17 };
+enum { EXEMPT_ITERATIONS = 1 << 17 };
 
 redcc_int redcc_least_trip;
-redcc_int redcc_unasked_iterations;
+redcc_int redcc_exempt_iterations;
 
 static struct settings settings;
 static struct named named;
@@ -70,7 +70,7 @@ static void append(char *text, size_t size, const char *more) {
 
 void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
                                size_t count) {
-    assert(count > 0); /* so that there is a nearest name */
+    assert(count > 0); /* otherwise no name is nearest */
     char known[512] = "";
     for (size_t i = 0; i < count; i++) {
         append(known, sizeof known, i ? " " : "");
@@ -180,7 +180,7 @@ static void read_memory_limit(const char *value) {
     if (!redcc_parse_bytes(value, &settings.memory_limit))
         redcc_complain("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
     if (settings.memory_limit == 0)
-        settings.memory_limit = 1; /* permits nothing; 0 would mean no limit */
+        settings.memory_limit = 1; /* a limit that permits nothing, since 0 would mean no limit */
 }
 
 /* The method to use. Under validation every loop must run in parallel if possible, from its first
@@ -205,7 +205,7 @@ static void take_methods(void) {
 
 /* Makes the settings of a loop with its own method; all else is copied from the common settings. */
 static void copy_settings(struct named_loop *loop) {
-    loop->settings = redcc_memory_take(sizeof *loop->settings);
+    loop->settings = redcc_memory_alloc(sizeof *loop->settings);
     if (!loop->settings)
         return;
     *loop->settings = settings;
@@ -232,7 +232,7 @@ static void read_environment(void) {
         __atomic_store_n(&redcc_least_trip, LEAST_TRIP, __ATOMIC_RELAXED);
     const char *report = redcc_environment("REDCC_REPORT");
     if (report && *report)
-        settings.report = redcc_memory_take_text(report);
+        settings.report = redcc_memory_copy_text(report);
     if (settings.report || named.loops)
         atexit(end_program);
     for (struct named_loop *loop = named.loops; loop; loop = loop->next)
@@ -242,7 +242,7 @@ static void read_environment(void) {
     redcc_memory_limit(settings.memory_limit); /* counts the memory allocated so far as well */
 }
 
-/* Reads the settings; if several threads come first, only one reads. */
+/* Reads the settings once, even if several threads call this at the same time. */
 static void read_once(atomic_int *done) {
     static struct spin lock;
     const uint64_t signals = redcc_signals_hold();
@@ -270,7 +270,7 @@ __attribute__((constructor)) static void read_early(void) {
     if (redcc_any_variable())
         return;
     redcc_settings();
-    __atomic_store_n(&redcc_unasked_iterations, UNASKED_ITERATIONS, __ATOMIC_RELAXED);
+    __atomic_store_n(&redcc_exempt_iterations, EXEMPT_ITERATIONS, __ATOMIC_RELAXED);
 }
 
 const struct settings *redcc_settings_for(const redcc_loop *loop) {

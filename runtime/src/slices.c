@@ -25,7 +25,8 @@ struct checker {
     redcc_call call;
     const redcc_attempt *attempt;
     redcc_int k;
-    bool inspected, executed; /* has iteration k been handed out for inspection, for execution? */
+    /* has iteration k been handed out for inspection; and for execution? */
+    bool inspected, executed;
     redcc_entry entry[ENTRIES];
     redcc_entry *named; /* [count] the rows that the slice of iteration k named */
     size_t count, room;
@@ -131,13 +132,13 @@ static int ask(struct redcc_hook *hook, const void *address) {
     return 0;
 }
 
-static bool take_memory(struct checker *it) {
+static bool alloc_memory(struct checker *it) {
     const redcc_loop *loop = it->call.loop;
     const size_t arrays = loop->array_count;
-    it->window = redcc_memory_take_zeroed(arrays, sizeof *it->window);
-    it->owner = redcc_memory_take_zeroed(arrays, sizeof *it->owner);
-    it->hook = redcc_memory_take_zeroed(arrays, sizeof *it->hook);
-    it->sources = redcc_memory_take_zeroed(loop->source_count + 1, sizeof *it->sources);
+    it->window = redcc_memory_alloc_zeroed(arrays, sizeof *it->window);
+    it->owner = redcc_memory_alloc_zeroed(arrays, sizeof *it->owner);
+    it->hook = redcc_memory_alloc_zeroed(arrays, sizeof *it->hook);
+    it->sources = redcc_memory_alloc_zeroed(loop->source_count + 1, sizeof *it->sources);
     if (!it->window || !it->owner || !it->hook || !it->sources)
         return false;
     for (size_t a = 0; a < arrays; a++) {
@@ -147,12 +148,12 @@ static bool take_memory(struct checker *it) {
     return true;
 }
 
-static void give_memory(struct checker *it) {
-    redcc_memory_give(it->named);
-    redcc_memory_give(it->window);
-    redcc_memory_give(it->owner);
-    redcc_memory_give(it->hook);
-    redcc_memory_give(it->sources);
+static void free_memory(struct checker *it) {
+    redcc_memory_free(it->named);
+    redcc_memory_free(it->window);
+    redcc_memory_free(it->owner);
+    redcc_memory_free(it->hook);
+    redcc_memory_free(it->sources);
 }
 
 long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_member *member,
@@ -168,7 +169,7 @@ long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_me
     calls.bins_next = hand_out_none;
     calls.claims_last = claims_nothing;
     calls.hooked = ask;
-    if (take_memory(&it)) {
+    if (alloc_memory(&it)) {
         it.worker = (redcc_worker){.call = &it.call,
                                    .window = it.window,
                                    .sources = it.sources,
@@ -179,6 +180,6 @@ long redcc_slices_check(redcc_site *site, const redcc_attempt *attempt, redcc_me
             member(&it.worker, attempt, context);
         }
     }
-    give_memory(&it);
+    free_memory(&it);
     return it.found;
 }

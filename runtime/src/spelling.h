@@ -9,7 +9,7 @@
  * first 64 letters. */
 size_t redcc_spelling_distance(const char *a, const char *b);
 
-/** The nearest of `count` names (at least one) to `word`, the first of several. */
+/** The index of the name nearest to `word` among `count` >= 1 names; of several the first. */
 size_t redcc_spelling_nearest(const char *word, const char *const *names, size_t count);
 
 #endif

@@ -16,23 +16,23 @@ static bool has_all(const struct thread_state *thread) {
 static void thread_free(struct thread_state *thread) {
     if (!thread)
         return;
-    redcc_memory_give(thread->inspector.sources);
-    redcc_memory_give(thread->inspector.nowhere);
-    redcc_memory_give(thread->runner.base);
-    redcc_memory_give(thread->runner.owner);
-    redcc_memory_give(thread->runner.hooks.hook);
-    redcc_memory_give(thread->runner.selection.window);
-    redcc_memory_give(thread->hasher.fingerprint);
-    redcc_memory_give(thread->hasher.partial);
+    redcc_memory_free(thread->inspector.sources);
+    redcc_memory_free(thread->inspector.nowhere);
+    redcc_memory_free(thread->runner.base);
+    redcc_memory_free(thread->runner.owner);
+    redcc_memory_free(thread->runner.hooks.hook);
+    redcc_memory_free(thread->runner.selection.window);
+    redcc_memory_free(thread->hasher.fingerprint);
+    redcc_memory_free(thread->hasher.partial);
     if (thread->binner)
         redcc_binner_free(thread->binner, thread->execution->state->binning.loop);
-    redcc_memory_give(thread);
+    redcc_memory_free(thread);
 }
 
 static struct thread_state *thread_new(struct loop_state *state, const redcc_loop *loop,
                                        int number) {
     const size_t arrays = loop->array_count, sources = loop->source_count;
-    struct thread_state *thread = redcc_memory_take_zeroed(1, sizeof *thread);
+    struct thread_state *thread = redcc_memory_alloc_zeroed(1, sizeof *thread);
     if (!thread)
         return NULL;
     struct inspector *inspector = &thread->inspector;
@@ -42,14 +42,14 @@ static struct thread_state *thread_new(struct loop_state *state, const redcc_loo
     thread->node = -1;
     thread->thread = inspector->thread = runner->thread = hasher->thread = number;
     runner->run = &state->execution.run;
-    inspector->sources = redcc_memory_take_zeroed(sources, sizeof *inspector->sources);
-    inspector->nowhere = redcc_memory_take_zeroed(arrays, sizeof *inspector->nowhere);
-    runner->base = redcc_memory_take_zeroed(arrays, sizeof *runner->base);
-    runner->owner = redcc_memory_take_zeroed(arrays, sizeof *runner->owner);
-    runner->selection.window = redcc_memory_take_zeroed(arrays, sizeof *runner->selection.window);
-    runner->hooks.hook = redcc_memory_take_zeroed(arrays, sizeof *runner->hooks.hook);
-    hasher->fingerprint = redcc_memory_take_zeroed(sources, sizeof *hasher->fingerprint);
-    hasher->partial = redcc_memory_take_zeroed(sources, sizeof *hasher->partial);
+    inspector->sources = redcc_memory_alloc_zeroed(sources, sizeof *inspector->sources);
+    inspector->nowhere = redcc_memory_alloc_zeroed(arrays, sizeof *inspector->nowhere);
+    runner->base = redcc_memory_alloc_zeroed(arrays, sizeof *runner->base);
+    runner->owner = redcc_memory_alloc_zeroed(arrays, sizeof *runner->owner);
+    runner->selection.window = redcc_memory_alloc_zeroed(arrays, sizeof *runner->selection.window);
+    runner->hooks.hook = redcc_memory_alloc_zeroed(arrays, sizeof *runner->hooks.hook);
+    hasher->fingerprint = redcc_memory_alloc_zeroed(sources, sizeof *hasher->fingerprint);
+    hasher->partial = redcc_memory_alloc_zeroed(sources, sizeof *hasher->partial);
     if (state->binning.loop)
         thread->binner = redcc_binner_new(state->binning.loop, number);
     if (has_all(thread))
@@ -93,10 +93,10 @@ bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int 
 void redcc_threads_end(struct loop_state *state) {
     for (int thread = 0; thread < state->thread_count; thread++)
         thread_free(state->thread[thread]);
-    redcc_memory_give(state->thread);
-    redcc_memory_give(state->inspector);
-    redcc_memory_give(state->hasher);
-    redcc_memory_give(state->binning.binner);
+    redcc_memory_free(state->thread);
+    redcc_memory_free(state->inspector);
+    redcc_memory_free(state->hasher);
+    redcc_memory_free(state->binning.binner);
     state->binning.binner = NULL;
     state->binning.binners = 0;
     state->thread = NULL;

@@ -8,16 +8,16 @@
 
 /* The least duration of an execution that is worth a state: that for which waking threads pays on
  * an idle machine. (The learner decides again, with the measured cost.) */
-static const double least_seconds = LEARN_WAKES * LEARN_LOOK / 40;
+static const double least_seconds = LEARN_WAKES * LEARN_SAMPLE / 40;
 
 /* The total time of a loop's executions after which it gets a state. A state, with the one-time
  * initialisation of the process, costs 0.04 to 0.3 ms, which is small compared with this time.
  * Before that, no inspection could pay off. */
-static const double enough = 12.5 * LEARN_LOOK;
+static const double enough = 12.5 * LEARN_SAMPLE;
 
 enum {
-    SIZE_BITS = 7,    /* sizes of the word's fields above the lowest bit, which is 1: size, */
-    NUMBER_BITS = 12, /* left and length, */
+    SIZE_BITS = 7,    /* widths of the word's fields above the lowest bit, which is 1: of `size`, */
+    NUMBER_BITS = 12, /* of `left` and of `length`, */
     EARNED_BITS = 13  /* earned */
 };
 
@@ -52,9 +52,9 @@ static void replace(void **state, void *before, struct word word) {
                                 __ATOMIC_RELAXED);
 }
 
-/* Is this call counted, as EACH calls? Counting every call would be slow, because a locked
- * instruction takes as long as twenty additions. Calls are selected by steps of the golden ratio,
- * so that loops that are called alternately are counted evenly. */
+/* Is this call counted? One call in EACH is, and counts as EACH calls. Counting every call would be
+ * slow, because a locked instruction takes as long as twenty additions. Calls are selected by steps
+ * of the golden ratio, so that loops that are called alternately are counted evenly. */
 enum { EACH = 16 };
 static bool counts(void) {
     static _Thread_local uint32_t place;
@@ -99,7 +99,7 @@ int redcc_unmade_timed(void **state, redcc_int trip, double seconds) {
     word.earned = earns ? (unsigned)(1e6 * earned) + 1 : 0;
     word.length = earns                   ? (unsigned)((enough - earned) / seconds)
                   : is_same || is_smaller ? (unsigned)redcc_longer(word.length)
-                                          : LEARN_REST;
+                                          : LEARN_BACK_OFF;
     word.left = word.length;
     word.size = is_smaller ? word.size : size;
     replace(state, before, word);

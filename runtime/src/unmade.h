@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops that have no state yet. Creating a loop's state takes some 40 microseconds, five executions
- * of a loop of 20,000 additions. So it is created only when executions have taken long enough,
- * often enough, for threads to be worth waking. Until then one word, stored instead of the pointer
- * to the state, determines when the loop is timed next. Thread-safe.
+ * of a loop of 20,000 additions. So it is created only after enough executions have been so long
+ * that waking threads is worth it. Until then one word, stored instead of the pointer to the state,
+ * determines when the loop is timed next. Thread-safe.
  */
 #ifndef REDCC_UNMADE_H
 #define REDCC_UNMADE_H

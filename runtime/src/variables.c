@@ -15,8 +15,8 @@ static const char *const names[] = {
 #define REDCC_VARIABLE(name) name,
     REDCC_VARIABLE_LIST(REDCC_VARIABLE)
 #undef REDCC_VARIABLE
-    /* Variables of redcc and redcc-cc (tool/driver), which may still be set when the program runs.
-     */
+    /* Variables that only redcc and redcc-cc read (tool/driver). They may still be set when the
+     * program runs. */
     "REDCC_BUILD_REPORT",
     "REDCC_CACHE",
     "REDCC_CACHE_SIZE",

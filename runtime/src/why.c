@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* The first estimate of the time to wake the threads, 10 microseconds (choose/waking.c). */
-static const double first_wake = LEARN_LOOK / 40;
+static const double first_wake = LEARN_SAMPLE / 40;
 
 /* Advice for each reason. */
 static const char *const remedies[REASON_COUNT] = {
@@ -66,10 +66,10 @@ static enum reason commonest(const struct statistics *it, long *sequential) {
     return most;
 }
 
-/* The number of executions of this duration after which the budget covers an inspection, and a plan
- * construction that takes half an execution. */
+/* The number of executions of this duration after which auto's credit covers an inspection and a
+ * plan construction that takes half an execution. */
 static long repaid_after(double seconds) {
-    const double look = LEARN_LOOK < LEARN_CLEAR * seconds ? LEARN_LOOK / seconds : LEARN_CLEAR;
+    const double look = LEARN_SAMPLE < LEARN_CLEAR * seconds ? LEARN_SAMPLE / seconds : LEARN_CLEAR;
     return (long)((look + 0.5) / LEARN_SHARE);
 }
 

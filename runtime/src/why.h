@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Explains why a loop is sequential, in a sentence that the user can act on. */
+/** Explains why a loop is sequential and what the user can do, in one sentence. */
 #ifndef REDCC_WHY_H
 #define REDCC_WHY_H
 

@@ -23,7 +23,7 @@ static void cells(int blocks, double cut) {
         for (int k = 0; k < NEAR; k++) {
             int other = near[b][k];
             int theirs = count[other];
-            for (int p = b * MOST, i = 0; i < mine; i++, p++) { // TURN
+            for (int p = b * MOST, i = 0; i < mine; i++, p++) { // INNER
                 int own = id[p];
                 for (int q = MOST * other, j = 0; j < theirs; j++, q++) {
                     if (other < blocks && id[q] <= own)
@@ -53,7 +53,7 @@ static void with_the_bound(int blocks) {
     for (int b = 0; b < blocks; b++) { // EXPECT: transformed
         for (int k = 1; k < NEAR; k += 2) {
             const int other = near[b][k], last = count[other] - 2, first = count[b] % 3 - 1;
-            for (long q = MOST * other + 2, j = first; j <= last; j++, q++) { // TURN
+            for (long q = MOST * other + 2, j = first; j <= last; j++, q++) { // INNER
                 const double e = r[b][0] * r[b][1] + r[other][2] * (double)j - r[b][0] / 3;
                 u[q + 1] += e;
                 if (e > 0.125)
@@ -68,7 +68,7 @@ static void records(int blocks) {
     for (int b = 0; b < blocks; b++) { // EXPECT: transformed
         for (int k = 0; k < NEAR; k++) {
             const int other = near[b][k], last = MOST * other + count[other];
-            for (int q = MOST * other; q < last; q++) { // TURN
+            for (int q = MOST * other; q < last; q++) { // INNER
                 const double e = r[b][0] * body[q].at + r[other][2] * body[q].mass - r[b][0] / 3;
                 body[q].push[1] += e * e;
             }
@@ -81,7 +81,7 @@ static void parts(int blocks) {
     for (int b = 0; b < blocks; b++) // EXPECT: transformed
         for (int k = 0; k < NEAR; k++) {
             const int other = near[b][k];
-            for (int p = MOST * b; p < MOST * (b + 1); p++) // TURN
+            for (int p = MOST * b; p < MOST * (b + 1); p++) // INNER
                 for (int q = MOST * other; q < MOST * (other + 1); q++) {
                     const double d = r[p][0] - r[q][1], e = sqrt(d * d + 0.1) * d / (d * d + 3);
                     record[p].sum += e;
@@ -108,7 +108,7 @@ static void twice(int blocks) {
         int k, q;
         for (k = 0; k < 4; k++) {
             const int other = near[b][k], third = near[b][k + 1];
-            const double e = r[b][0] * r[b][0] + r[b][1] * r[b][1] + r[b][2] * r[b][2] - 0.5; // TURN
+            const double e = r[b][0] * r[b][0] + r[b][1] * r[b][1] + r[b][2] * r[b][2] - 0.5; // INNER
             for (q = 0; q < 3; q++)
                 u[MOST * other + q] += e;
             for (q = 4; q < 7; q++)

@@ -34,7 +34,7 @@ static void half_list(int n) {
         a = own[i];
         for (k = point[i]; k < point[i + 1]; k++) {
             j = list[k];
-            const double dx = image(r[a][0] - r[j][0]); // TURN
+            const double dx = image(r[a][0] - r[j][0]); // INNER
             const double dy = image(r[a][1] - r[j][1]), dz = image(r[a][2] - r[j][2]);
             const double r2 = dx * dx + dy * dy + dz * dz;
             if (r2 < reach) {
@@ -58,7 +58,7 @@ static void names_of_the_function(int n) {
         a = own[i];
         for (k = point[i]; k < point[i + 1]; k++) {
             j = list[k];
-            dx = image(r[a][0] - r[j][0]); // TURN
+            dx = image(r[a][0] - r[j][0]); // INNER
             r2 = dx * dx;
             for (c = 1, e = 0.25; c < 3; c++) {
                 r2 += r[a][c] * r[j][c];
@@ -126,7 +126,7 @@ static void half_list_named(int n) {
         const int a = own[i];
         for (int k = 0; k < MOST; k++) {
             const int j = near[i][k];
-            double d[3]; // TURN
+            double d[3]; // INNER
             apart(r[a], r[j], d);
             const double e = 1 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + 0.5);
             for (int c = 0; c < 3; c++) {
@@ -144,7 +144,7 @@ static void of_several_arrays(int n) {
         do {
             j = list[i * MOST + k];
             b = 3 * small[i * MOST + k] % M;
-            double e = 0; // TURN
+            double e = 0; // INNER
             for (int c = 0; c < 3; c++) {
                 if (e > 2)
                     break;
@@ -168,7 +168,7 @@ static void under_condition(int n, int last) {
             int j = list[k];
             if (kind[k] % 3 == 0)
                 j = -1000000 * kind[k];
-            const double e = image(w[k] * r[a][0]) * w[k] + w[k] * r[a][1]; // TURN
+            const double e = image(w[k] * r[a][0]) * w[k] + w[k] * r[a][1]; // INNER
             if (j >= 0 && j < last) {
                 s[j] += e;
                 s[a] *= e;
@@ -184,7 +184,7 @@ static void of_cells(int n, double *t) {
         for (int c = 0; c < 3; c++)
             for (int k = point[i]; k < point[i + 1]; k++) {
                 const int j = list[k];
-                const double e = w[k] * w[k] - r[j][c] * w[k] + r[a][c] * w[k] * 0.25; // TURN
+                const double e = w[k] * w[k] - r[j][c] * w[k] + r[a][c] * w[k] * 0.25; // INNER
                 t[a] += e;
                 t[j] -= e;
             }
@@ -197,7 +197,7 @@ static void of_stored_values(int n) {
         const int a = own[i];
         for (int k = 0; k < MOST; k++) {
             const int j = near[i][k];
-            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // INNER
             o[j] = e;
             g[a] += o[j] * e;
         }
@@ -211,7 +211,7 @@ static void of_sums(int n) {
         double sum = 0, force[3] = {0.5, 0, 0};
         for (int k = point[i]; k < point[i + 1]; k++) {
             const int j = list[k];
-            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // INNER
             s[j] -= e;
             sum += e;
             for (int c = 0; c < 3; c++)
@@ -220,7 +220,7 @@ static void of_sums(int n) {
         sum *= 0.5;
         for (int k = 0; k < MOST; k++) {
             const int j = near[i][k];
-            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // INNER
             g[j] += e;
             sum -= e;
         }
@@ -313,7 +313,7 @@ __attribute__((aligned(32))) static void in_place(int n) {
         const int a = own[i];
         for (int k = point[i]; k < point[i + 1]; k++) {
             const int j = list[k];
-            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // INNER
             s[j] -= e;
             s[a] += e;
         }
@@ -400,7 +400,7 @@ static void by_reading(int n, struct atom *from) {
         const int a = own[i];
         for (int k = 0; k < MOST; k++) {
             const int j = near[i][k];
-            double e; // TURN
+            double e; // INNER
             pull(from, j, &e);
             e += w[k] * w[k] - r[j][0] * w[k];
             s[a] += e;

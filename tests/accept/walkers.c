@@ -51,7 +51,7 @@ static void spread(struct lattice *l, int cells, const struct point *p, float cu
                 dx = ia * h - x;
                 index = j * nx + ia;
                 pg = l->at + index;
-                for (i = ia; i <= ib; i++, pg++, dx += h) { // TURN
+                for (i = ia; i <= ib; i++, pg++, dx += h) { // INNER
                     r2 = dx * dx + dy * dy;
                     if (r2 >= cut * cut)
                         continue;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops of one update as redcc would write them for binning (redcc/bins.h), beside the plain loop:
+ * Loops of one update in the form that redcc generates for binning (redcc/bins.h), and the plain
+ * loop:
  *
  *     for (t = 0; t < trip; t++)
  *         STATEMENT of  r, a row of R at subscript k[t],  and  e, the contribution value[t]
@@ -22,9 +23,9 @@ struct binned_problem {
     redcc_int trip;
     const int *k;      /* [trip] */
     const void *value; /* [trip] */
-    void *rows;        /* of subscript 0 */
+    void *rows;        /* the row of subscript 0 */
     const double *by;
-    redcc_int slow; /* the first iterations take longer, this many; or, if < 0, the last ones */
+    redcc_int slow; /* number of first iterations that take longer; < 0: number of last ones */
 };
 
 static inline void binned_delay(const struct binned_problem *p, redcc_int t) {
@@ -37,8 +38,8 @@ struct binned_loop {
     size_t row, record; /* bytes */
     redcc_binned *descriptor;
     void (*oracle)(const struct binned_problem *);
-    /** Returns whether the loop was done; else it is as before. *last: one thread's own word that
-     * it executed the last iteration, counted. */
+    /** Returns whether the loop was done; otherwise nothing has changed. *last counts the threads
+     * that claim the last iteration. */
     bool (*run)(const struct binned_problem *, int threads, int *last);
 };
 
@@ -79,7 +80,7 @@ struct binned_loop {
         const RECORD *const value = p->value;                                                      \
         redcc_bins bins[1];                                                                        \
         int handed;                                                                                \
-        while ((handed = redcc_bins_next(worker, bins, p->by)) == REDCC_HANDED) {                  \
+        while ((handed = redcc_bins_next(worker, bins, p->by)) == REDCC_TO_PUSH) {                 \
             const redcc_bins to_0 = bins[0];                                                       \
             for (redcc_int t = worker->first; t < worker->last; t++) {                             \
                 const RECORD e = value[t];                                                         \
@@ -92,7 +93,7 @@ struct binned_loop {
             if (worker->last == p->trip && redcc_claims_last(worker))                              \
                 __atomic_fetch_add(last, 1, __ATOMIC_RELAXED);                                     \
         }                                                                                          \
-        return handed == REDCC_BETWEEN;                                                            \
+        return handed == REDCC_TO_EXECUTE;                                                         \
     }                                                                                              \
     static void NAME##_execute(const struct binned_problem *p, redcc_worker *worker, int *last) {  \
         const RECORD *const value = p->value;                                                      \

@@ -83,7 +83,7 @@ redcc_binned work_loop = {{"binned_work.c", 20, "work", REDCC_ORDER_SERIAL,
 static int push(const struct work *w, redcc_worker *worker) {
     redcc_bins bins[2];
     int handed;
-    while ((handed = redcc_bins_next(worker, bins, &half)) == REDCC_HANDED) {
+    while ((handed = redcc_bins_next(worker, bins, &half)) == REDCC_TO_PUSH) {
         const redcc_bins means = bins[0], others = bins[1];
         for (redcc_int t = worker->first; t < worker->last; t++)
             for (int n = w->start[t]; n < w->start[t + 1]; n++) {
@@ -120,7 +120,7 @@ bool work_run(const struct work *w, int threads) {
                     for (const redcc_iterations *r = worker.run; r != worker.run_end; r++)
                         execute(w, worker.origin + r->begin,
                                 worker.origin + r->begin + r->count_and_check / 2);
-            } while (more == REDCC_BETWEEN);
+            } while (more == REDCC_TO_EXECUTE);
         }
     }
     return redcc_leave(&call);
@@ -176,7 +176,7 @@ long work_fallbacks(enum reason reason) {
     return atomic_load(&work_state()->reported.statistics.fallback[reason]);
 }
 
-/* Returns whether all or the first rounds were binned. */
+/* Returns whether all rounds, or at least the first ones, were binned. */
 bool work_compare(const struct work *w, int threads) {
     memcpy(&now, &before, sizeof now);
     work_oracle(w);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * A loop as redcc would write it for binning, with all that such loops may have: several arrays in
- * a record, several updates of an array, conditions, a loop inside, a source that may overlap.
+ * A loop in the form that redcc generates for binning, with everything that such loops may contain:
+ * several arrays in a record, several updates of an array, conditions, an inner loop, a source that
+ * may overlap.
  *
  *     for (t = 0; t < trip; t++)
  *         for (n = start[t]; n < start[t + 1]; n++) {
@@ -10,7 +11,7 @@
  *             other[j[n] + 1] = other[j[n] + 1] * half + 1;
  *         }
  *
- * Where value[n] or x[m[t]] is WRONG, a mathematical function fails.
+ * If value[n] or x[m[t]] is WRONG, a mathematical function fails.
  */
 #ifndef BINNED_WORK_H
 #define BINNED_WORK_H
@@ -47,32 +48,32 @@ extern struct memory now, before;
 /** The loop's descriptor; its second stream has a tag. */
 extern redcc_binned work_loop;
 
-/** Number of threads that OpenMP is made to give; 0: the requested number. */
+/** The number of threads to which OpenMP is limited; 0: no limit. */
 extern int fewer;
 
-/** Random work of at most `most_inside` iterations of the loop inside; to be given to work_free. */
+/** Random work with at most `most_inside` iterations of the inner loop; work_free frees it. */
 struct work work_new(unsigned long seed, int most_inside);
 
-/** Gives it back, and all that the runtime has of the loop. */
+/** Frees it, and everything that the runtime stores for the loop. */
 void work_free(struct work *w);
 
-/** The loop itself, from the memory as it is: the oracle. */
+/** The oracle: executes the loop sequentially on the current memory. */
 void work_oracle(const struct work *w);
 
-/** Returns whether the loop was done, or else nothing of it. */
+/** Executes the loop by the runtime. Returns whether it was done; otherwise nothing has changed. */
 bool work_run(const struct work *w, int threads);
 
-/** Runs it from `before` on, with the oracle's bits or the test fails. Returns whether all or the
- *  first rounds were binned. */
+/** Executes the loop on the data `before`; the test fails if the bits are not the oracle's. Returns
+ * whether all rounds, or at least the first ones, were binned. */
 bool work_compare(const struct work *w, int threads);
 
-/** The runtime's. */
+/** The runtime's state of the loop. */
 const struct loop_state *work_state(void);
 
-/** How often an execution was compared with the sequential loop (REDCC_VALIDATE=1). */
+/** The number of executions that were compared with the sequential loop (REDCC_VALIDATE=1). */
 long work_validated(void);
 
-/** How often the loop ran sequentially for the reason. */
+/** The number of times that the loop ran sequentially for this reason. */
 long work_fallbacks(enum reason reason);
 
 #endif

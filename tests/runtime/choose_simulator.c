@@ -12,7 +12,7 @@
 
 enum { THREADS = 2, PLANS = 4 };
 
-/* Of the plans the one used longest ago makes room. */
+/* A kept plan. A new one replaces the least recently used one. */
 struct kept_plan {
     enum way way; /* SEQUENTIAL: none */
     int subscripts;
@@ -26,12 +26,13 @@ struct simulation {
     struct kept_plan plan[PLANS];
     int clock;
     int steady;
-    int met[PLANS]; /* subscripts, last met first; -1: none */
-    bool started;   /* the threads */
-    double excess;  /* twice the largest of an execution over the sequential one, and a block's */
-    double lent;    /* the largest loan, seconds */
-    double longest; /* sequential execution, seconds */
-    double told;    /* seconds, to the decision code: all of them are in its ledger */
+    int met[PLANS]; /* subscripts of the last calls, latest first; -1: none */
+    bool started;   /* the threads were started */
+    double
+        excess; /* twice the largest excess of an execution over the sequential one, and a block */
+    double overdraft; /* the largest overdraft, seconds */
+    double longest;   /* the longest sequential execution, seconds */
+    double told;      /* seconds reported to the decision code, all of which are in its ledger */
     struct simulated so_far;
 };
 
@@ -113,8 +114,8 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
         it->so_far.total += call->sequential;
 }
 
-/* A trial in bins: a round of a 16th of the loop, as much sequentially, then rounds as long as all
- * before, or as the loss that is left allows. */
+/* A trial in bins: a round with a 16th of the loop, as many sequential iterations, then rounds as
+ * long as all before, or as long as the remaining loss permits. */
 static void try_bins(struct simulation *it, const struct simulated_call *call, double may_lose) {
     const double more = call->execution[WAY_BINS] - call->sequential, start = start_left(it);
     const double least = 1.0 / 16;
@@ -164,7 +165,7 @@ static void run_by_plan(struct simulation *it, const struct simulated_call *call
     run_sequentially(it, call, true);
 }
 
-/* spent: seconds of the inspection so far. */
+/* spent: seconds that the inspection has taken so far. */
 static void make_plan(struct simulation *it, const struct simulated_call *call, enum way way,
                       double spent, double deadline) {
     const struct trace *trace = it->trace;
@@ -188,7 +189,7 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
 }
 
 static void note_loan(struct simulation *it, const struct simulated_call *call) {
-    it->lent = fmax(it->lent, it->state->ledger.loan);
+    it->overdraft = fmax(it->overdraft, it->state->ledger.overdraft);
     it->longest = fmax(it->longest, call->sequential);
 }
 
@@ -250,8 +251,8 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         end_look(it, call, spent);
 }
 
-/* By one who does not know which plans are kept, nor more of what starting threads takes than that
- * it is half of it at least. */
+/* What redcc_reach answers without knowledge of kept plans, and with half of the time to start
+ * threads as the lower bound. */
 static enum reach reach_of(const struct simulation *it, struct situation now) {
     now.start /= 2;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
@@ -292,7 +293,8 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
     }
 }
 
-/* What one more execution, or the check of a plan, may take beyond the sequential one. */
+/* Widens the allowance by what this execution, or the check of a plan, takes beyond the sequential
+ * one. */
 static void widen_allowance(struct simulation *it, const struct simulated_call *call) {
     double most = fmax(it->trace->check * call->sequential, it->trace->refusal);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
@@ -327,13 +329,13 @@ struct simulated simulate(const struct trace *trace) {
         widen_allowance(&it, &trace->call[c]);
         carry_out(&it, &trace->call[c]);
         result->slowest = fmax(result->slowest, result->total / result->sequential);
-        result->allowance = it.excess + it.lent;
-        result->loan = it.lent / it.longest;
+        result->allowance = it.excess + it.overdraft;
+        result->overdraft = it.overdraft / it.longest;
         const double ratio = (result->total - result->allowance) / result->sequential;
         if (ratio > result->worst_prefix)
             result->worst_prefix = ratio;
     }
-    result->owed = it.state->ledger.loan;
+    result->owed = it.state->ledger.overdraft;
     result->best = best_in_hindsight(trace, result->sequential);
     free(it.state);
     return *result;

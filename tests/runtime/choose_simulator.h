@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The decision code of `auto` (runtime/src/learn/learner.h) against a virtual clock: what each call
- * of a loop would take by each way is given, and the decisions are carried out as the runtime
- * would, without threads. Apart from the decision code this knows nothing of it.
+ * Simulates the decision code of `auto` (runtime/src/learn/learner.h) with a virtual clock. A trace
+ * gives the time of each call of a loop by each strategy. The decisions are executed as the runtime
+ * would execute them, but without threads. Only the decision code belongs to the runtime.
  */
 #ifndef CHOOSE_SIMULATOR_H
 #define CHOOSE_SIMULATOR_H
@@ -15,54 +15,59 @@ enum { SIMULATED_CALLS = 2000 };
 struct simulated_call {
     long long trip;
     double sequential;           /**< seconds */
-    double execution[WAY_COUNT]; /**< seconds by a plan, its check included; [0] unused */
-    int subscripts;              /**< a plan serves only calls with the same number */
+    double execution[WAY_COUNT]; /**< seconds of an execution by each strategy, including the check
+                                    of a plan; [0] unused */
+    int subscripts; /**< identifies the subscripts: a plan fits only calls with the same number */
 };
 
 struct trace {
     int count;
     struct simulated_call call[SIMULATED_CALLS];
     bool possible[WAY_COUNT];
-    bool guessed;             /**< of bins nothing is known before they are tried */
-    double set_up[WAY_COUNT]; /**< seconds an iteration, in truth */
-    double set_up_error;      /**< estimated over true */
-    double execution_error;   /**< the same, of executions */
+    bool guessed;             /**< only a trial shows how long bins take */
+    double set_up[WAY_COUNT]; /**< true seconds per iteration */
+    double set_up_error;      /**< ratio of estimated to true plan constructions */
+    double execution_error;   /**< ratio of estimated to true executions */
     double look;              /**< seconds of a sample */
-    double dry_run;           /**< seconds an iteration, before each sample; 0: there is none */
-    double check;             /**< of a sequential execution: to find that subscripts changed */
-    double wake;              /**< seconds */
-    double start;             /**< seconds that starting the threads takes, once, */
-    double late;              /**< and by which it takes longer than that */
-    double overrun;           /**< by which a set-up takes longer, with no look at the clock */
-    double block;             /**< seconds by which a deadline is passed */
-    bool hidden;              /**< a sample of the subscripts does not show that they changed */
-    bool compared;            /**< all of them are compared with those of the call before */
-    int refused_from;         /**< call from which on a guard forbids bins; 0: none, */
-    double refusal;           /**< after so many seconds */
-    bool no_inspection;       /**< a guard forbids all that is inspected, after the sample */
+    double dry_run;   /**< seconds per iteration of a dry run before each sample; 0: no dry run */
+    double check;     /**< fraction of a sequential execution that it takes to find that subscripts
+                         changed */
+    double wake;      /**< seconds */
+    double start;     /**< seconds that starting the threads takes, once */
+    double late;      /**< additional seconds that it takes unexpectedly */
+    double overrun;   /**< seconds by which a plan construction takes longer without checking the
+                         clock */
+    double block;     /**< seconds by which a deadline is passed */
+    bool hidden;      /**< a sample of the subscripts does not show that they changed */
+    bool compared;    /**< all subscripts are compared with those of the preceding call */
+    int refused_from; /**< call from which on a guard forbids bins; 0: never */
+    double refusal;   /**< seconds until the guard forbids them */
+    bool no_inspection; /**< a guard forbids every plan, after the sample */
 };
 
 struct simulated {
     double total;
     double sequential;   /**< seconds of the sequential program */
-    double best;         /**< of the best single way in hindsight, its set-ups included */
+    double best;         /**< seconds of the best single strategy in hindsight, including its plan
+                            constructions */
     double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
-    double slowest;      /**< largest of total / sequential, nothing allowed for */
+    double slowest;   /**< largest of total / sequential over all prefixes, without the allowance */
     double allowance; /**< the bound's additive constant: twice the largest excess of an execution
-                           over the sequential one, a block or a sample, and the largest loan */
-    double owed;      /**< what is lent at the end, seconds */
-    double loan;      /**< the largest, over the longest sequential execution */
-    int looks;        /**< by one thread */
+                         over the sequential one, a block or a sample, and the largest overdraft */
+    double owed;      /**< the overdraft at the end, seconds */
+    double overdraft; /**< the largest overdraft, divided by the longest sequential execution */
+    int looks;        /**< samples taken by one thread */
     int set_ups;      /**< begun; */
-    int stopped;      /**< of them, at their deadline */
+    int stopped;      /**< samples that ended at their deadline */
     int parallel;     /**< executions by a plan */
-    int left;         /**< trials in bins that were left in the middle */
+    int left;         /**< trials in bins that stopped early */
     int refused;      /**< executions in bins that a guard forbade */
-    int left_alone;   /**< calls of which redcc_reach said that nothing can be begun */
+    int left_alone; /**< calls for which redcc_reach answered that no parallel action is affordable
+                     */
 };
 
-/** Carries out the trace, from a state of zeroes. Asserts that no decision is beyond what
- *  redcc_reach, which is told of no plan and of half the start, has said of it. */
+/** Simulates the trace, beginning with a zero state. Asserts that no decision goes beyond the
+ * answer of redcc_reach, which is called without kept plans and with half of the starting time. */
 struct simulated simulate(const struct trace *trace);
 
 #endif

@@ -18,7 +18,7 @@ static uint32_t owner_in_map(const struct plan *plan, uint32_t group, ptrdiff_t 
     return owner;
 }
 
-/* The one owner of the byte at `offset` from the array's first element. */
+/* The owner of the byte at `offset` from the array's first element; fails if there are several. */
 static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offset) {
     const uint32_t group = plan->group_of[array];
     if (plan->map.owner)
@@ -56,7 +56,8 @@ static void record_visits(const struct plan *plan, struct visit *visit) {
     }
 }
 
-/* Iteration t updates the element; last: 1 + the iteration that did so before, 0: none. */
+/* Checks that iteration t updates the element after the preceding one. *last: 1 + the iteration
+ * that updated it before; 0: none. */
 static void check_update(const struct visit *visit, long t, long *last) {
     const struct visit *before = *last > 0 ? &visit[*last - 1] : NULL;
     if (before && *last != t + 1 && before->stage >= visit[t].stage) {
@@ -66,8 +67,8 @@ static void check_update(const struct visit *visit, long t, long *last) {
     *last = t + 1;
 }
 
-/* By levels: each iteration is executed once, and of two that touch a common element the first is
- * in an earlier stage, or comes first in the same thread. */
+/* Levels: each iteration is executed once. Of two that touch a common element, the first is in an
+ * earlier stage, or precedes the other in the same thread. */
 static void check_levels(const struct problem *problem, const struct plan *plan) {
     const size_t first = (size_t)problem->doubles;
     const size_t second = (size_t)problem->second_rows * (size_t)problem->second_width;
@@ -90,7 +91,7 @@ static void check_levels(const struct problem *problem, const struct plan *plan)
     free(last);
 }
 
-/* Marks the owners of what iteration t writes; returns how many there are. */
+/* Marks the owners of the elements that iteration t writes; returns their number. */
 static int mark_owners(const struct problem *problem, const struct plan *plan, long t, char *mark) {
     int count = 0;
     memset(mark, 0, plan->owners);

@@ -18,7 +18,7 @@ enum order { SORTED, SHUFFLED, ONE_ELEMENT, BACKWARDS };
 struct shape {
     const char *name;
     long trip;
-    int per_iteration; /* touches; negative: 0 to -per_iteration of them */
+    int per_iteration; /* touches per iteration; negative: 0 to -per_iteration */
     int rows, width;
     int second_rows, second_width;
     enum order order;
@@ -77,7 +77,7 @@ struct problem problem_new(int number, bool exact) {
     for (long t = 0; t < shape->trip; t++) {
         problem.start[t] = (int)problem.touches;
         long count = most;
-        if (shape->per_iteration < 0) /* none in the last one */
+        if (shape->per_iteration < 0) /* the last iteration has no touches */
             count = t + 1 == shape->trip ? 0 : (long)(next_random(&random) % (size_t)(most + 1));
         for (long k = 0; k < count; k++) {
             const long at = problem.touches++;
@@ -91,7 +91,7 @@ struct problem problem_new(int number, bool exact) {
     }
     problem.start[shape->trip] = (int)problem.touches;
     problem.doubles = (long)problem.rows * problem.width;
-    if (shape->second_in_first) { /* begins in the middle of the first one */
+    if (shape->second_in_first) { /* the second array begins in the middle of the first one */
         problem.doubles += (long)problem.second_rows * problem.second_width / 2;
         problem.first = malloc((size_t)problem.doubles * sizeof(double));
         problem.second =

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Irregular loops to try the runtime on:
+ * Irregular loops for tests of the runtime:
  *
  *     for (t = 0; t < trip; t++)
  *         for (k = start[t]; k < start[t + 1]; k++) {
@@ -30,7 +30,7 @@ struct problem {
     double *first;                 /* [rows][width] */
     double *second; /* [second_rows][second_width]; may lie in `first`, which is larger then */
     bool second_in_first;
-    long doubles; /* that `first` holds */
+    long doubles; /* number of doubles in `first` */
 };
 
 /** A loop's description, separate for each problem. */
@@ -45,39 +45,39 @@ enum { PROBLEMS = 14 };
 /** Problem number 0 <= number < PROBLEMS; `exact`: all values are small integers. */
 struct problem problem_new(int number, bool exact);
 
-/** Gives back its memory. */
+/** Frees its memory. */
 void problem_free(struct problem *problem);
 
 /** Sets the arrays to their initial contents. */
 void problem_reset(struct problem *problem);
 
-/** Pretends that each iteration of the original loop took `seconds` in very many earlier calls, and
- *  each plan construction ten times as long: then auto comes to a plan in the following calls,
- *  whatever the machine's load. The loop must have been executed once. */
+/** Makes auto believe that each iteration of the original loop took `seconds` in very many earlier
+ * calls, and each plan construction ten times as long. Then auto constructs a plan in one of the
+ * next calls, whatever the machine's load. The loop must have been executed once. */
 void problem_tell_slow(redcc_loop *loop, long trip, double seconds);
 
-/** Does problem_run do that after a call that ran serially, if no method is named? True
- *  initially. */
+/** Does problem_run call problem_tell_slow after a call that ran serially, if no method is named?
+ * True initially. */
 extern bool problem_run_tells;
 
-/** Additions that the slice of an iteration makes before it knows what that touches. */
+/** The number of additions that an iteration's slice makes before it finds the touched rows. */
 extern int problem_searches;
 
-/** The loop as redcc translates it. Returns 1 where it was done in parallel (0: serially). *last
- *  becomes `3 t + 1` of the last iteration. */
+/** Executes the loop in the form that redcc generates. Returns 1 if it ran in parallel, 0 if
+ * serially. *last becomes 3 t + 1, where t is the last iteration. */
 int problem_run(struct problem *problem, struct described *described, int threads, long *last);
 
-/** As problem_run, but OpenMP is made to give only `given` of the threads. */
+/** As problem_run, but OpenMP gives only `given` of the requested threads. */
 int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
                       long *last);
 
 /** Describes the problem's loop. */
 void problem_describe(const struct problem *problem, struct described *described);
 
-/** The loop itself, from the arrays as they are: the oracle. */
+/** The oracle: executes the loop sequentially on the current arrays. */
 void problem_oracle(struct problem *problem);
 
-/** A number from a sequence that is the same everywhere. */
+/** The next number of a pseudo-random sequence that is the same on every machine. */
 unsigned long next_random(unsigned long *state);
 
 #endif

@@ -33,7 +33,7 @@ void problem_describe(const struct problem *problem, struct described *described
 #define PROBE_READ(...) redcc_probe_read(&probe, worker, __VA_ARGS__)
 #define PROBE_TOUCH(...) redcc_probe_touch(&probe, worker, __VA_ARGS__)
 
-/* The slice is more expensive than the body. */
+/* Makes the slice more expensive than the body. */
 static void search(void) {
     for (volatile int n = 0; n < problem_searches; n++)
         ;
@@ -82,7 +82,7 @@ static void set_known(const struct problem *problem, redcc_extent known[4]) {
     known[3].first = (const char *)problem->value;
 }
 
-/* What a thread of the region does at first: it records what the blocks touch that it is handed. */
+/* The first part of each thread: records the touches of the blocks that it gets. */
 static void inspect_blocks(redcc_worker *worker, const struct problem *problem) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value, *first = problem->first, *second = problem->second;
@@ -107,7 +107,7 @@ static void inspect_blocks(redcc_worker *worker, const struct problem *problem) 
         }
 }
 
-/* The iterations of a block that write a row that the thread owns. */
+/* Classifies the iterations of a block: do they write a row that the thread owns? */
 static void classify(redcc_worker *worker, const struct problem *problem) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value, *first = problem->first, *second = problem->second;
@@ -119,10 +119,10 @@ static void classify(redcc_worker *worker, const struct problem *problem) {
         INSPECT(t, PROBE_READ, PROBE_TOUCH);
         class[t - worker->first] = redcc_class_of(&probe);
     }
-    redcc_classes_give(worker, class);
+    redcc_store_classes(worker, class);
 }
 
-/* A chunk, run by run. Of the loop's last iteration, `3 t + 1` becomes *last. */
+/* Executes a chunk, run by run. In the loop's last iteration t, *last becomes 3 t + 1. */
 static void execute_chunk(redcc_worker *worker, const struct problem *problem, long *last) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value;
@@ -158,7 +158,8 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
                               (redcc_size)problem->other};
     set_known(problem, known);
     redcc_call call;
-    redcc_loop_make(&described->loop); /* even if it is short: tests inspect it */
+    /* creates a state even for a short loop, because tests inspect it */
+    redcc_loop_make(&described->loop);
     if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {
 #pragma omp parallel num_threads(given < call.threads ? given : call.threads)
         {

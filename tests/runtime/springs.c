@@ -10,8 +10,8 @@
 #if __has_include(<redcc/runtime.h>)
 #include <redcc/runtime.h>
 REDCC_REQUIRE_VERSION(1);
-#ifdef SPRINGS_LEAVE_OUT /* breaks the promise, for REDCC_VALIDATE to find out */
-#define redcc_asks(worker, owner, address) ((void)(owner), 0)
+#ifdef SPRINGS_LEAVE_OUT /* a wrong update, which REDCC_VALIDATE must detect */
+#define redcc_is_owned(worker, owner, address) ((void)(owner), 0)
 #endif
 #endif
 #endif
@@ -87,8 +87,8 @@ static void springs(int n, const int (*edge)[2], const double (*x)[3], struct sy
         REDCC_BASE(0, s->b);
         REDCC_KEY(1, (redcc_size)edge);
         REDCC_KEY(2, (redcc_size)s);
-        redcc__known[1].first = (const char *)x; /* x[i]: the inspector tells the ends */
-        REDCC_FIRST_AND_LAST { int t = (int)REDCC_AN_END(1); REDCC_KNOWN_ROW(0, edge[t]); }
+        redcc__known[1].first = (const char *)x; /* x[i]: the inspector finds the range */
+        REDCC_FIRST_AND_LAST { int t = (int)REDCC_FIRST_OR_LAST(1); REDCC_KNOWN_ROW(0, edge[t]); }
         redcc__context.edge = edge;
         redcc__context.x = x;
         redcc__context.s = s;
@@ -139,7 +139,7 @@ int main(int count, char **arguments) {
 #ifdef REDCC_RUNTIME_H
     if (count > 3 && redcc__site_springs.calls) {
         const redcc_calls *calls = redcc__site_springs.calls;
-        printf("%lld unasked, from %lld\n", (long long)redcc_unasked_iterations,
+        printf("%lld unasked, from %lld\n", (long long)redcc_exempt_iterations,
                (long long)*calls->least_trip);
     }
 #endif

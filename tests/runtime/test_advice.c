@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* auto on real loops: what it has its calls do, with the bits of the original loop each time; and
- * its decision table in docs/methods.md. The bounds themselves are test_choose_bound's. */
+/* auto on real loops: its decision in each call, and the bits of the original loop each time; also
+ * its decision table in docs/methods.md. test_choose_bound tests the bounds. */
 #include "loop.h"
 
 #include "base/memory.h"
@@ -20,7 +20,7 @@
 
 enum { TRIP = 200000, ROWS = 50000, THREADS = 2 };
 
-/* A loop that has been called once, sequentially; each test of a loop has one. */
+/* The fixture of these tests: a loop that has been called once, sequentially. */
 struct called {
     struct problem problem;
     struct described described;
@@ -48,7 +48,7 @@ static struct problem one_touch_each(bool sorted) {
     return problem;
 }
 
-/* One call, with the oracle's bits; returns whether the runtime executed it. */
+/* Calls the loop and compares the bits with the oracle; returns whether the runtime executed it. */
 static bool call_by(struct called *called, int threads) {
     static double expected[ROWS];
     struct problem *problem = &called->problem;
@@ -79,7 +79,7 @@ static struct ledger *ledger_of(struct called *called) {
     return &((struct loop_state *)called->described.loop.state)->chooser.state.ledger;
 }
 
-/* Leaves it so many seconds of credit, however long its calls took. */
+/* Sets the loop's credit to this number of seconds, however long its calls took. */
 static void leave_credit(struct called *called, double seconds) {
     struct ledger *ledger = ledger_of(called);
     ledger->overhead = ledger->sequential / 32 - seconds;
@@ -132,7 +132,7 @@ static void one_thread_is_enough_for_lanes(void **state) {
     assert_int_equal(atomic_load(one_thread), 1);
 }
 
-/* Nothing is begun while it may cost more than the credit. */
+/* No action begins whose cost may exceed the credit. */
 static void nothing_is_begun_without_credit(void **state) {
     struct called *called = *state;
     for (int call = 0; call < 10; call++) {
@@ -143,7 +143,7 @@ static void nothing_is_begun_without_credit(void **state) {
     assert_true(ledger_of(called)->sequential > 0);
 }
 
-/* Iterations that take long: a plan as soon as that is known, and it is used again. */
+/* Long iterations: a plan is constructed as soon as their time is known, and it is reused. */
 static void a_heavy_loop_is_set_up(void **state) {
     struct called *called = *state;
     problem_tell_slow(&called->described.loop, TRIP, 1e-6);
@@ -153,40 +153,42 @@ static void a_heavy_loop_is_set_up(void **state) {
         assert_true(call_right(called));
     assert_int_equal(statistics_of(called)->plans_built, 1);
     assert_int_equal(statistics_of(called)->plans_reused, 5);
-    assert_int_equal(size_of(called)->stand, STAND_PARALLEL);
+    assert_int_equal(size_of(called)->phase, PHASE_PARALLEL);
 }
 
-/* Other subscripts: the original loop, and another plan only when the credit allows it. */
+/* After a change of subscripts the original loop runs; another plan follows only when the credit
+ * allows it. */
 static void changed_subscripts_are_not_inspected_at_once(void **state) {
     struct called *called = *state;
     problem_tell_slow(&called->described.loop, TRIP, 1e-6);
     assert_true(call_right(called));
     assert_true(call_right(called));
-    called->problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
-    leave_credit(called, 1e-9);            /* next to none, and no loan while less than that */
+    called->problem.row[TRIP / 2 + 1] = 0; /* a change that the sample misses */
+    leave_credit(called, 1e-9);            /* almost none; below that there would be no overdraft */
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_CHANGED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_CHANGED]), 1);
     assert_int_equal(statistics_of(called)->plans_built, 1);
-    for (int t = 0; t < TRIP; t++) /* which it does see */
+    for (int t = 0; t < TRIP; t++) /* a change that the sample finds */
         called->problem.row[t] = (called->problem.row[t] + 1) % ROWS;
-    leave_credit(called, -1e-3); /* else a loan would be given, for it is repaid at once */
+    /* otherwise an overdraft would be allowed, since the plan repays it at once */
+    leave_credit(called, -1e-3);
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
-/* A sample is there, and it was not its program's fault that threads came late: what it says is
- * gone by, where a loan covers all of it. */
+/* Threads arrived late, so the sample took long through no fault of the loop. The sample is used
+ * nevertheless if an overdraft covers its cost. */
 static void a_sample_that_took_long_is_not_lost(void **state) {
     struct called *called = *state;
     problem_tell_slow(&called->described.loop, TRIP, 1e-3);
-    assert_true(call_right(called)); /* so that threads are there */
+    assert_true(call_right(called)); /* starts the threads */
     redcc_loop_forget(&called->described.loop);
     problem_describe(&called->problem, &called->described);
     assert_false(call_right(called));
     leave_credit(called, -1e-3);
     assert_false(call_right(called));
-    problem_tell_slow(&called->described.loop, TRIP, 1e-3); /* deadlines are seconds away */
+    problem_tell_slow(&called->described.loop, TRIP, 1e-3); /* deadlines are several seconds */
     ((struct loop_state *)called->described.loop.state)->chooser.verified = true;
     size_of(called)->look = 1e-12;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
@@ -196,8 +198,8 @@ static void a_sample_that_took_long_is_not_lost(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
-/* A slice that is more expensive than the body: owners that find their iterations by it lose, and
- * so does its inspection. */
+/* A slice that is more expensive than the body: threads that find their iterations by the slice are
+ * too slow, and so is an inspection. */
 static void an_expensive_slice_is_seen(void **state) {
     struct called *called = *state;
     problem_searches = 1000; /* 0.4 microseconds; the body takes some nanoseconds */
@@ -212,7 +214,7 @@ static void an_expensive_slice_is_seen(void **state) {
     assert_false(redcc_is_better(size, WAY_DIRECT, redcc_usual(size)));
 }
 
-/* An inspection whose deadline has come: the arrays are as they were, and its cost is learned. */
+/* An inspection that reaches its deadline leaves the arrays unchanged, and its cost is learned. */
 static void an_inspection_ends_at_its_deadline(void **state) {
     struct called *called = *state;
     problem_tell_slow(&called->described.loop, TRIP, 1e-6);
@@ -220,17 +222,18 @@ static void an_inspection_ends_at_its_deadline(void **state) {
     size->looked = true;
     size->arm[WAY_INDEX] =
         (struct arm){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
-    size->set_ups.invested = 1e-9; /* in vain: nothing is lent, so that the credit pays */
+    /* more than was saved, so that no overdraft is allowed and the credit pays */
+    size->set_ups.invested = 1e-9;
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_STOPPED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_DEADLINE]), 1);
     assert_int_equal(statistics_of(called)->plans_built, 0);
     assert_true(size->arm[WAY_INDEX].learned > 1e-6 || size->look > 1e-6);
     for (int call = 0; call < 10 && statistics_of(called)->plans_built == 0; call++)
-        call_right(called); /* each stop doubles what is known of the cost */
+        call_right(called); /* each stop doubles the lower bound on the cost */
 }
 
-/* Short loops are left alone, by a compare and a counter. */
+/* Short loops stay sequential, at the cost of a compare and a counter. */
 static void short_loops_are_left_alone(void **state) {
     struct called *called = *state;
     for (int i = 0; i < 3; i++)
@@ -239,19 +242,20 @@ static void short_loops_are_left_alone(void **state) {
         assert_false(call_right(called));
         assert_int_equal(statistics_of(called)->rule, RULE_SHORT);
     }
-    assert_int_equal(size_of(called)->stand, STAND_SHORT);
+    assert_int_equal(size_of(called)->phase, PHASE_SHORT);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
-/* So is one that nothing served lately, but timed; its subscripts are read in the last call. */
+/* A loop in back-off stays sequential too, but is timed; its subscripts are read in the last call
+ * of the back-off. */
 static void resting_loops_are_left_alone(void **state) {
     enum { REST = 16 };
     struct called *called = *state;
     struct size_state *size = size_of(called);
     uint64_t *sampled = ((struct loop_state *)called->described.loop.state)->chooser.sampled;
     size->calls = REST;
-    redcc_back_off(&size->rest, size->calls);
-    size->stand = STAND_RESTING;
+    redcc_back_off(&size->back_off, size->calls);
+    size->phase = PHASE_BACK_OFF;
     size->rule = RULE_SLOWER;
     sampled[0] = 1;
     const long calls = size->calls, timed = size->sequential.count;
@@ -263,12 +267,12 @@ static void resting_loops_are_left_alone(void **state) {
         assert_int_equal(sampled[0] != 1, call == REST - 1);
     }
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_SERIAL_FASTER]), REST - 1);
-    assert_int_equal(size->stand, STAND_RESTING);
+    assert_int_equal(size->phase, PHASE_BACK_OFF);
     call_right(called);
-    assert_true(size->stand != STAND_RESTING);
+    assert_true(size->phase != PHASE_BACK_OFF);
 }
 
-/* Shorter ones have no state; one word says when they are timed again. */
+/* Even shorter loops have no state; one word determines when they are timed again. */
 static void short_loops_have_no_state(void **unused) {
     (void)unused;
     void *word = NULL;
@@ -276,7 +280,7 @@ static void short_loops_have_no_state(void **unused) {
     assert_true(redcc_unmade_call(&word, 1000));
     assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
     for (int calls = 16; calls < 4096; calls *= 2) {
-        int between = 0; /* the last 16 calls are counted, of those before one in 16 */
+        int between = 0; /* each of the last 16 calls is counted, of earlier calls one in 16 */
         for (; !redcc_unmade_call(&word, 1000); between++)
             assert_true(redcc_is_unmade(word) && between < calls + 32);
         assert_in_range(between, calls > 32 ? calls - 32 : 16, calls + 32);
@@ -285,7 +289,7 @@ static void short_loops_have_no_state(void **unused) {
     assert_false(redcc_unmade_call(&word, 10)); /* which is shorter still */
     assert_true(redcc_unmade_call(&word, 1000000));
     assert_true(redcc_unmade_timed(&word, 1000000, 6e-3));
-    struct loop_state *state = NULL; /* another thread was quicker */
+    struct loop_state *state = NULL; /* another thread has created the state */
     void *made = &state;
     assert_false(redcc_is_unmade(made));
     assert_true(redcc_unmade_call(&made, 1000));
@@ -293,7 +297,7 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
-/* What a loop's timings make of it: executions that count, once it has a state. */
+/* The number of executions that count after these timings, once the loop has a state. */
 static int executions_that_count(const double *seconds, int timings) {
     void *word = NULL;
     for (int timing = 0; timing < timings; timing++) {
@@ -304,8 +308,8 @@ static int executions_that_count(const double *seconds, int timings) {
     return 0;
 }
 
-/* A loop that threads are worth waking for gets its state when it has taken 5 ms, and what it was
- * executed until then counts. */
+/* A loop for which waking threads pays gets its state when it has taken 5 ms, and its executions
+ * until then count. */
 static void short_loops_get_a_state_late(void **unused) {
     (void)unused;
     static const struct {
@@ -317,10 +321,11 @@ static void short_loops_get_a_state_late(void **unused) {
                  {{2e-3, 2e-3}, 2, 3},
                  {{0.5001e-3, 0.5001e-3}, 2, 10},
                  {{0.161e-3, 0.161e-3}, 2, 32},
-                 {{2e-3, 0.3e-3}, 2, 0}, /* the first one found no page in place */
+                 {{2e-3, 0.3e-3}, 2, 0}, /* the first execution caused page faults */
                  {{2e-3, 0.3e-3, 0.3e-3}, 3, 16},
                  {{2e-3, 0.2e-3, 0.2e-3}, 3, 25},
-                 {{1e-3, 6e-3}, 2, 1}, /* those between took no longer than the first */
+                 /* the calls in between are assumed to take no longer than the first */
+                 {{1e-3, 6e-3}, 2, 1},
                  {{0.15e-3, 0.2e-3}, 2, 0},
                  {{0.15e-3, 0.2e-3, 0.2e-3}, 3, 25},
                  {{0.15e-3, 0.15e-3, 0.15e-3}, 3, 0}};
@@ -329,7 +334,7 @@ static void short_loops_get_a_state_late(void **unused) {
                          asked[a].executions);
 }
 
-/* As many calls pass until it is timed as make the 5 ms. */
+/* The calls that pass before the next timing count towards the 5 ms. */
 static void calls_in_between_are_counted(void **unused) {
     (void)unused;
     void *word = NULL;
@@ -352,25 +357,25 @@ static void loops_of_other_sizes_earn_nothing(void **unused) {
     assert_int_equal(redcc_unmade_timed(&word, 10, 6e-3), 1);
 }
 
-/* The first of them are executed before the runtime is asked at all. */
+/* The first short iterations of a program are executed without a call of the runtime. */
 static void the_first_short_iterations_are_not_asked_about(void **unused) {
     (void)unused;
     redcc_least_trip = 1000;
-    redcc_unasked_iterations = 5000;
+    redcc_exempt_iterations = 5000;
     assert_false(redcc_is_worth_entering(999)); /* and are not counted */
     assert_false(redcc_is_worth_entering(2000));
     assert_false(redcc_is_worth_entering(2000));
     assert_true(redcc_is_worth_entering(1000));
     assert_true(redcc_is_worth_entering(1000));
     assert_false(redcc_is_worth_entering(999));
-    redcc_unasked_iterations = 5000;
+    redcc_exempt_iterations = 5000;
     assert_true(redcc_is_worth_entering(INT64_MAX));
     assert_true(redcc_is_worth_entering(1000));
-    redcc_least_trip = redcc_unasked_iterations = 0;
+    redcc_least_trip = redcc_exempt_iterations = 0;
 }
 
-/* A loop's first execution is timed before it has a state; what the next call finds is compared
- * with the subscripts of that one. */
+/* A loop's first execution is timed before it has a state. The subscripts of the next call are
+ * compared with those of that execution. */
 static void subscripts_are_known_after_the_first_timing(void **fixture) {
     struct called *called = *fixture;
     const redcc_loop *loop = &called->described.loop;
@@ -385,11 +390,11 @@ static void subscripts_are_known_after_the_first_timing(void **fixture) {
     assert_true(first != 0 && first == redcc_reuse_sample(loop, known));
     called->problem.row[0]++;
     assert_true(redcc_reuse_sample(loop, known) != first);
-    redcc_advise_timed(&fresh, loop, known, TRIP, 1e-6); /* at entry they were looked at already */
+    redcc_advise_timed(&fresh, loop, known, TRIP, 1e-6); /* they were sampled at entry */
     assert_true(fresh.sampled[0] == first && fresh.sampled[1] == 0);
 }
 
-/* All subscripts are compared where that costs little, once. */
+/* All subscripts are compared once if that costs little. */
 static void subscripts_are_compared(void **fixture) {
     struct called *called = *fixture;
     const redcc_extent known[] = {
@@ -406,7 +411,8 @@ static void subscripts_are_compared(void **fixture) {
     struct fingerprint before = chooser->all, now;
     assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
     assert_true(redcc_fingerprint_equal(before, now));
-    assert_false(redcc_reuse_fingerprint(&called->described.loop, known, 0, &now)); /* no time */
+    /* a time limit of 0 */
+    assert_false(redcc_reuse_fingerprint(&called->described.loop, known, 0, &now));
     called->problem.row[TRIP / 2 + 1]++;
     assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
     assert_false(redcc_fingerprint_equal(before, now));
@@ -414,8 +420,8 @@ static void subscripts_are_compared(void **fixture) {
     assert_false(redcc_reuse_fingerprint(&called->described.loop, unknown, 1, &now));
 }
 
-/* The first execution is timed before the loop has a state, and no decision has counted its call;
- * how many there were is what a plan is expected to be used for. */
+/* The first execution is timed before the loop has a state, so no decision has counted its call.
+ * The number of calls so far is the number of uses expected of a plan. */
 static void an_execution_counts_though_nothing_was_decided(void **unused) {
     (void)unused;
     static struct choice_state state;
@@ -426,7 +432,7 @@ static void an_execution_counts_though_nothing_was_decided(void **unused) {
     assert_int_equal(redcc_size_of(&state, TRIP)->calls, 2);
 }
 
-/* Those before the loop had a state are taken to have lasted as long as the one that was timed. */
+/* Executions before the loop had a state are assumed to have taken as long as the timed one. */
 static void executions_that_were_not_timed_count(void **unused) {
     (void)unused;
     static struct choice_state state;
@@ -450,7 +456,7 @@ static const struct findings shuffled = {.trip = 50000,
                                          .runs = 0.5,
                                          .reusable = true};
 
-/* By lanes it may be worth a set-up, but no loan. */
+/* With lanes one thread may be worth a plan construction, but not an overdraft. */
 static void one_thread_has_prospects_by_lanes(void **unused) {
     (void)unused;
     struct arm it[WAY_COUNT];
@@ -465,7 +471,7 @@ static void one_thread_has_prospects_by_lanes(void **unused) {
     assert_true(it[WAY_INDEX].execution < 0.9 * findings.sequential);
     assert_true(it[WAY_INDEX].execution > 0.8 * findings.sequential);
     assert_false(it[WAY_GRAPH].possible);
-    struct arm two[WAY_COUNT]; /* threads are worth a plan without */
+    struct arm two[WAY_COUNT]; /* several threads are worth a plan without lanes */
     findings.threads = 2;
     redcc_estimate_arms(&findings, it);
     findings.lanes = false;
@@ -488,12 +494,12 @@ static void prospects_follow_from_what_was_found(void **unused) {
     findings.copied = 1e7;
     redcc_estimate_arms(&findings, it);
     assert_true(it[WAY_COPIES].execution > findings.sequential);
-    findings.reusable = false; /* each execution inspects */
+    findings.reusable = false; /* each execution needs an inspection */
     redcc_estimate_arms(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution > findings.sequential);
     findings = shuffled;
-    findings.fetched = true; /* a plan waits for memory less than the loop */
+    findings.fetched = true; /* an execution by a plan waits less for memory than the loop */
     struct arm fetched[WAY_COUNT];
     redcc_estimate_arms(&findings, fetched);
     findings.fetched = false;
@@ -502,7 +508,8 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(fetched[WAY_GRAPH].execution < 0.8 * it[WAY_GRAPH].execution);
     assert_true(fetched[WAY_GRAPH].set_up == it[WAY_GRAPH].set_up);
     findings = shuffled;
-    findings.slice = 100e-9; /* an inspection evaluates it once; bins may, before they push */
+    /* an inspection evaluates the slice once per iteration; bins may, too */
+    findings.slice = 100e-9;
     redcc_estimate_arms(&findings, fetched);
     assert_true(fetched[WAY_INDEX].set_up > it[WAY_INDEX].set_up + 2e-3);
     assert_true(fetched[WAY_GRAPH].set_up > it[WAY_GRAPH].set_up + 2e-3);
@@ -523,7 +530,7 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(it[WAY_INDEX].execution > findings.sequential);
 }
 
-/* Threads come side by side, and wait side by side for their turns. */
+/* Threads start concurrently, and wait concurrently for their time slices. */
 static void many_threads_start_as_soon_as_few(void **unused) {
     (void)unused;
     const double one = redcc_start_seconds(1, false), many = redcc_start_seconds(15, false);
@@ -531,12 +538,14 @@ static void many_threads_start_as_soon_as_few(void **unused) {
     assert_true(one < many && many < 4 * one);
     assert_true(redcc_start_seconds(1, true) >= 2e-3);
     assert_true(redcc_start_seconds(15, true) == redcc_start_seconds(1, true));
-    assert_true(redcc_start_seconds(0, true) < one); /* the program's own regions had them start */
+    /* regions of the program have started the threads */
+    assert_true(redcc_start_seconds(0, true) < one);
     struct chooser chooser = {0};
     redcc_tell_team(&chooser, 4, 4, 0.6e-3, 3);
     assert_true(fabs(redcc_start_seconds(15, false) - 15 * 0.2e-3) < 1e-9);
     assert_true(redcc_start_seconds(15, true) >= 4e-3);
-    redcc_tell_team(&chooser, 4, 4, 15e-3, 3); /* they waited: that is what it takes */
+    /* the threads waited for cores, so starting takes this long */
+    redcc_tell_team(&chooser, 4, 4, 15e-3, 3);
     assert_true(fabs(redcc_start_seconds(3, true) - 15e-3) < 1e-9);
     redcc_tell_team(&chooser, 2, 2, 0.4e-3, 1); /* for the tests that follow */
 }
@@ -566,7 +575,8 @@ static const struct outcome slow_tiles = {.result = RESULT_PARALLEL,
                                           .seconds = 2.5e-3,
                                           .set_up = 0.5e-3};
 
-/* No sample: the second execution is in tiles, if the threads' start is repaid at once. */
+/* No sample is taken: the second execution uses tiles, if it repays starting the threads at once.
+ */
 static void pairs_begin_with_tiles(void **unused) {
     (void)unused;
     struct choice_state state = after_pairs(1);
@@ -575,7 +585,7 @@ static void pairs_begin_with_tiles(void **unused) {
     assert_int_equal(decision.action, ACTION_REUSE);
     assert_int_equal(decision.way, WAY_DIRECT);
     state = after_pairs(1);
-    now = pairs_now(4e-3); /* the cores are wanted */
+    now = pairs_now(4e-3); /* other programs use the cores */
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
     state = after_pairs(1);
     now = pairs_now(0.4e-3);
@@ -583,11 +593,12 @@ static void pairs_begin_with_tiles(void **unused) {
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
     state = after_pairs(1);
     now = pairs_now(0.4e-3);
-    now.in_tiles = false; /* over blocks */
+    now.in_tiles = false; /* a loop over blocks */
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
 }
 
-/* Threads that begin are slow: a loop that is no longer new goes on with them, at once. */
+/* A slow first execution with new threads does not stop a loop that is no longer new: it continues
+ * with them at once. */
 static void tiles_go_on_after_a_slow_beginning(void **unused) {
     (void)unused;
     struct choice_state state = after_pairs(4);
@@ -600,7 +611,7 @@ static void tiles_go_on_after_a_slow_beginning(void **unused) {
     redcc_observe(&state,
                   &(struct outcome){
                       .result = RESULT_PARALLEL, .way = WAY_DIRECT, .trip = 1000, .seconds = 1e-3});
-    assert_int_equal(redcc_size_of(&state, 1000)->stand, STAND_PARALLEL);
+    assert_int_equal(redcc_size_of(&state, 1000)->phase, PHASE_PARALLEL);
     state = after_pairs(1); /* a new loop waits */
     now.start = 0.4e-3;
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_REUSE);
@@ -608,7 +619,7 @@ static void tiles_go_on_after_a_slow_beginning(void **unused) {
     assert_int_equal(redcc_decide(&state, &now).action, ACTION_SEQUENTIAL);
 }
 
-/* A guard forbade them: a sample may know another way. */
+/* A guard forbade tiles: a sample may find another strategy. */
 static void a_sample_follows_tiles_that_failed(void **unused) {
     (void)unused;
     struct choice_state state = after_pairs(40);
@@ -638,7 +649,8 @@ static void few_short_iterations_are_one_threads(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_threads_start_as_soon_as_few), /* before any have been started */
+        /* before any thread has been started */
+        cmocka_unit_test(many_threads_start_as_soon_as_few),
         cmocka_unit_test_setup_teardown(the_first_call_is_sequential_and_timed, begin_sorted, end),
         cmocka_unit_test_setup_teardown(one_thread_is_enough_for_lanes, begin_sorted, end),
         cmocka_unit_test_setup_teardown(nothing_is_begun_without_credit, begin_shuffled, end),

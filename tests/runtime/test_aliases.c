@@ -37,7 +37,8 @@ static void map(int page, int pages, int flags, int descriptor, int offset) {
                      at);
 }
 
-/* The same for the same seed; pages of private mappings are those of the file again. */
+/* Maps the objects at random, the same way for the same seed; private mappings begin with the
+ * file's pages again. */
 static void map_at_random(uint64_t seed) {
     const uint64_t before = state;
     state = seed;
@@ -161,8 +162,8 @@ static void kinds_of_objects(void **unused) {
     redcc_maps_by_text = false;
 }
 
-/* Pages of a device: what its offsets mean is its driver's matter. Where there are no counters of
- * events, as in most containers, there is nothing to be tried. */
+/* Pages of a device, whose driver defines the meaning of offsets. Skipped without perf events, as
+ * in most containers. */
 static void device(void **unused) {
     (void)unused;
     struct perf_event_attr events = {.type = PERF_TYPE_SOFTWARE,
@@ -178,7 +179,7 @@ static void device(void **unused) {
     redcc_system_close((int)counter);
 }
 
-/* One mapping, in more pieces than are kept: that counts as not known. */
+/* One mapping in more pieces than are stored counts as unknown. */
 static void many_pieces(void **unused) {
     (void)unused;
     enum { MANY = 40 };
@@ -221,7 +222,7 @@ static void lines_of_the_text(void **unused) {
         assert_false(redcc_maps_parse(bad[b], &mapping));
 }
 
-/* --price: the duration of a query, with this many mappings. */
+/* --price: prints the duration of a query with different numbers of mappings. */
 static void print_prices(void) {
     static const int counts[] = {0, 200, 2000};
     const struct range written = {(uintptr_t)area, (uintptr_t)area + PAGES * PAGE};

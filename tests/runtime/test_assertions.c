@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Builds with assertions stop where a schedule is not what its method promises. Each method's
+/* Builds with assertions stop if a schedule violates what its method promises. Each method's
  * prepare is replaced by one that makes the method's schedule and then changes it:
  *
  *     for (t = 0; t < TRIP; t++) b[row[t]] += t;    row[t] = t
  *
- * And they do not stop where it is: with every iteration to be executed, two rows of different
- * owners for most iterations, and none for the others, what touches nothing may be checked too.
- */
+ * They do not stop for a correct schedule. In that loop every iteration must be executed; most
+ * iterations touch two rows of different owners, the others touch nothing. */
 #include "loop.h"
 #include "settings.h"
 
@@ -27,7 +26,7 @@ enum { TRIP = 6000, THREADS = 2 };
 
 enum { NO_ROW = -1 };
 
-static int row[TRIP], other[TRIP]; /* NO_ROW: none */
+static int row[TRIP], other[TRIP]; /* NO_ROW: the iteration has no such row */
 static double b[TRIP];
 
 static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
@@ -83,7 +82,7 @@ enum change { AS_MADE, COPIED, DROPPED, DOUBLED, SWAPPED };
 static const struct method *original;
 static enum change change;
 
-/* Iteration t of the thread's schedule as it should be, into the changed one. */
+/* Copies iteration t of the thread's correct schedule to the changed one. */
 static void copy_iteration(struct schedule *to, uint32_t stage, redcc_int t, int thread) {
     const redcc_int changed = TRIP / THREADS * thread + 10;
     if (change == DROPPED && thread == 1 && t == changed)
@@ -95,7 +94,7 @@ static void copy_iteration(struct schedule *to, uint32_t stage, redcc_int t, int
         assert_true(redcc_schedule_add(to, stage, t, 1, false));
 }
 
-/* The first iteration goes from the first thread to the second, and the last one back. */
+/* Moves the first iteration from the first thread to the second, and the last one back. */
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     struct schedule *schedule = &plan->schedule[redcc_own_schedule(plan, thread)];
     if (!original->prepare(plan, evidence, thread))
@@ -119,7 +118,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
     return true;
 }
 
-/* In a child process: does the loop end normally? */
+/* Does the loop, executed in a child process, end normally? */
 static bool survives(const struct method *method, enum change to_make) {
     const pid_t child = fork();
     assert_true(child >= 0);
@@ -162,7 +161,7 @@ static void a_changed_schedule_trips_an_assertion(void **unused) {
 #endif
         assert_int_equal(survives(methods[m], DROPPED), !watched);
         assert_int_equal(survives(methods[m], DOUBLED), !watched);
-        if (methods[m]->keeps == REDCC_ORDER_SERIAL) /* else it is as good */
+        if (methods[m]->keeps == REDCC_ORDER_SERIAL) /* in other orders a swap is allowed */
             assert_int_equal(survives(methods[m], SWAPPED), !watched);
     }
 }

@@ -70,7 +70,7 @@ static const int thread_counts[] = {1, 2, 3, 7, 16, 33};
 enum { COUNTS = sizeof thread_counts / sizeof *thread_counts };
 
 static const double by = 0.875;
-static const struct bins_tuning *usual; /* what redcc_bins_tuning is */
+static const struct bins_tuning *usual; /* the default of redcc_bins_tuning */
 static struct bins_tuning usual_tuning;
 
 /* ---- data ------------------------------------------------------------------------------------ */
@@ -83,7 +83,7 @@ struct data {
     size_t bytes;
 };
 
-/* No number as the processor makes it: with the same bits wherever it comes from. */
+/* A NaN as the processor makes it, with the same bits in each use. */
 static double no_number(void) {
     volatile double infinite = __builtin_inf();
     return infinite - infinite;
@@ -124,7 +124,7 @@ static void fill(const struct binned_loop *loop, char *to, size_t count, size_t 
         memset(to, 0, count * bytes);
 }
 
-/* Subscripts: uniform, most of them the same, ascending, or of two rows only. */
+/* Subscripts: uniform, mostly the same, ascending, or of two rows only. */
 enum { UNIFORM, SKEWED, ASCENDING, TWO_ROWS, KINDS };
 
 static int subscript(int kind, redcc_int t, redcc_int trip, int rows, unsigned long *state) {
@@ -178,7 +178,7 @@ static const struct loop_state *state_of(const struct binned_loop *loop) {
     return loop->descriptor->loop.state;
 }
 
-/* Returns how many rounds there were. */
+/* Returns the number of rounds. */
 static long compare(struct data *it, int threads) {
     int last = 0;
     memcpy(it->memory, it->before, it->bytes);
@@ -231,7 +231,7 @@ static void rounds_of_every_size(void **unused) {
 
 static void bins_of_every_size(void **unused) {
     (void)unused;
-    redcc_bins_tuning.least_budget = (size_t)4 << 30; /* hardly any of it is touched */
+    redcc_bins_tuning.least_budget = (size_t)4 << 30; /* hardly any of this memory is touched */
     for (int l = 0; l < LOOPS; l++)
         for (uint32_t bits = 0; bits <= 12; bits += 3)
             for (uint32_t direct = 0; direct <= 4096; direct += 4096) {
@@ -259,7 +259,8 @@ static void random_problems(void **unused) {
         redcc_bins_tuning.round = n % 3 ? INT64_MAX : 1 + trip / 3;
         redcc_bins_tuning.least_budget = (size_t)1 << (small ? 32 : 20 + n % 5);
         redcc_bins_tuning.trial = n % 7 ? 0 : n % 2 ? INFINITY : -INFINITY;
-        for (int call = 0; call < 3; call++) /* known properties are kept, for other threads, too */
+        /* known properties are kept, also for other numbers of threads */
+        for (int call = 0; call < 3; call++)
             compare(&data, thread_counts[1 + (n + call) % (COUNTS - 2)]);
         free_data(&data);
     }
@@ -267,8 +268,8 @@ static void random_problems(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* A trial that loses whatever it does ends after one round and the sequential stretch; one that
- * gains has rounds that become longer. */
+/* A trial that must lose ends after one round and the sequential stretch. In one that gains, rounds
+ * become longer. */
 static void trials(void **unused) {
     (void)unused;
     for (int l = 0; l < LOOPS; l++) {
@@ -287,7 +288,8 @@ static void trials(void **unused) {
     redcc_bins_tuning = *usual;
 }
 
-/* Between executions subscripts may go elsewhere, and the loop may become longer or shorter. */
+/* Between executions the subscripts change to other rows, and the loop becomes longer or shorter.
+ */
 static void other_subscripts(void **unused) {
     (void)unused;
     int last;
@@ -331,8 +333,8 @@ static void small_integers_are_copied(void **unused) {
     free_data(&data);
 }
 
-/* Rows that are not seen until a round has failed, again and again: no copy is made of rows that do
- * not exist. Behind the array there is no memory. */
+/* Rows that are found only because rounds fail, again and again. Rows that do not exist are never
+ * copied: behind the array there is no memory. */
 static void rows_are_found_late(void **unused) {
     (void)unused;
     enum { TRIP = 600000, STEP = 20000, PAGE = 4096 };
@@ -358,8 +360,8 @@ static void rows_are_found_late(void **unused) {
     redcc_loop_forget(&uint32_sum.descriptor->loop);
 }
 
-/* All work is in the first iterations, or in the last ones: pieces are executed by whoever is free,
- * and applied in order. */
+/* All work is in the first iterations, or in the last ones: idle threads execute the pieces, which
+ * are applied in order. */
 static void uneven_iterations(void **unused) {
     (void)unused;
     int stolen = 0;
@@ -377,7 +379,8 @@ static void uneven_iterations(void **unused) {
     assert_true(stolen > 0);
 }
 
-/* Whatever the descriptor says: sums of floating numbers have an order. */
+/* Floating sums are never made on copies, even if the descriptor says `exact`: their order matters.
+ */
 static void floats_are_never_copied(void **unused) {
     (void)unused;
     struct data data = new_data(&float_said_exact, 500, 20000, UNIFORM, 8);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Cases in which binning gives up, or repeats a round, during a loop: reads that overlap a round's
+/* Cases in which binning ends, or repeats a round, during a loop: reads that overlap a round's
  * writes, streams that overlap, rows over a large range. Also several arrays in a record, several
  * updates of an array, inner loops. */
 #include "base/memory.h"
@@ -29,14 +29,14 @@ static void records_of_several_arrays_and_updates(void **unused) {
         assert_true(work_compare(&w, threads[n % 6]));
         assert_true(work_compare(&w, threads[(n + 3) % 6]));
         assert_int_equal(work_state()->binning.reason,
-                         REASON_NONE); /* x lies next to the written rows */
+                         REASON_NONE); /* x is next to the written rows */
         assert_int_equal(work_validated(), redcc_settings()->validate ? 2 : 0);
         work_free(&w);
     }
     redcc_bins_tuning = usual;
 }
 
-/* From iteration `from` on x is read where it is written. */
+/* From iteration `from` on the loop reads rows of x that it writes. */
 static void reads_overlap_from(redcc_int from, redcc_int round) {
     struct work w = work_new(9, 3);
     w.x = now.other + ROWS - X;
@@ -102,7 +102,7 @@ static void the_guard_is_exact(void **unused) {
     redcc_bins_tuning = usual;
 }
 
-/* Reads of earlier rounds may be written in later ones: as in the loop. */
+/* Later rounds may write what earlier rounds have read, as in the sequential loop. */
 static void reads_before_writes(void **unused) {
     (void)unused;
     struct work w = work_new(19, 3);
@@ -165,7 +165,7 @@ static void errors_of_functions(void **unused) {
     work_free(&w);
 }
 
-/* A value is wrong only until an earlier update is made. */
+/* A value fails only until an earlier update has been applied. */
 static void errors_of_rounds_thrown_away(void **unused) {
     (void)unused;
     struct work w = work_new(8, 3);
@@ -193,7 +193,7 @@ static void errors_of_rounds_thrown_away(void **unused) {
     work_free(&w);
 }
 
-/* One row far below the others: the loop itself, in sparse memory. */
+/* One row is far below the others, in sparse memory: the sequential loop runs. */
 static void rows_far_apart(void **unused) {
     (void)unused;
     const size_t distance = (size_t)1 << 38, room = 1 << 16;
@@ -209,7 +209,7 @@ static void rows_far_apart(void **unused) {
     assert_int_equal(redcc_window(&work_loop.streams[1], widest, 0, 2, 1, 1000).rows, 0);
     const struct row_range many = {0, 1 << 20};
     assert_int_equal(redcc_window(&work_loop.streams[1], many, 0, 1, 1, 10).shift,
-                     15); /* and a tag */
+                     15); /* the records with a tag */
     struct work w = work_new(12, 1);
     w.other = (double *)(void *)all;
     w.k[0] = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Binning where memory fails, or does not suffice, at the beginning and in the middle of a loop. */
+/* Binning when memory is lacking, at the beginning and in the middle of a loop. */
 #include "base/memory.h"
 #include "binned_work.h"
 
@@ -14,7 +14,8 @@ static struct bins_tuning usual;
 
 static void memory_does_not_suffice(void **unused) {
     (void)unused;
-    for (int heavy = 0; heavy < 3; heavy++) { /* some iterations have more records than the rest */
+    /* some iterations have more records than the others */
+    for (int heavy = 0; heavy < 3; heavy++) {
         struct work w = work_new(77, 2);
         const int all = w.start[TRIP];
         for (int t = TRIP / 2; heavy && t <= TRIP; t++)
@@ -35,7 +36,7 @@ static void memory_does_not_suffice(void **unused) {
 static void records_are_many_all_at_once(void **unused) {
     (void)unused;
     struct work w = work_new(78, 15);
-    const int heavy = TRIP / 2 + 37; /* it is not measured */
+    const int heavy = TRIP / 2 + 37; /* an iteration that is not measured */
     for (int t = heavy + 1; t < TRIP; t++)
         w.start[t] = w.start[TRIP];
     for (int threads = 1; threads <= 3; threads++) {
@@ -43,9 +44,10 @@ static void records_are_many_all_at_once(void **unused) {
         redcc_bins_tuning.least_budget = (size_t)8 << 20;
         assert_true(work_compare(&w, threads));
         assert_int_equal(work_state()->binning.reason, REASON_NONE);
-        /* by several threads the blocks that a failed round asks for suffice */
+        /* with several threads, the blocks requested after a failed round suffice */
         assert_true(work_state()->binning.rounds >= TRIP / 200 + (threads == 1));
-        redcc_bins_tuning.least_budget = (size_t)threads * 200000; /* not enough for that one */
+        /* not enough for the heavy iteration */
+        redcc_bins_tuning.least_budget = (size_t)threads * 200000;
         redcc_loop_forget(&work_loop.loop);
         assert_true(work_compare(&w, threads));
         assert_int_equal(work_state()->binning.reason, REASON_NO_MEMORY);
@@ -86,7 +88,8 @@ static void failing_memory(void **unused) {
     work_free(&w);
 }
 
-/* Memory for other bins fails after the first rounds: rows go elsewhere in the middle. */
+/* Memory for other bins is lacking after the first rounds: the rows change in the middle of the
+ * loop. */
 static void memory_fails_in_the_middle(void **unused) {
     (void)unused;
     for (long failure = 0; failure < 12; failure++) {

@@ -28,7 +28,7 @@ static void make_data(void) {
     unsigned long state = 99;
     for (int t = 0; t < TRIP; t++) {
         k[t] = (int)(next_random(&state) % ROWS);
-        ascending[t] = t * ROWS / TRIP; /* each round goes elsewhere */
+        ascending[t] = t * ROWS / TRIP; /* each round updates other rows */
         values[t] = (double)(int)(next_random(&state) % 1000) * 0.1;
         numbers[t] = (int)(next_random(&state) % 1000);
     }
@@ -43,7 +43,7 @@ static const struct statistics *statistics_of(const struct binned_loop *loop) {
 static const redcc_stream *right;
 static long applied_before_fault;
 
-/* The first of the records applied after the given number is applied once too often. */
+/* Applies one record twice: the first one after the given number of calls. */
 static void apply_wrongly(const redcc_applied *applied) {
     right->apply(applied);
     if (applied->count == 0 || __atomic_fetch_sub(&applied_before_fault, 1, __ATOMIC_RELAXED) != 0)
@@ -80,7 +80,7 @@ static void a_fault_is_found(void **unused) {
         problem.rows = found;
         redcc_bins_tuning.round = ROUND;
         run_wrongly(&sums, &problem, after[i]);
-        assert_memory_not_equal(found, expected, sizeof found); /* they are the program's results */
+        assert_memory_not_equal(found, expected, sizeof found); /* the wrong results are kept */
         const struct validated *validated = &statistics_of(&sums)->validated;
         assert_int_equal(validated->executions, 1);
         assert_int_equal(validated->broken, 1);
@@ -126,7 +126,7 @@ static void what_is_right_is_found_right(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Without memory for copies nothing is compared; the loop is executed all the same. */
+/* Without memory for copies nothing is compared, but the loop is executed. */
 static void without_memory_nothing_is_compared(void **unused) {
     (void)unused;
     long compared = 0, binned = 0;

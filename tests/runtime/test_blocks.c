@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Blocks of memory: none overlaps another, whichever thread took it; in a child as well. */
+/* Blocks of memory never overlap, whichever thread allocated them; also in a child process. */
 #include "base/blocks.h"
 
 #include <omp.h>
@@ -16,7 +16,7 @@
 
 struct held {
     unsigned char *block;
-    size_t bytes; /* of the block */
+    size_t bytes; /* actual size of the block */
     size_t asked;
     unsigned char filled;
     bool keep;
@@ -34,7 +34,8 @@ static bool is_whole(const struct held *held) {
     return held->block[held->bytes - 1] == held->filled;
 }
 
-/* Takes, fills, checks and gives at random; returns how many blocks were not as they were left. */
+/* Allocates, fills, checks and frees blocks at random; returns the number of blocks whose contents
+ * had changed. */
 static long churn(uint64_t seed, int steps) {
     enum { HELD = 60 };
     struct held held[HELD] = {{0}};
@@ -44,7 +45,7 @@ static long churn(uint64_t seed, int steps) {
         struct held *it = &held[step < steps ? next(&state) % HELD : (uint64_t)(step - steps)];
         if (it->block) {
             wrong += !is_whole(it);
-            redcc_block_give(it->block, it->bytes, it->keep);
+            redcc_block_free(it->block, it->bytes, it->keep);
             it->block = NULL;
             continue;
         }
@@ -53,7 +54,7 @@ static long churn(uint64_t seed, int steps) {
         it->asked = 1 + next(&state) % ((size_t)1 << (6 + next(&state) % 15));
         it->bytes = it->asked;
         it->keep = next(&state) % 4 > 0;
-        it->block = redcc_block_take(&it->bytes, it->keep);
+        it->block = redcc_block_alloc(&it->bytes, it->keep);
         wrong += !it->block || it->bytes < it->asked || (uintptr_t)it->block % 64 != 0;
         it->filled = (unsigned char)next(&state);
         if (it->block)
@@ -79,7 +80,7 @@ static void blocks_of_several_threads(void **unused) {
 static void blocks_of_a_child(void **unused) {
     (void)unused;
     size_t bytes = 1000;
-    unsigned char *block = redcc_block_take(&bytes, true);
+    unsigned char *block = redcc_block_alloc(&bytes, true);
     assert_non_null(block);
     memset(block, 7, bytes);
     const pid_t child = fork();
@@ -92,11 +93,11 @@ static void blocks_of_a_child(void **unused) {
     int status = -1;
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_int_equal(status, 0);
-    redcc_block_give(block, bytes, true);
+    redcc_block_free(block, bytes, true);
 }
 
-/* Only the system orders the second thread after the first, which race detectors cannot see. The
- * flag orders nothing. */
+/* Only the system orders the second thread after the first, which race detectors cannot see; the
+ * flag does not. */
 static void the_place_of_another_thread(void **unused) {
     (void)unused;
     atomic_bool is_given = false;
@@ -107,11 +108,11 @@ static void the_place_of_another_thread(void **unused) {
         while (!is_first && !atomic_load_explicit(&is_given, memory_order_relaxed))
             sched_yield();
         size_t bytes = (size_t)1 << 22;
-        unsigned char *block = redcc_block_take(&bytes, false);
+        unsigned char *block = redcc_block_alloc(&bytes, false);
         wrong += !block;
         if (block) {
             *(volatile unsigned char *)block = is_first ? 1 : 2;
-            redcc_block_give(block, bytes, false);
+            redcc_block_free(block, bytes, false);
         }
         if (is_first)
             atomic_store_explicit(&is_given, true, memory_order_relaxed);
@@ -122,9 +123,9 @@ static void the_place_of_another_thread(void **unused) {
 static void what_cannot_be_had(void **unused) {
     (void)unused;
     size_t bytes = SIZE_MAX / 2;
-    assert_null(redcc_block_take(&bytes, false));
+    assert_null(redcc_block_alloc(&bytes, false));
     bytes = SIZE_MAX / 2;
-    assert_null(redcc_block_take(&bytes, true));
+    assert_null(redcc_block_alloc(&bytes, true));
 }
 
 int main(void) {

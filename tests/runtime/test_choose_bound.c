@@ -11,19 +11,19 @@
 
 #include <cmocka.h>
 
-/* How many sequential executions a loan is at most, by a timing that may be 30 % too high. */
-static const double loan_most = 1.25 * 1.3 / 0.7;
+/* The largest overdraft, in sequential executions, if a timing may be 30 % too high. */
+static const double overdraft_most = 1.25 * 1.3 / 0.7;
 
 static double between(double low, double high) {
     return low + (high - low) * uniform();
 }
 
-/* What a test asks of a trace. */
+/* The bounds that a test requires of a trace. */
 struct asked {
-    double
-        sequential; /* total over the sequential program's, after the allowance, at every prefix */
-    double best;    /* total over the best way's in hindsight */
-    int set_ups;    /* no more than these; 0: however many */
+    double sequential; /* largest ratio, over all prefixes, of the time less the allowance to the
+                          sequential time */
+    double best; /* largest ratio of the total time to that of the best strategy in hindsight */
+    int set_ups; /* maximum number of plan constructions; 0: no limit */
 };
 
 static void check(struct trace *trace, const char *name, struct asked asked) {
@@ -33,8 +33,8 @@ static void check(struct trace *trace, const char *name, struct asked asked) {
             "%-34s prefix %.4f  total/sequential %.4f  total/best %.4f  set-ups %d  parallel %d\n",
             name, it.worst_prefix, it.total / it.sequential, it.total / it.best, it.set_ups,
             it.parallel);
-    if (it.loan > loan_most)
-        fail_msg("%s: a loan of %.4f executions", name, it.loan);
+    if (it.overdraft > overdraft_most)
+        fail_msg("%s: an overdraft of %.4f executions", name, it.overdraft);
     if (it.worst_prefix > asked.sequential)
         fail_msg("%s: %.4f times the sequential program's time", name, it.worst_prefix);
     if (asked.set_ups && it.set_ups > asked.set_ups)
@@ -54,7 +54,8 @@ static void stable_loops(void **unused) {
     check(ordinary(2000), "2000", (struct asked){1 + share, 1.03, 2});
 }
 
-/* A loop of 100 ms whose iterations take long: one way, its set-up in executions. */
+/* A loop of 100 ms with long iterations and one strategy; set_up: cost of its plan, in executions.
+ */
 static struct trace *heavy(int count, double set_up, double faster) {
     struct trace *trace = ordinary(count);
     const double sequential = 100e-3;
@@ -69,7 +70,7 @@ static struct trace *heavy(int count, double set_up, double faster) {
     return trace;
 }
 
-/* So many times as fast as the sequential program. */
+/* Checks that the program is at least `wanted` times as fast as the sequential one. */
 static void check_gain(struct trace *trace, const char *name, double wanted) {
     const struct simulated it = simulate(trace);
     if (it.sequential / it.total < wanted)
@@ -90,11 +91,12 @@ static void heavy_loops(void **unused) {
     check_gain(heavy(3, 0.6, 1.74), "heavy, 3, set-up of 0.6", 1);
     check_gain(heavy(1, 0.6, 1.74), "heavy, once", 1);
     trace = heavy(40, 1, 1.74);
-    trace->compared = false; /* a loan when it would be no great loss */
+    trace->compared = false; /* an overdraft only if little could be lost */
     check(trace, "heavy, 40, not compared", (struct asked){1 + share, 1.35, 1});
 }
 
-/* Its first execution takes so many times as long as the others. */
+/* The number of parallel executions of a loop whose first execution takes `first` times as long as
+ * the others. */
 static int parallel_executions(int count, double first, double faster) {
     struct trace *trace = heavy(count, 0.03, faster);
     trace->call[0].sequential *= first;
@@ -106,18 +108,17 @@ static int parallel_executions(int count, double first, double faster) {
     return it.parallel;
 }
 
-/* The sequential loop is timed a second time, the later the clearer it is that the plan is faster.
- */
+/* The sequential loop is timed a second time: the clearer the plan is faster, the later. */
 static void first_executions_take_longer(void **unused) {
     (void)unused;
     assert_int_equal(parallel_executions(40, 1.5, 1.9), 38);
     assert_int_equal(parallel_executions(100, 1.5, 1.9), 97);
     assert_int_equal(parallel_executions(40, 1.5, 1.4), 38);
-    assert_in_range(parallel_executions(400, 1.5, 0.9), 1, 30); /* the plan was the slower way */
+    assert_in_range(parallel_executions(400, 1.5, 0.9), 1, 30); /* the plan was slower */
     assert_in_range(parallel_executions(400, 3, 0.9), 1, 80);
 }
 
-/* Random updates of a large array with other subscripts at each call, in bins: 100 ms. */
+/* A loop of 100 ms: random updates of a large array with other subscripts in each call, in bins. */
 static struct trace *in_bins(int count, double execution) {
     struct trace *trace = heavy(count, 0.5, 1);
     trace->compared = false;
@@ -131,7 +132,7 @@ static struct trace *in_bins(int count, double execution) {
     return trace;
 }
 
-/* No estimate speaks for bins: they are tried where no plan may be had, and only there. */
+/* Bins without an estimate are tried only if no plan is possible. */
 static void bins_without_an_estimate(void **unused) {
     (void)unused;
     struct trace *trace = in_bins(10, 0.6);
@@ -148,7 +149,7 @@ static void bins_without_an_estimate(void **unused) {
     free(trace);
 }
 
-/* A guard forbids bins that were the faster way, at each call anew, and only after some time. */
+/* A guard forbids bins, which were faster, in each call, and only after some time. */
 static void bins_that_are_refused(void **unused) {
     (void)unused;
     struct trace *trace = in_bins(400, 0.5);
@@ -158,7 +159,7 @@ static void bins_that_are_refused(void **unused) {
     check(trace, "bins, refused from the 100th call on", (struct asked){1 + share, 2, 0});
 }
 
-/* What iterations take differs from call to call: a trial compares an execution with itself. */
+/* Iteration times differ from call to call: a trial compares parts of one execution. */
 static void bins_of_uneven_calls(void **unused) {
     (void)unused;
     struct trace *trace = in_bins(12, 0.7);
@@ -177,8 +178,8 @@ static void bins_of_uneven_calls(void **unused) {
     free(trace);
 }
 
-/* Bins need no set-up: they are tried when two executions and a look were sequential. Where they
- * are slower, what is lost is part of one execution. */
+/* Bins need no plan: they are tried after two sequential executions and a sample. If they are
+ * slower, the loss is a part of one execution. */
 static void bins_on_trial(void **unused) {
     (void)unused;
     check_gain(in_bins(10, 0.4), "bins, 10", 1.9);
@@ -203,13 +204,14 @@ static void bins_on_trial(void **unused) {
     struct trace *trace = in_bins(40, 0.4); /* another process had a core in the first trial */
     trace->call[2].execution[WAY_BINS] = 3 * trace->call[2].sequential;
     check_gain(trace, "bins, the first trial slow", 1.9);
-    trace = in_bins(3, 1.6); /* the look leaves less than a trial may lose */
+    trace = in_bins(3, 1.6); /* the sample leaves less credit than a trial may lose */
     trace->look = 3.2e-3;
     assert_true(simulate(trace).slowest < 1.02);
     free(trace);
 }
 
-/* Bins that seemed to be the best way were not: the next one is taken, and they are left alone. */
+/* Bins seemed the best strategy but were not: the next best is used, and bins are not tried again.
+ */
 static void what_has_failed_is_not_tried_again(void **unused) {
     (void)unused;
     struct trace *trace = heavy(40, 0.3, 1.74);
@@ -224,7 +226,7 @@ static void what_has_failed_is_not_tried_again(void **unused) {
     free(trace);
 }
 
-/* An executor without a set-up, that subscripts may change under; and one that is slower. */
+/* A strategy without a plan, for which subscripts may change; and one that is slower. */
 static void without_a_set_up(void **unused) {
     (void)unused;
     static const int counts[] = {3, 10, 40, 400};
@@ -245,7 +247,7 @@ static void without_a_set_up(void **unused) {
         }
 }
 
-/* The loan is lost: once, and not again before a set-up has paid. */
+/* The overdraft is lost once, and not again before a plan construction has paid. */
 static void subscripts_that_change_after_the_first_reuse(void **unused) {
     (void)unused;
     for (int hidden = 0; hidden < 2; hidden++)
@@ -282,8 +284,8 @@ static void loops_that_never_gain(void **unused) {
     check(trace, "short", (struct asked){1, 2, 1});
 }
 
-/* Each sample comes after a dry run of so many executions, which nobody can foretell: one that does
- * not end within the credit is given up. */
+/* Each sample follows a dry run that takes an unknown time, here this many executions. A dry run
+ * that does not end within the credit is stopped. */
 static void check_dry_run(double executions, double parallel, double best, int stopped) {
     struct trace *trace = ordinary(2000);
     char name[64];
@@ -310,8 +312,8 @@ static void dry_runs(void **unused) {
     check_dry_run(5, 2, 1.02, 1);
 }
 
-/* Springs of a sorted mesh: 4 ms an execution, the first one twice as much, whose set-up takes half
- * of one; nothing compares their subscripts. */
+/* Springs of a sorted mesh: 4 ms per execution, twice as much for the first. A plan construction
+ * takes half an execution. Nothing compares the subscripts. */
 static void a_light_loop_whose_subscripts_stay(void **unused) {
     (void)unused;
     static const struct {
@@ -332,25 +334,25 @@ static void a_light_loop_whose_subscripts_stay(void **unused) {
     }
 }
 
-/* The system has no core for the threads at once: by as much longer a look takes. */
+/* The system has no core for the threads at first, so that a sample takes longer. */
 static void threads_that_start_late(void **unused) {
     (void)unused;
     struct trace *trace = heavy(10, 0.06, 1.9);
     trace->start = 1e-3;
     trace->late = 40e-3;
     check_gain(trace, "threads start late", 1.45);
-    trace = heavy(10, 0.3, 1.9); /* and in the set-up others run */
+    trace = heavy(10, 0.3, 1.9); /* other programs run during the plan construction */
     trace->set_up_error = 0.2;
     assert_int_equal(simulate(trace).stopped, 0);
     free(trace);
-    trace = ordinary(4); /* one thread looks, which waits for none */
+    trace = ordinary(4); /* one thread takes the sample and waits for no other */
     trace->start = 0.1e-3;
     trace->late = 40e-3;
     assert_true(simulate(trace).slowest < 1.02);
     free(trace);
 }
 
-/* Two keys of millions change before each call, which no sample shows. */
+/* Two of millions of keys change before each call, which samples miss. */
 static void samples_that_mislead(void **unused) {
     (void)unused;
     for (int count = 1; count <= 200; count++) {
@@ -367,7 +369,7 @@ static void samples_that_mislead(void **unused) {
     }
 }
 
-/* Estimates are not exact: nothing is set up for a gain of less than a tenth. */
+/* Since estimates are not exact, no plan is constructed for a gain of less than a tenth. */
 static void a_gain_that_may_be_none(void **unused) {
     (void)unused;
     struct trace *trace = ordinary(400);
@@ -383,7 +385,7 @@ static void noise(void **unused) {
     for (int gain = 0; gain < 4; gain++) {
         struct trace *trace = ordinary(2000);
         for (int c = 0; c < trace->count; c++) {
-            /* drawn in this order by every compiler */
+            /* separate statements, so that every compiler draws in this order */
             const double parallel = between(0.7, 1.3) * (1 + 0.3 * gain);
             scale(&trace->call[c], between(0.7, 1.3), parallel);
         }
@@ -393,7 +395,7 @@ static void noise(void **unused) {
     }
 }
 
-/* Other draws of the same noise: the rule is steady. */
+/* The same noise with other random numbers: the rule still holds. */
 static void noise_of_many_kinds(void **unused) {
     (void)unused;
     for (int gain = 0; gain < 4; gain++) {
@@ -431,7 +433,7 @@ static void drift(void **unused) {
     }
 }
 
-/* For a second a neighbour takes a core: each thread's half takes twice as long. */
+/* Another program takes a core for a second: each thread's half takes twice as long. */
 static void a_neighbour(void **unused) {
     (void)unused;
     struct trace *trace = ordinary(2000);
@@ -446,7 +448,7 @@ static void a_neighbour(void **unused) {
     check(trace, "stalls", (struct asked){1 + share, 1.15, 3});
 }
 
-/* From the 500th call on one of the two takes so many times as long. */
+/* From the 500th call on one of the two strategies becomes slower by this factor. */
 static void what_was_faster_no_longer_is(void **unused) {
     (void)unused;
     struct trace *trace = ordinary(2000);
@@ -459,8 +461,8 @@ static void what_was_faster_no_longer_is(void **unused) {
     check(trace, "the sequential loop becomes fast", (struct asked){1 + share, 0.88, 3});
 }
 
-/* How many of the calls from `begin` on are not executed by a plan. From call 600 on subscripts are
- * others, or for 400 calls the sequential loop is the faster way. */
+/* The number of calls from `begin` on that are not executed by a plan. From call 600 on the
+ * subscripts differ (others), or the sequential loop is faster for 400 calls (faster). */
 static int sequential_from(int begin, bool others, bool faster) {
     int parallel[2];
     for (int whole = 0; whole < 2; whole++) {
@@ -475,8 +477,8 @@ static int sequential_from(int begin, bool others, bool faster) {
     return SIMULATED_CALLS - begin - (parallel[1] - parallel[0]);
 }
 
-/* The sequential loop is timed after 52 executions by this plan, 105 more, 209, and then 419; the
- * distances begin anew with another plan, and where it has been the faster way. */
+/* The sequential loop is timed after 52 executions by this plan, then after 105, 209 and 419 more.
+ * The distances start again with another plan, and after the sequential loop was faster. */
 static void the_sequential_loop_is_timed_again(void **unused) {
     (void)unused;
     assert_int_equal(sequential_from(30, false, false), 3 + 3);

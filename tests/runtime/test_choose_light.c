@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What auto does with simulated loops that take little: how often it looks, sets up and executes in
- * parallel, and that no prefix of them is slower for it (docs/choosing.md). */
+/* auto on simulated light loops: how often it takes samples, constructs plans and executes in
+ * parallel, and that no prefix of a run becomes slower than the bound (docs/choosing.md). */
 #include "choose_traces.h"
 
 #include <math.h>
@@ -11,10 +11,10 @@
 
 #include <cmocka.h>
 
-/* A loop of 2.5 ms, whose sample takes half a millisecond and whose threads take 6 to start; plans
- * are expected to take 0.63 of it, and take `execution`, after set-ups that take `error` times what
- * is expected; other subscripts every `every` calls. It is to be no slower from the first call on.
- */
+/* Checks a loop of 2.5 ms whose sample takes 0.5 ms and whose threads take 6 ms to start.
+ * Executions by a plan are expected to take 0.63 of the sequential time, and take `execution`. Plan
+ * constructions take `error` times the expected time. The subscripts change every `every` calls.
+ * The loop must not be slower from the first call on. */
 static void check_light(const char *name, double execution, double error, int every) {
     struct trace *trace = ordinary(400);
     trace->look = 0.5e-3;
@@ -40,7 +40,7 @@ static void check_light(const char *name, double execution, double error, int ev
     free(trace);
 }
 
-/* No set-up where starting the threads alone would cost more than trials may. */
+/* No plan is constructed if starting the threads alone would cost more than trials may. */
 static void check_threads_that_start_slowly(void) {
     struct trace *trace = ordinary(400);
     trace->start = 0.2;
@@ -68,8 +68,8 @@ static void set_all(struct trace *trace, double sequential, double by_plan) {
     }
 }
 
-/* A light loop whose subscripts stay as far as samples tell: each execution 2.5 ms, by a plan half
- * of it, after a set-up of as much. */
+/* A light loop whose sampled subscripts stay the same: 2.5 ms per execution, half of it by a plan,
+ * whose construction takes 2.5 ms. */
 static struct trace *light(int count) {
     struct trace *trace = ordinary(count);
     trace->possible[WAY_GRAPH] = false;
@@ -80,8 +80,8 @@ static struct trace *light(int count) {
     return trace;
 }
 
-/* Executions take 0.94 of the one before at first, and half as long in the end: what a plan gains
- * is less than it seemed, and its set-up is repaid all the same. */
+/* At first each execution takes 0.94 of the preceding one, in the end half of the first. A plan
+ * gains less than expected, but repays its construction. */
 static void a_loop_that_becomes_faster(void **unused) {
     (void)unused;
     for (int count = 10; count <= 40; count += 30) {
@@ -99,8 +99,9 @@ static void a_loop_that_becomes_faster(void **unused) {
     }
 }
 
-/* A loop of 0.3 ms, of which a look takes much: that is covered after some tens of executions, and
- * a loan after it. One that waking threads takes a sixteenth of is left alone. */
+/* A loop of 0.3 ms, for which a sample is expensive: the credit covers it after some tens of
+ * executions, and then an overdraft. A loop for which waking threads takes a sixteenth of its time
+ * stays sequential. */
 static void short_loops(void **unused) {
     (void)unused;
     for (int again = 0; again < 2; again++) {
@@ -118,8 +119,8 @@ static void short_loops(void **unused) {
     }
 }
 
-/* All calls but the look's are found to be the sequential loop's with no question about threads:
- * those that save for the look, and those of a loop whose threads or whose set-up cost too much. */
+/* Every call except that with the sample is found to be sequential without a query about threads:
+ * the calls that save for the sample, and those of a loop whose threads or plans cost too much. */
 static void little_is_asked(void **unused) {
     (void)unused;
     struct trace *trace = light(40);
@@ -135,8 +136,8 @@ static void little_is_asked(void **unused) {
     free(trace);
 }
 
-/* Executions of 14 ms whose subscripts are compared: the second call's credit covers the look, not
- * the threads, which are lent for it. So its plan is made at once. */
+/* Executions of 14 ms whose subscripts are compared: the credit of the second call covers the
+ * sample, and an overdraft covers the threads. So the plan is constructed at once. */
 static void threads_are_lent_for_a_look(void **unused) {
     (void)unused;
     struct trace *trace = light(10);
@@ -150,7 +151,7 @@ static void threads_are_lent_for_a_look(void **unused) {
     free(trace);
 }
 
-/* What was waited is no reason to leave the rest undone: the threads are there. */
+/* Time spent waiting for threads does not end the inspection: the threads exist now. */
 static void threads_that_start_late_for_a_light_loop(void **unused) {
     (void)unused;
     struct trace *trace = light(40);
@@ -162,8 +163,8 @@ static void threads_that_start_late_for_a_light_loop(void **unused) {
     free(trace);
 }
 
-/* Its set-up took longer than anybody knew, and much is owed. A plan that is clearly faster repays
- * that, but only one that is. */
+/* The plan construction took longer than expected and left a debt. Only a plan that is clearly
+ * faster may repay it. */
 static void a_plan_that_repays(void **unused) {
     (void)unused;
     struct trace *trace = light(40);
@@ -172,7 +173,8 @@ static void a_plan_that_repays(void **unused) {
     assert_int_equal(faster.set_ups, 1);
     assert_in_range(faster.parallel, 32, 36);
     const int first = trace->count - faster.parallel;
-    trace->call[first + 2].execution[WAY_INDEX] = 3.2e-3; /* interrupted: they gain together */
+    /* an interruption; all executions together still gain */
+    trace->call[first + 2].execution[WAY_INDEX] = 3.2e-3;
     assert_int_equal(simulate(trace).parallel, faster.parallel);
     for (int c = first + 1; c < trace->count; c++)
         trace->call[c].execution[WAY_INDEX] = 3.8e-3;
@@ -180,10 +182,10 @@ static void a_plan_that_repays(void **unused) {
     free(trace);
 }
 
-/* Pairs in tiles beside other processes: 2.8 ms, or 1.9 by two threads, of which either may lose
- * its core for some milliseconds: one execution in 1 / `often`, and one of three in calls `begin`
- * to `end`, while a neighbour runs. The sequential loop is stopped half as often. Bins are slower.
- */
+/* Pairs in tiles while other processes run: 2.8 ms, or 1.9 ms with two threads, each of which may
+ * lose its core for some milliseconds. This happens in a fraction `often` of the executions, and in
+ * one of three in calls `begin` to `end`. It happens half as often to the sequential loop. Bins are
+ * slower. */
 static struct trace *stopped_at_times(uint64_t seed, double often, int begin, int end) {
     struct trace *trace = light(800);
     random_state = seed * 0x9e3779b97f4a7c15u;
@@ -208,7 +210,7 @@ static void stops_say_nothing_of_a_plan(void **unused) {
     static const struct {
         double often;
         int begin, end;
-        double mean, worst; /* total over the best way's */
+        double mean, worst; /* total time divided by that of the best strategy */
     } asked[] = {{0, 0, 0, 1.02, 1.02},
                  {0.02, 0, 0, 1.02, 1.05},
                  {0.1, 0, 0, 1.04, 1.1},
@@ -232,9 +234,9 @@ static void stops_say_nothing_of_a_plan(void **unused) {
     }
 }
 
-/* Bins that were tried before anything else, in iterations too heavy for an inspection, gain a
- * fifth: a look that the gains pay for finds the plan that gains more, if there is one. One whose
- * dry run is long ends at a deadline of its own, and one that a guard ends is not repeated. */
+/* Bins, tried first because iterations are too heavy for an inspection, gain a fifth. The gains pay
+ * for a sample, which finds a faster plan if there is one. A sample with a long dry run ends at a
+ * separate deadline, and one that a guard ends is not repeated. */
 static void bins_are_not_the_end(void **unused) {
     (void)unused;
     static const struct {
@@ -260,7 +262,7 @@ static void bins_are_not_the_end(void **unused) {
         assert_true(it.total < asked[i].wanted * it.sequential);
         assert_true(it.slowest <= 1 + share);
         assert_int_equal(it.looks, asked[i].refused);
-        trace->count = 6; /* too few to gain what an execution without bins costs */
+        trace->count = 6; /* too few calls to repay an execution without bins */
         assert_int_equal(simulate(trace).parallel, 4);
         free(trace);
     }

@@ -12,8 +12,8 @@
 
 #include <cmocka.h>
 
-/* A loop by digits: what it is like, and of each call how the plans do and whether the subscripts
- * are others. */
+/* A loop encoded in digits: its properties and, for each call, the times of plans and whether the
+ * subscripts change. */
 enum { KNOBS = 14, CALLS = 120 };
 struct digits {
     char like[KNOBS + 1];
@@ -39,7 +39,7 @@ static struct trace *loop_of(const struct digits *digits, double noise) {
     trace->hidden = like[9] < '5';
     trace->compared = like[10] < '5';
     trace->block = 0.01 * sequential;
-    trace->possible[WAY_BINS] = like[7] % 2 == 1; /* whatever subscripts do */
+    trace->possible[WAY_BINS] = like[7] % 2 == 1; /* bins fit any subscripts */
     trace->start = like[11] < '5' ? 0 : 4 * part(like[11]) * sequential;
     int subscripts = 0;
     for (int c = 0; c < trace->count; c++) {
@@ -90,12 +90,13 @@ static void random_loops(void **unused) {
         printf("random: prefix %.4f and %.4f, total/best %.4f and %.4f\n", worst[0], worst[1],
                best[0], best[1]);
     assert_true(worst[0] <= 1 + share);
-    assert_true(worst[1] <= (1 + share) * 1.005); /* what is not timed is not known exactly */
+    /* untimed executions are known only approximately */
+    assert_true(worst[1] <= (1 + share) * 1.005);
     assert_true(best[0] <= fastest * (1 + share));
-    assert_true(best[1] <= fastest * (1 + share) * 1.1); /* noise makes plans faster still */
+    assert_true(best[1] <= fastest * (1 + share) * 1.1); /* noise may make plans even faster */
 }
 
-/* What a search is to make large. */
+/* The quantity that a search maximises. */
 static double badness(const struct digits *digits, bool against_best) {
     struct trace *trace = loop_of(digits, 0);
     const struct simulated it = simulate(trace);

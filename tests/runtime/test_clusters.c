@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Clusters of the access graph, against what can be counted without them: after each round, of a
- * mesh, a path, and at random, by one thread and by several. */
+/* Clusters of the access graph, compared after each round with direct counts: for a mesh, a path
+ * and random iterations, with one thread and with several. */
 #include "ownership/graph/clusters.h"
 
 #include "base/memory.h"
@@ -40,7 +40,7 @@ static void make_mesh(struct touched *it) {
     }
 }
 
-/* And a unit that all of them touch, which is in a full cluster soon. */
+/* The mesh, and a unit that all iterations touch; its cluster is soon full. */
 static void make_hub(struct touched *it) {
     make_mesh(it);
     for (int i = 0; i < it->iterations; i++)
@@ -52,7 +52,7 @@ static void make_path(struct touched *it) {
         add(it, 2, (const uint32_t[]){node, node + 1});
 }
 
-/* Some units are touched by none, one by every other iteration. */
+/* Random touches: some units are never touched, one by every second iteration. */
 static void make_random(struct touched *it) {
     unsigned long random = 88172645463325252u;
     for (int i = 0; i < ITERATIONS; i++) {
@@ -88,7 +88,7 @@ static uint32_t root_of(uint32_t *parent, uint32_t unit) {
     return unit;
 }
 
-/* Units of a cluster hang together by iterations, within the cluster. */
+/* Iterations connect all units of a cluster within it. */
 static void check_connected(const struct touched *it, const struct clusters *clusters) {
     uint32_t parent[UNITS];
     for (uint32_t unit = 0; unit < UNITS; unit++)
@@ -109,7 +109,7 @@ static void check_connected(const struct touched *it, const struct clusters *clu
     free(root);
 }
 
-/* The number of units in each, and the weights. */
+/* Checks the number of units in each cluster, and the weights. */
 static void check_counts(const struct touched *it, const struct clusters *clusters) {
     uint32_t *size = calloc(clusters->count, sizeof *size);
     uint32_t *weight = calloc(clusters->count, sizeof *weight);
@@ -134,7 +134,7 @@ static void check_counts(const struct touched *it, const struct clusters *cluste
     free(weight);
 }
 
-/* Iterations of several clusters are kept, in order, and no others. */
+/* Checks that exactly the iterations of several clusters are listed, in order. */
 static void check_lists(const struct touched *it, const struct clusters *clusters) {
     int thread = 0;
     size_t at = 0;
@@ -154,7 +154,8 @@ static void check_lists(const struct touched *it, const struct clusters *cluster
     assert_int_equal(at, clusters->share[thread].list.count);
 }
 
-/* Joins until there are few enough; returns after how many rounds, and `of` [UNITS]. */
+/* Joins clusters until there are few enough; returns the number of rounds, and sets `of` [UNITS].
+ */
 static int cluster(const struct touched *it, uint32_t most, int threads, uint32_t *of,
                    uint32_t *count) {
     static struct access_log logged[THREADS_MOST];
@@ -185,8 +186,8 @@ static int cluster(const struct touched *it, uint32_t most, int threads, uint32_
     return rounds;
 }
 
-/* The same with any number of threads; at most `most` clusters, after at least this number of
- * rounds. */
+/* Checks that clusters are the same with any number of threads, and that there are at most
+ * `count_most` after at least this number of rounds. */
 static void check_all(void (*make)(struct touched *), uint32_t most, uint32_t count_most,
                       int rounds_least) {
     struct touched *it = calloc(1, sizeof *it);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Dry runs: no read that the runtime passes is of an element updated before, and no run ends if
- * reads and updates are disjoint. The loop, which is not executed:
+/* Dry runs: the runtime never accepts a read of an element updated earlier, and no run ends early
+ * if reads and updates are disjoint. The loop, which is not executed:
  *
  *     for (t = 0; t < TRIP; t++) {
  *         pool[at[0][t]] is read;  pool[at[1][t]] is updated
@@ -20,7 +20,7 @@
 enum { TRIP = 400, POOL = 4000, PLACES = 4, TRIALS = 3000 };
 
 static int at[PLACES][TRIP], pool[POOL];
-static bool updated[POOL]; /* in the dry run at hand */
+static bool updated[POOL]; /* updated in the current dry run */
 static long dry_runs, stale_reads;
 
 static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_INT32, 4, 4, 0},
@@ -112,7 +112,7 @@ static void fill(int *place, int first, int length) {
     }
 }
 
-/* Next to each other, in any order, some of them at a small distance. */
+/* Ranges next to each other, in any order, some at a small distance. */
 static void fill_apart(void) {
     int order[PLACES] = {0, 1, 2, 3}, first = below(100);
     for (int i = PLACES - 1; i > 0; i--) {
@@ -136,11 +136,11 @@ static void nothing_ends_what_is_apart(void **unused) {
             fail_msg("trial %d: what is read lies apart, and the loop is not done", trial);
     }
     assert_int_equal(stale_reads, 0);
-    assert_true(dry_runs > TRIALS); /* some twice, as margins were read */
+    assert_true(dry_runs > TRIALS); /* some runs are repeated, because margins were read */
     assert_true(dry_runs < 2 * TRIALS);
 }
 
-/* One or more reads of updated elements, somewhere. */
+/* Places one or more reads of updated elements at random. */
 static void no_stale_read_passes(void **unused) {
     (void)unused;
     stale_reads = 0;

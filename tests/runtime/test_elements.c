@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Every operator and type: the loop by the method that REDCC_METHOD names against the loop itself,
- * with values for which any order of the contributions gives the same bits. */
+/* Every operator and type: the method that REDCC_METHOD names against the sequential loop, with
+ * values for which any order of the contributions gives the same bits. */
 #include "base/memory.h"
 #include "loop.h"
 #include "plan/elements.h"
@@ -43,7 +43,8 @@ static int row[TRIP];
 #define BITS_OR(b, x) b |= x
 #define BITS_XOR(b, x) b ^= x
 
-/* Contributions: small numbers; of products, few twos among ones, so that nothing overflows. */
+/* Contributions: small numbers; for products mostly ones and few twos, so that nothing overflows.
+ */
 #define SMALL(t) ((t)*37 % 19 - 9)
 #define UNSIGNED(t) ((t)*37 % 19)
 #define TWOS(t) ((t) % 300 == 7 ? 2 : 1)
@@ -93,7 +94,7 @@ static int row[TRIP];
       ((double)SMALL(t) + (double)(t % 5) * I))                                                    \
     X(complex_double_product, double complex, REDCC_PRODUCT, REDCC_DOUBLE_COMPLEX, MULTIPLY, I)
 
-/* A row is {element, GAP others}: those others hold bytes of all kinds and must stay. */
+/* A row is {element, GAP others}. The others have arbitrary bytes and must not change. */
 #define KERNEL(NAME, T, OPERATION, TYPE, UPDATE, VALUE)                                            \
     static int run_##NAME(redcc_loop *loop, T(*array)[1 + GAP], int threads) {                     \
         void *const bases[] = {array};                                                             \
@@ -176,8 +177,8 @@ static void neutral_elements_change_nothing(void **unused) {
         }
 }
 
-/* By pieces, and copy after copy: what merging them one after the other gives; they are neutral
- * afterwards. Doubles of which no two orders give the same sum. */
+/* Copies drained piece by piece give the same bits as copies merged one after the other, and are
+ * neutral afterwards. The doubles give different sums in different orders. */
 static void drained_copies_are_merged_in_order(void **unused) {
     (void)unused;
     enum { ELEMENTS = 2500, COPIES = 3 };
@@ -204,7 +205,7 @@ static void drained_copies_are_merged_in_order(void **unused) {
     }
 }
 
-/* From each value that an element may have, by two threads that update it up to so many times. */
+/* Two threads increment elements that start at each possible value. */
 #define STOPS_AT(NAME, T, TYPE, LOWEST, HIGHEST)                                                   \
     static void NAME##_stops_at(T limit) {                                                         \
         const struct element_rule *rule = redcc_element_rule(REDCC_SATURATING, TYPE);              \
@@ -247,7 +248,7 @@ static void what_has_no_rule(void **unused) {
     assert_non_null(redcc_element_rule(REDCC_XOR, REDCC_INT8));
 }
 
-/* -0.0 plus nothing but -0.0 stays -0.0, and 0.0 stays 0.0. */
+/* -0.0 stays -0.0 if only -0.0 is added, and 0.0 stays 0.0. */
 static void signed_zeros(void **unused) {
     (void)unused;
     const struct element_rule *rule = redcc_element_rule(REDCC_SUM, REDCC_DOUBLE);
@@ -260,7 +261,7 @@ static void signed_zeros(void **unused) {
     assert_memory_equal(array, expected, sizeof array);
 }
 
-/* Iterations that found nothing less have stored nothing: the page cannot be written. */
+/* Iterations that find no smaller value store nothing: the page is read-only. */
 static void a_minimum_stores_only_what_is_less(void **unused) {
     (void)unused;
     const void *page = mmap(NULL, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -274,7 +275,7 @@ static void a_minimum_stores_only_what_is_less(void **unused) {
     munmap((void *)page, 4096);
 }
 
-/* Nor do those that found a counter at its limit. */
+/* Neither do iterations that find a counter at its limit. */
 static void a_counter_at_its_limit_is_not_stored(void **unused) {
     (void)unused;
     int *page = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

@@ -156,7 +156,8 @@ static void methods_of_single_loops(void **unused) {
     expect_method(SINGLE "springs.c:4=pe-dwa-lip:3,atomic", "pe-dwa-lip:3");
     expect_method(SINGLE "atomic,/some/where/springs.c:4=wavefront", "wavefront");
     expect_method(SINGLE "localwrite,springs.c:4=serial", "serial");
-    expect_method(SINGLE "localwrite,springs.c:4=auto", "serial"); /* too short for auto */
+    /* the loop is too short for auto */
+    expect_method(SINGLE "localwrite,springs.c:4=auto", "serial");
     expect_method(SINGLE "springs.c:5=serial,localwrite", "localwrite");
     expect_method(SINGLE "xsprings.c:4=serial,localwrite", "localwrite");
     const char *unmet = SINGLE "localwrite,springs.c:9=serial,string.c:4=atomic,springs.c:4=atomic";
@@ -226,7 +227,7 @@ static void validation_is_passed(void **unused) {
                  methods[m]);
         const struct outcome looked_at = run(variables, programs[0], "5000 3");
         assert_int_equal(looked_at.status, 0);
-        if (strcmp(methods[m], "atomic") != 0) /* which has other bits in each run */
+        if (strcmp(methods[m], "atomic") != 0) /* atomic has different bits in each run */
             assert_string_equal(looked_at.text, alone.text);
         const bool serial = strcmp(methods[m], "serial") == 0;
         assert_non_null(strstr(looked_at.errors,
@@ -242,8 +243,8 @@ static void validation_is_passed(void **unused) {
     }
 }
 
-/* auto begins with the sequential loop; under validation no call is left to it, be it the only one.
- */
+/* auto begins with the sequential loop. Under validation even the first call runs in parallel,
+ * since it may be the only one. */
 static void validation_of_a_loop_executed_once(void **unused) {
     (void)unused;
     static const char *const settings[] = {"", "REDCC_METHOD=auto ",
@@ -274,7 +275,7 @@ static void validation_is_failed(void **unused) {
     const char *variables = "REDCC_VALIDATE=1 OMP_NUM_THREADS=3 REDCC_METHOD=localwrite";
     const struct outcome found = run(variables, broken, "2000 4");
     assert_int_equal(found.status, 3);
-    assert_int_equal(strlen(found.text), 17); /* the program's output is complete */
+    assert_int_equal(strlen(found.text), 17); /* the program's whole output */
     assert_non_null(strstr(found.errors, "the promise of order serial is BROKEN in 4 of them"));
     assert_non_null(strstr(found.errors, "of s->b"));
     assert_int_equal(run("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", broken, "2000 4").status, 0);
@@ -291,7 +292,7 @@ static void what_is_traced(void **unused) {
     assert_non_null(strstr(found.errors, "redcc: execution: springs.c:4 (springs): 6000 iter"));
     assert_null(strstr(found.errors, "choice"));
     found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=spare-localwrite", programs[0],
-                "2000 1"); /* an older name of it */
+                "2000 1"); /* an older name of the method */
     assert_non_null(strstr(found.errors, "built: localwrite-steal"));
     found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=spare-graph-localwrite",
                 programs[0], "2000 1");
@@ -338,7 +339,7 @@ static void the_report_says_what_was_done(void **unused) {
     assert_int_equal(number(loop, "calls"), 5);
     assert_int_equal(number(loop, "plans_built"), 1);
     assert_int_equal(number(loop, "plans_reused"), 4);
-    assert_int_equal(number(loop, "watched"), 0); /* subscripts of 48 KB are always read */
+    assert_int_equal(number(loop, "watched"), 0); /* subscripts of only 48 KB are always read */
     assert_int_equal(number(loop, "stages"), 1);
     assert_in_range(number(loop, "nodes"), 0, 3);
     assert_in_range(number(loop, "moves"), 0, 4 * 3);
@@ -351,7 +352,8 @@ static void the_report_says_what_was_done(void **unused) {
     json_decref(report);
 }
 
-/* The same bits at every thread count, and not those of the plain sums. */
+/* Compensated sums have the same bits at every thread count, which differ from those of plain sums.
+ */
 static void compensated_sums(void **unused) {
     (void)unused;
     const struct outcome one =
@@ -381,7 +383,7 @@ static int threads_of(const char *variables, const char *arguments) {
     return threads;
 }
 
-/* Few iterations are not worth waking threads for; the first call has no earlier times. A named
+/* Few iterations are not worth waking threads for, and in the first call no time is known. A named
  * method always runs. */
 static void compensated_sums_of_few_iterations(void **unused) {
     (void)unused;
@@ -398,7 +400,7 @@ static void expect_least_trip(const char *variables, const char *expected) {
         fail_msg("%s: not '%s': %s", variables, expected, found.text);
 }
 
-/* Named settings apply at any trip count. */
+/* Explicit settings apply at any trip count. */
 static void few_short_iterations(void **unused) {
     (void)unused;
     expect_least_trip("", "131072 unasked, from 1024\n");
@@ -437,7 +439,7 @@ static void the_report_says_what_binds_the_threads(void **unused) {
     json_decref(report);
 }
 
-/* auto's first call is the original loop, timed, and all are where they are short. */
+/* auto's first call is the original loop, which is timed; all calls are, if the loop is short. */
 static void the_report_says_what_the_sequential_loop_took(void **unused) {
     (void)unused;
     json_t *report = report_of("OMP_NUM_THREADS=3", "50000 1");
@@ -456,7 +458,7 @@ static void the_report_says_why_not(void **unused) {
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=serial", "named-serial", "says serial", 5);
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=24K", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
-    /* a limit that holds nothing leaves the report, and methods of single loops */
+    /* a limit that permits no plan affects neither the report nor methods of single loops */
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite REDCC_MEMORY_LIMIT=1", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
 }

@@ -39,7 +39,7 @@ static void a_fingerprint_sees_two_changes(void **unused) {
             }
 }
 
-/* As when elements of a mesh are put in another order. */
+/* Words that change places, as when elements of a mesh are reordered. */
 static void a_fingerprint_sees_what_changes_places(void **unused) {
     (void)unused;
     enum { EDGES = 300 };

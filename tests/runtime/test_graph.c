@@ -20,10 +20,11 @@ enum { NODES_AN_ITERATION = 3 };
 /* A sheet of side * side nodes, two triangles a square. */
 struct mesh {
     int side;
-    int sheets;      /* that do not touch each other */
+    int sheets;      /* number of separate sheets */
     bool hub;        /* every iteration updates row 0 as well */
     bool gaps;       /* every third iteration updates nothing */
-    bool two_arrays; /* and a row of a second array for each side of the triangle */
+    bool two_arrays; /* each iteration also updates a row of a second array for each side of the
+                        triangle */
 };
 
 static int *shuffled(int count, unsigned long *random) {
@@ -88,9 +89,9 @@ static struct problem mesh_problem(const struct mesh *mesh) {
     return problem;
 }
 
-/* Runs it twice, compares with the oracle bit for bit, checks the plan; returns the iterations
- * executed over those of the loop, and sets *most to those of the busiest thread over an equal
- * share. */
+/* Runs the loop twice, compares all bits with the oracle and checks the plan. Returns the executed
+ * iterations divided by those of the loop; *most: those of the most loaded thread divided by an
+ * equal share. */
 static double replication(const struct mesh *mesh, int threads, double *most) {
     struct problem problem = mesh_problem(mesh);
     struct described described;
@@ -159,7 +160,7 @@ static void iterations_that_update_nothing(void **unused) {
     assert_true(replication(&mesh, 4, &most) < 1.0);
 }
 
-/* Whatever is done, all iterations need the hub's owner; the rest is still divided. */
+/* All iterations need the hub's owner, but the other rows are still divided. */
 static void a_row_that_all_update(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 60, .sheets = 1, .hub = true};
@@ -167,7 +168,7 @@ static void a_row_that_all_update(void **unused) {
     assert_true(replication(&mesh, 4, &most) < 2.0);
 }
 
-/* The same loop and number of owners: the same plan, run for run. */
+/* The same loop and number of owners give the same plan, run by run. */
 static void a_division_depends_on_the_loop_alone(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 30, .sheets = 1, .two_arrays = true};
@@ -192,7 +193,7 @@ static void a_division_depends_on_the_loop_alone(void **unused) {
     problem_free(&problem);
 }
 
-/* A path of nodes, weights 1 to 3: consecutive parts, evenly heavy. */
+/* A path of nodes of weights 1 to 3 is cut into consecutive parts of equal weight. */
 static void a_path_is_cut_into_even_parts(void **unused) {
     (void)unused;
     enum { COUNT = 600, PARTS = 5 };
@@ -222,7 +223,7 @@ static void a_path_is_cut_into_even_parts(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Touches of several units and of none, units that come twice: each once. */
+/* Touches of several units and of none, and repeated units: the log has each unit once. */
 static void what_is_told_is_kept(void **unused) {
     (void)unused;
     static char b[240], a[700];
@@ -281,8 +282,8 @@ static const struct method *method_with_map(const struct described *described) {
     return NULL;
 }
 
-/* Calls of a loop by auto; each gives the oracle's bits. Returns in how many of them there was a
- * plan with a map in the end. */
+/* Calls a loop by auto; each call gives the oracle's bits. Returns the number of calls after which
+ * there was a plan with a map. */
 static int call_often(struct problem *problem, struct described *described, int threads,
                       int calls) {
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -302,8 +303,8 @@ static int call_often(struct problem *problem, struct described *described, int 
     return mapped;
 }
 
-/* With all the time in the world, auto tries the graph as soon as the other courses are timed; and
- * goes on rightly when the subscripts change. */
+/* With unlimited credit auto tries the graph as soon as the other strategies are timed, and gives
+ * correct results when the subscripts change. */
 static void auto_comes_to_the_graph(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 60, .sheets = 1};
@@ -320,7 +321,8 @@ static void auto_comes_to_the_graph(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Pretends that each iteration took `seconds`: the method that auto has chosen by the graph. */
+/* Makes auto believe that each iteration took `seconds`. Returns the method that it chooses for the
+ * graph. */
 static const struct method *method_of_long_iterations(const struct mesh *mesh, double seconds) {
     struct problem problem = mesh_problem(mesh);
     struct described described;
@@ -347,7 +349,7 @@ static void auto_adds_stealable_blocks_where_iterations_are_long(void **unused) 
     assert_ptr_equal(method_of_long_iterations(&mesh, 60e-9), &redcc_method_graph_localwrite);
 }
 
-/* They exist, and one of them takes part in all iterations: they are joined to the others. */
+/* Stealable blocks are joined to their owners if one of them is touched by all iterations. */
 static void auto_joins_stealable_blocks_that_cost_too_much(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 257, .sheets = 1, .hub = true};

@@ -29,7 +29,7 @@ static bool meet(const struct touches *it, int s, int t) {
     return false;
 }
 
-/* The levels by their definition; returns how many there are. */
+/* Computes the levels by their definition; returns their number. */
 static int levels_by_definition(const struct touches *it, int *level) {
     int levels = 0;
     for (int t = 0; t < it->trip; t++) {
@@ -52,7 +52,7 @@ static struct touches random_touches(int trip, int units, int most, unsigned lon
     return it;
 }
 
-/* As `threads` threads tell them. */
+/* Logs the touches as `threads` threads would. */
 static void tell(const struct touches *it, int threads, const struct units *units,
                  const struct partition *partition, struct access_log *logged, const char *b) {
     static struct range seen;
@@ -70,9 +70,9 @@ static void tell(const struct touches *it, int threads, const struct units *unit
     }
 }
 
-/* Every iteration that touches something, and the last one, or all of them, once; of two that meet
- * the first in an earlier stage, or both in one that is for one thread, in order; no more stages
- * than levels. */
+/* Checks that each iteration that touches something, and the last one (with `every` all), is
+ * assigned once. Of two that touch a common unit, the first is in an earlier stage, or both are in
+ * order in a stage of one thread. There are at most as many stages as levels. */
 static void check(const struct touches *it, const struct levels *levels, bool every) {
     static int level[MOST_TRIP], stage[MOST_TRIP];
     const int known = levels_by_definition(it, level);
@@ -159,7 +159,7 @@ static void a_chain_is_one_stage(void **unused) {
     try_touches(&it, it.trip + 1, 2, false);
 }
 
-/* Pairs of rows at random: whatever the cut, half of the iterations have two owners. */
+/* Random pairs of rows: with any cut half of the iterations have two owners. */
 static struct problem random_pairs(long trip, int rows) {
     unsigned long random = 88172645463325252u;
     struct problem problem = {.name = "random pairs", .trip = trip, .rows = rows, .width = 1};
@@ -179,7 +179,8 @@ static struct problem random_pairs(long trip, int rows) {
     return problem;
 }
 
-/* How many of `calls` calls by auto went by levels; each gives the oracle's bits. */
+/* The number of `calls` calls by auto that were executed in levels; each gives the oracle's bits.
+ */
 static int calls_by_levels(struct problem *problem, int threads, int calls) {
     struct described described;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -206,7 +207,7 @@ static int calls_by_levels(struct problem *problem, int threads, int calls) {
     return found;
 }
 
-/* With all the time in the world. */
+/* With unlimited credit. */
 static void auto_takes_levels_where_no_cut_serves(void **unused) {
     (void)unused;
     struct problem problem = random_pairs(100000, 60000);
@@ -218,11 +219,13 @@ static void auto_takes_levels_where_no_cut_serves(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Memory fails on the way to the levels, at one place after the other: the oracle's bits, and
- * nothing is lost. */
+/* Each allocation on the way to the levels fails once: the results are the oracle's, and no memory
+ * is leaked. */
 static void memory_fails_on_the_way(void **unused) {
     (void)unused;
-    enum { FIRST = 1, STEP = 11 }; /* the call in which auto comes to the graph; for speed */
+    /* FIRST: the call in which auto tries the graph; STEP: for speed, only every such allocation
+     * fails */
+    enum { FIRST = 1, STEP = 11 };
     struct problem problem = random_pairs(100000, 60000);
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
     double *expected = malloc(bytes);

@@ -25,7 +25,7 @@ static int one_by_one;
 
 struct tally {
     uint64_t count;
-    uint64_t sum; /* of the iterations' numbers; wraps around */
+    uint64_t sum; /* sum of the iterations' numbers; wraps around */
 };
 
 static redcc_int least(redcc_int a, redcc_int b) {
@@ -39,7 +39,7 @@ static void tell(redcc_worker *worker, struct tally *element, redcc_int first, r
         const int all_alike = worker->inside && !worker->outside && !one_by_one;
         redcc_iteration_done(worker);
         first++;
-        if (all_alike) { /* as this number of calls of the two would */
+        if (all_alike) { /* the same effect as this number of calls of the two */
             worker->alike += end - first;
             first = end;
         }
@@ -60,7 +60,7 @@ static void execute(struct tally *element, redcc_int first, redcc_int end) {
     element->sum += count % 2 ? twice / 2 * count : count / 2 * twice;
 }
 
-/* The element of t, and in *end up to where it is the same. */
+/* The element of iteration t; *end: the first iteration with another element. */
 static struct tally *element_of(struct tally *tally, redcc_int t, redcc_int stretch,
                                 redcc_int *end) {
     *end = least(*end, (t / stretch + 1) * stretch);
@@ -121,7 +121,7 @@ static void expect_all_iterations(redcc_int trip, int threads) {
                        .arrays = arrays,
                        .key_count = 1};
     const redcc_int stretch = trip / (STRETCHES - 1);
-    for (int call = 0; call < 2; call++) { /* by a new plan, by the same again */
+    for (int call = 0; call < 2; call++) { /* with a new plan, then with the same one */
         struct tally found[STRETCHES], expected[STRETCHES];
         memset(found, 0, sizeof found);
         memset(expected, 0, sizeof expected);

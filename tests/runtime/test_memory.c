@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Memory fails at the first call, at the second, ... until it suffices: the loop is right each time
- * and nothing is lost. And the limit. Run with a method by name. */
+/* Allocations fail from the first call on, from the second on, ... until all succeed: the results
+ * are right each time, and nothing is leaked. Also tests the limit. Run with a named method. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -30,7 +30,7 @@ static void fail_everywhere(int number, int threads) {
         redcc_memory_fail_after(-1);
         assert_memory_equal(expected, problem.first, bytes);
         assert_true(failed || parallel);
-        problem_reset(&problem); /* again, with memory, and a history */
+        problem_reset(&problem); /* again, with memory, after the failures */
         assert_true(problem_run(&problem, &described, threads, &last));
         assert_memory_equal(expected, problem.first, bytes);
         redcc_loop_forget(&described.loop);

@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 static const int thread_counts[] = {1, 2, 3, 7, 16, 33, 64};
-enum { MANY = 64 }; /* for a third of the shapes: this many threads take their time */
+enum { MANY = 64 }; /* only for a third of the shapes, because so many threads are slow */
 
 static void copy_arrays(const struct problem *problem, double *to) {
     memcpy(to, problem->first, (size_t)problem->doubles * sizeof *to);
@@ -28,7 +28,7 @@ static size_t all_doubles(const struct problem *problem) {
     return (size_t)problem->doubles + (size_t)problem->second_rows * (size_t)problem->second_width;
 }
 
-/* Does the method, named, run by a plan with that many threads? */
+/* Does the named method run by a plan with this number of threads? */
 static bool plans(const struct settings *settings, int threads) {
     return settings->method && settings->method->prepare &&
            (threads > 1 || settings->compensated || settings->method->keeps == REDCC_ORDER_FIXED);
@@ -93,7 +93,8 @@ static void methods_that_keep_the_order_give_the_oracles_bits(void **unused) {
     all_shapes(false);
 }
 
-/* Shuffled, a few thousand elements: copies take less than iterations executed twice. */
+/* With shuffled subscripts into a few thousand elements, copies cost less than replicated
+ * iterations. */
 static void auto_takes_copies_where_they_are_cheaper(void **unused) {
     (void)unused;
     const struct settings *settings = redcc_settings();
@@ -111,7 +112,8 @@ static void auto_takes_copies_where_they_are_cheaper(void **unused) {
     problem_free(&problem);
 }
 
-/* An iteration that is not sampled touches an element far away: copies would pass the limit. */
+/* An iteration that is not sampled touches an element far away, so that copies would exceed the
+ * limit. */
 static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     (void)unused;
     const size_t limit = redcc_settings()->memory_limit;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What REDCC_ORDER promises, on numbers that are hard to add, at 1 to 64 threads, by the method
- * that REDCC_METHOD names: `serial` the sequential loop's bits, `fixed` the same bits everywhere,
- * `any` within the bound of the error of a sum in any order. The exact sums are taken in 113 bits.
- * And REDCC_SUM=compensated: the bits of each element's sum by Neumaier, in the loop's order. */
+ * that REDCC_METHOD names. `serial`: the sequential loop's bits; `fixed`: the same bits everywhere;
+ * `any`: within the error bound of a sum in any order. The exact sums are taken in 113 bits. And
+ * REDCC_SUM=compensated: the bits of each element's sum by Neumaier, in the loop's order. */
 #include "loop.h"
 #include "problem.h"
 #include "settings.h"
@@ -40,10 +40,10 @@ static double between(unsigned long *random, double low, double high) {
     return low + (high - low) * (double)(next_random(random) >> 11) * 0x1p-53;
 }
 
-/* Contributions, by their number. Bodies multiply them by small integers. */
+/* Makes contribution number `at`. Bodies multiply contributions by small integers. */
 typedef double maker(long at, unsigned long *random);
 
-/* Large numbers of both signs, whose sum is 1e-16 of their sizes. */
+/* Large numbers of both signs, whose sum is 1e-16 of their magnitude. */
 static double cancelling(long at, unsigned long *random) {
     static double last;
     last = at % 2 ? 1e-3 * between(random, 0, 1) - last : between(random, 1e12, 1e13);
@@ -101,7 +101,7 @@ static void sum_exactly(const struct problem *problem, struct exact *exact) {
                         problem->value[k] * (c + 1));
 }
 
-/* Neumaier's algorithm, as he gives it: the branch where TwoSum has none. */
+/* Neumaier's algorithm in its original form, with a branch that TwoSum avoids. */
 static void sum_compensated(struct problem *problem, const struct exact *exact) {
     double *lost = calloc((size_t)problem->doubles, sizeof *lost);
     for (long k = 0; k < problem->touches; k++)
@@ -117,7 +117,7 @@ static void sum_compensated(struct problem *problem, const struct exact *exact) 
             problem->first[at] += lost[at];
         const wide n_u = (wide)exact[at].count * (wide)(DBL_EPSILON / 2);
         const wide sum = exact[at].sum, off = (wide)problem->first[at] - sum;
-        if (isfinite((double)sum)) /* the bound that the method is known for */
+        if (isfinite((double)sum)) /* the method's error bound */
             assert_true((off < 0 ? -off : off) <= (wide)DBL_EPSILON * (sum < 0 ? -sum : sum) +
                                                       2 * n_u * n_u * exact[at].size);
     }
@@ -180,7 +180,7 @@ static void at_all_thread_counts(int number, maker *contribution, double before)
     const int runs = promised() == REDCC_ORDER_ANY ? 1 : 2;
     for (int i = 0; i < COUNTS; i++) {
         if (promised() == REDCC_ORDER_ANY && thread_counts[i] == 33)
-            continue; /* DWA-LIP has hundreds of stages there, and nothing new to show */
+            continue; /* DWA-LIP would have hundreds of stages there, and test nothing new */
         struct described described;
         problem_describe(&problem, &described);
         if (!redcc_settings()->method)
@@ -273,7 +273,7 @@ static void classify(const redcc_worker *worker, const void *array, size_t bytes
         redcc_probe_touch_row(&probe, worker, 0, array, row[t], bytes);
         class[t - worker->first] = redcc_class_of(&probe);
     }
-    redcc_classes_give(worker, class);
+    redcc_store_classes(worker, class);
 }
 
 #define KERNEL(NAME, T, OPERATION, TYPE, UPDATE)                                                   \
@@ -410,7 +410,7 @@ static void minimum_and_maximum_with_nan(void **unused) {
     }
 }
 
-/* Functions that update a whole row, or a part of one, after one question. */
+/* Functions that update a whole row, or a part of one, after one owner check. */
 typedef double triple[3];
 
 static void add_row(double *to, int t) {
@@ -488,7 +488,7 @@ static void rows_by_functions(triple *array, int threads) {
     redcc_loop_forget(&loop);
 }
 
-/* The contributions to each row, in 64 bits of precision or more, as exact sums. */
+/* Computes the sums of each row in long double (64 bits of precision or more), as exact sums. */
 static void sum_rows(long double (*sum)[3]) {
     for (int t = 0; t < TRIP; t++) {
         triple part = {0, 0, 0}, rest = {0.3, 0, 0};

@@ -22,12 +22,12 @@ enum {
     ROWS = CELLS + 2 * LONG,
     TOUCHED = 5,
     WIDTH = 3,
-    MARGIN = 500 /* rows in front of them and behind them that few touch */
+    MARGIN = 500 /* rows before and behind the strip that few iterations touch */
 };
 
 static const int threads_tried[] = {1, 2, 3, 7, 16, 33};
 
-/* Row of the cell at (x, y): to the left and to the right of the strip, of its border. */
+/* The row of the cell at (x, y); outside of the strip, that of the border cell. */
 static int row_at(int x, int y) {
     y = y < 0 ? 0 : y >= LONG ? LONG - 1 : y;
     return x < 0 ? CELLS + y : x >= WIDE ? CELLS + LONG + y : WIDE * y + x;
@@ -111,11 +111,11 @@ static void borders_belong_to_those_beside_them(void **unused) {
     }
 }
 
-/* A row is not divided, and all that is touched has an owner. */
+/* No row is divided among owners, and each touched byte has an owner. */
 static void blocks_are_of_whole_rows(void **unused) {
     (void)unused;
     struct fixture fixture;
-    begin(&fixture, strip[CELLS / 2], 3); /* the base is in the middle */
+    begin(&fixture, strip[CELLS / 2], 3); /* the base is in the middle of the array */
     fixture.touched = (struct range){(uintptr_t)strip[10], (uintptr_t)strip[ROWS - 200]};
     vote(&fixture);
     const uint32_t first = owner_of(&fixture, 10), last = owner_of(&fixture, ROWS - 201);
@@ -205,7 +205,7 @@ static double replication_of(const redcc_loop *loop) {
     return (double)state->reported.statistics.extra.executed / (double)CELLS;
 }
 
-/* What the oracle leaves; the caller frees it. */
+/* The oracle's results; the caller frees them. */
 static double *results_of(struct problem *problem, size_t bytes) {
     double *results = malloc(bytes);
     problem_reset(problem);
@@ -237,7 +237,8 @@ static void same_bits_for_any_owners(void **unused) {
     problem_free(&problem);
 }
 
-/* Executions in turn: what they touch, and where, differs from what the owners were chosen for. */
+/* Changes what the given execution touches, so that it differs from that for which the owners were
+ * chosen. */
 static void change(struct problem *problem, int execution) {
     double *const before = problem->first;
     switch (execution) {
@@ -245,14 +246,14 @@ static void change(struct problem *problem, int execution) {
         problem->first = malloc((size_t)problem->doubles * sizeof *problem->first);
         free(before);
         break;
-    case 2: /* rows in front of all and behind all that had owners */
+    case 2: /* touches rows before and behind all that had owners */
         problem->row[0] = 0;
         problem->row[problem->touches - 1] = ROWS + 2 * MARGIN - 1;
         break;
-    case 3: /* fewer iterations: one owner has nearly all */
+    case 3: /* fewer iterations, nearly all of one owner */
         problem->trip = CELLS / 2 + 1;
         break;
-    case 4: /* nothing is beside anything */
+    case 4: /* no two iterations touch neighbouring rows */
         problem->trip = CELLS;
         for (long k = 0; k < problem->touches; k++)
             problem->row[k] = (int)((k * 7919) % (ROWS + 2 * MARGIN));

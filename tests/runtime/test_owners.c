@@ -34,7 +34,7 @@ static void check(const redcc_owner *owner) {
             assert_int_equal(redcc_owns_part(owner, at, bytes), owns_a_byte(owner, at, bytes));
 }
 
-/* Iterations that touch rows: some of a row, all of it. */
+/* Checks the classes of iterations that touch a part of a row, or all of it. */
 static void check_class(const redcc_owner *owner) {
     const redcc_worker worker = {.window = owner};
     for (redcc_size bytes = 1; bytes <= 3 * BYTES; bytes += 1 + bytes / 8)
@@ -77,7 +77,7 @@ static void units_of_a_map(void **state) {
     }
 }
 
-/* Where it is not known it may be. */
+/* If the owner is unknown, the thread may own the bytes. */
 static void what_is_not_known(void **state) {
     (void)state;
     struct redcc_hook *const hook = (struct redcc_hook *)(void *)memory;

@@ -8,7 +8,8 @@
 
 #include <cmocka.h>
 
-/* Seconds so far, and until the deadline: so long that the test's own time does not count. */
+/* Will the stage be late, after `spent` seconds with `left` seconds until the deadline? Both are so
+ * long that the test's own time does not matter. */
 static bool will_be_late(double spent, double left, double done) {
     const double now = redcc_seconds();
     const struct inspection inspection = {.pace = {.began = now - spent, .deadline = now + left}};

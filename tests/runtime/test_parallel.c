@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops of redcc/parallel.h for operators and types, by elements and by rows, against the same loop
- * as it is written. Compiled without an OpenMP option. With the argument `exact` all sums and
- * products are exact, so that methods that change the order give the same values as well. */
+/* Loops of redcc/parallel.h for operators and types, by elements and by rows, against the plain
+ * loops. Compiled without an OpenMP option. With the argument `exact` all sums and products are
+ * exact, so that methods that change the order give the same values as well. */
 #include "redcc/parallel.h"
 
 #include <setjmp.h>
@@ -18,7 +18,7 @@ enum { S };
 static int subscript[N];
 static int exact;
 
-/* Sometimes the same row. */
+/* The other row; sometimes it is row i itself. */
 #define OTHER(i) (((i) + 9) / 2)
 
 static void change_subscripts(void) {
@@ -29,7 +29,7 @@ static void change_subscripts(void) {
     }
 }
 
-/* What iteration t adds, or multiplies by. */
+/* The operand of iteration t. */
 static double addend(long t) {
     return exact ? (double)(t % 13 - 6) : (double)(t % 1009 - 504) / 7.0;
 }

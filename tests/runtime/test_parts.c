@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The runtime's parts by themselves. */
+/* Unit tests of the runtime's parts. */
 #include "base/barrier.h"
 #include "base/memory.h"
 #include "ownership/cuts.h"
@@ -128,7 +128,7 @@ static void cuts_of_several_arrays_lie_at_the_same_rows(void **unused) {
         for (int node = 0; node < 3; node++) {
             const long row = (t / 3 + (long)(next_random(&random) % 5)) % ROWS;
             redcc_sample_add(&sample, (uintptr_t)&b[row * 24], 0, 1, 0);
-            /* the matrix is kept by halves: few touches in low rows, many in high ones */
+            /* half of the matrix is stored: few touches in low rows, many in high ones */
             for (long block = 0; block < 1 + row / 100; block++)
                 redcc_sample_add(&sample, (uintptr_t)&a[row * 72], 1, 1, 0);
         }
@@ -158,7 +158,7 @@ static void tell_end(struct sweep *sweep) {
     redcc_sweep_take(sweep, &entry, &entry + 1);
 }
 
-/* Entries of an iteration one by one, touches over several owners, repeated owners, none. */
+/* Single entries of an iteration, touches of several owners, repeated owners, and none. */
 static void a_sweep_lists_each_owner_once(void **unused) {
     (void)unused;
     enum { OWNERS = 40 };
@@ -342,7 +342,7 @@ static void packed_runs_are_the_runs(void **unused) {
     }
 }
 
-/* Two threads, two tasks each; the second ones wait for the other thread's first. */
+/* Two threads with two tasks each; the second tasks wait for the other thread's first one. */
 static void a_plan_is_as_long_as_its_waits_make_it(void **unused) {
     (void)unused;
     static const redcc_int iterations[2][2] = {{10, 5}, {3, 20}};
@@ -368,7 +368,7 @@ static void a_plan_is_as_long_as_its_waits_make_it(void **unused) {
     redcc_memory_fail_after(-1);
     for (int thread = 0; thread < 2; thread++)
         redcc_schedule_end(&schedule[thread]);
-    redcc_memory_give(plan.flags);
+    redcc_memory_free(plan.flags);
     assert_int_equal(redcc_memory_live(), 0);
 }
 
@@ -385,13 +385,13 @@ static void sizes(void **unused) {
         assert_false(redcc_parse_bytes(wrong[i], &bytes));
 }
 
-/* An entry holds its bytes in 32 bits. */
+/* An entry stores its number of bytes in 32 bits, so longer spans are split. */
 static void spans_of_any_length(void **unused) {
     (void)unused;
     static const redcc_size longest = REDCC_LONGEST_TOUCH;
     const redcc_size lengths[] = {1,           longest - 1, longest,
                                   longest + 1, 5 * longest, 5 * longest + 7};
-    const char *const first = (const char *)4096; /* an address, of nothing */
+    const char *const first = (const char *)4096; /* any address; nothing is accessed */
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
         redcc_entry entry[8];
         const redcc_owner nothing = {.first = NULL};

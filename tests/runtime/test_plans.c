@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* When a plan is used again, when not, and when the loop is refused; run with a method by name. */
+/* When a plan is reused, when not, and when the loop is refused; run with a named method. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -38,7 +38,7 @@ static const struct statistics *statistics_of(const struct fixture *fixture) {
     return &((const struct loop_state *)fixture->described.loop.state)->reported.statistics;
 }
 
-/* Runs it and compares with the oracle; returns whether it ran in parallel. */
+/* Runs the loop and compares with the oracle; returns whether it ran in parallel. */
 static int run_right(struct fixture *fixture) {
     struct problem *problem = &fixture->problem;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -74,7 +74,7 @@ static void changed_contents_are_noticed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* One touch an iteration; `start` takes some megabytes. */
+/* One touch per iteration; `start` has some megabytes. */
 static struct problem long_problem(void) {
     enum { TRIP = 900000, ROWS = 5000 };
     struct problem problem = {
@@ -153,8 +153,8 @@ static void more_trip_counts_than_are_kept(void **unused) {
     fixture_end(&fixture);
 }
 
-/* start's contents say how much of `row` there is. With less of it at the same address, nothing
- * beyond its end may be read: the rest of the pages cannot be read at all. */
+/* The contents of `start` determine the length of `row`. If `row` becomes shorter at the same
+ * address, nothing beyond its end may be read: the remaining pages are unreadable. */
 static void shorter_arrays_are_not_read_beyond_their_end(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -267,7 +267,7 @@ static void an_overlap_is_refused(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A plan exists, and with the same subscripts the arrays now overlap reads. */
+/* A plan exists; now the arrays overlap reads, with the same subscripts. */
 static void an_overlap_is_refused_with_a_plan_at_hand(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -275,7 +275,7 @@ static void an_overlap_is_refused_with_a_plan_at_hand(void **unused) {
     struct problem *problem = &fixture.problem;
     double *const value = problem->value;
     assert_true(run_right(&fixture));
-    problem->value = problem->first + 5; /* shorter than the touches: read a prefix only */
+    problem->value = problem->first + 5; /* only a prefix of the touches is read */
     for (long t = 0; t <= problem->trip; t++)
         if (problem->start[t] > 1900)
             problem->start[t] = 1900;
@@ -301,7 +301,8 @@ static void overlapping_arrays_out_of_step_are_refused(void **unused) {
     struct fixture fixture;
     fixture_begin(&fixture, 11);
     struct problem *problem = &fixture.problem;
-    fixture.described.arrays[0].unit = 24; /* as if rows of three, and the other in between */
+    /* as if rows had three elements, with the other array between them */
+    fixture.described.arrays[0].unit = 24;
     fixture.described.arrays[1].unit = 16;
     assert_false(run_right(&fixture));
     assert_int_equal(atomic_load(&statistics_of(&fixture)->fallback[REASON_OUT_OF_STEP]), 1);

@@ -84,7 +84,8 @@ static void regions_of_several_sizes(void **state) {
     assert_true(redcc_region_is_own());
     assert_int_equal(prepare(2), 2);
     assert_true(has_worked(2));
-    const int others = tasks() - 2; /* sanitizers start one with the program's first */
+    /* sanitizers start another thread with the program's first one */
+    const int others = tasks() - 2;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         assert_int_equal(prepare(sizes[s]), sizes[s]);
         for (int round = 0; round < 50; round++)
@@ -122,15 +123,15 @@ static void threads_of_several_threads(void **state) {
     assert_int_equal(tasks(), before);
 }
 
-/* Threads that the system does not give are no error. */
+/* It is no error if the system refuses threads. */
 static void *be_refused(void *result) {
     struct rlimit before, none;
     getrlimit(RLIMIT_AS, &before);
     none = before;
-    none.rlim_cur = 1 << 20; /* less than there is */
+    none.rlim_cur = 1 << 20; /* less memory than the process uses */
     const int first = prepare(2);
     setrlimit(RLIMIT_AS, &none);
-    const int refused = prepare_with(9, 64 << 20); /* no stack that the library has kept */
+    const int refused = prepare_with(9, 64 << 20); /* no cached stack is large enough */
     setrlimit(RLIMIT_AS, &before);
     *(int *)result = first == 2 && refused >= 2 && refused < 9 && has_worked(refused) &&
                      prepare(9) == 9 && has_worked(9);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Prefetches: which iteration goes before which, the slice's output then, and when they are
- * useful. */
+/* Prefetches: which iterations they precede, what the slice does then, and when they are useful. */
 #include "execute/ahead.h"
 #include "execute/prefetch.h"
 
@@ -46,13 +45,13 @@ static void the_iteration_so_far_ahead_in_the_list(void **unused) {
         try_runs(rand() % (MOST_RUNS + 1), 1 + rand() % 16);
 }
 
-/* It records nothing, and addresses need not be valid. */
+/* The slice records nothing, and its addresses need not be valid. */
 static void a_slice_without_a_worker_tells_nothing(void **unused) {
     (void)unused;
     double *nowhere = (double *)((redcc_size)1 << 20);
     redcc_probe *const redcc__probe = 0;
     redcc_worker *const redcc__worker = 0;
-    const redcc_u32 redcc__told = 0;
+    const redcc_u32 redcc__source_mask = 0;
     REDCC_TOUCH(0, (const char *)nowhere, 8);
     REDCC_READ(0, (const char *)nowhere, 1000000);
     REDCC_TOUCH_ROW(0, nowhere, 1000);
@@ -92,8 +91,9 @@ static void rows_of_iterations_lie_at_equal_distances(void **unused) {
                        8);
     assert_progression(progression_of(pair, pair, sizeof *pair, 1), pair, 0, 8);
     assert_progression(progression_of(element, &element[TRIP - 1], 12, TRIP), element, size,
-                       (redcc_size)size); /* all of the structure */
-    assert_progression(progression_of(wide, wide[TRIP - 1], 8, TRIP), wide, 320, 8); /* too much */
+                       (redcc_size)size); /* the whole structure */
+    /* too large to prefetch */
+    assert_progression(progression_of(wide, wide[TRIP - 1], 8, TRIP), wide, 320, 8);
     /* members of one structure are prefetched once, others separately */
     const redcc_progression all[] = {
         {0, 0, 0},
@@ -125,7 +125,8 @@ static void only_large_arrays_that_are_written_in_place(void **unused) {
     assert_false(redcc_prefetch_is_possible(&plan));
 }
 
-/* Light iterations: where they come in runs of less than four, in the mean, and write to more. */
+/* Light iterations prefetch if their runs have less than four iterations on average and they write
+ * to larger arrays. */
 static void light_iterations_in_no_order(void **unused) {
     (void)unused;
     struct offsets touched[1] = {{0, (8 << 20) + 1}};

@@ -28,7 +28,7 @@ static const redcc_source sources[] = {{"row", 1}, {"x", 0}};
     { "test_probe.c", 1, "plan", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE, 2, arrays, 2, sources, 0, 0 }
 static redcc_loop loop_told = LOOP, loop_probed = LOOP;
 
-/* By their numbers, which may be negative. */
+/* Are rows recorded by their numbers, which may be negative? */
 static bool by_number;
 static double (*const middle)[3] = b + MIDDLE;
 
@@ -152,7 +152,7 @@ static int below(int limit) {
     return (int)((random_state >> 33) % (unsigned long)limit);
 }
 
-/* Rows ascend, each iteration one of a few next to them. */
+/* Rows ascend; each iteration touches one of the next `near` rows. */
 static void fill_in_order(int near) {
     for (int t = 0; t < TRIP; t++) {
         row[t] = (int)((long)t * (ROWS - near) / TRIP) + below(near);
@@ -178,7 +178,7 @@ static void rows_without_order(void **unused) {
     assert_true(expect_same_plans() < TRIP * (MOST_THREADS - 1) / 10);
 }
 
-/* What only one iteration in a settled stretch touches or reads is found all the same. */
+/* A touch or read of only one iteration in a settled stretch is found. */
 static void strays(void **unused) {
     (void)unused;
     for (int trial = 0; trial < 49; trial++) {
@@ -213,7 +213,7 @@ static void wide_touches(void **unused) {
     }
 }
 
-/* Owners in turn, for stretches of any length. */
+/* Owners alternate after stretches of any length. */
 static void stretches(void **unused) {
     (void)unused;
     for (int trial = 0; trial < 8; trial++) {
@@ -229,7 +229,7 @@ static void stretches(void **unused) {
     }
 }
 
-/* Every window of a few bytes, every row near it, against the rows' own bytes. */
+/* Every window of a few bytes with every row near it, compared byte by byte. */
 static void bounds_of_rows(void **unused) {
     (void)unused;
     static const char memory[64];

@@ -34,9 +34,9 @@ static void bytes_are_read_once(void **unused) {
     (void)unused;
     static const struct {
         int first, end;
-        size_t left; /* bytes of [first, end) beyond those of [256, 512) */
-    } other[] = {{256, 512, 0}, {257, 512, 0},  {256, 513, 1},  {300, 612, 100}, {100, 300, 156},
-                 {0, 256, 256}, {512, 600, 88}, {100, 600, 500} /* remains on both sides */};
+        size_t left; /* bytes to read besides [256, 512); all, if they are on both sides */
+    } other[] = {{256, 512, 0},   {257, 512, 0}, {256, 513, 1},  {300, 612, 100},
+                 {100, 300, 156}, {0, 256, 256}, {512, 600, 88}, {100, 600, 500}};
     for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
         redcc_extent known[SOURCES];
         set_known(known, 256, 512, other[i].first, other[i].end);

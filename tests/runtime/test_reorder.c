@@ -112,7 +112,7 @@ static void points_of_all_kinds(void **unused) {
     int new_of_old[7];
     assert_int_equal(redcc_reorder_points(7, 2, point[0], new_of_old), 0);
     expect_permutation(new_of_old, 7);
-    assert_true(new_of_old[3] < new_of_old[5]); /* alike: as they were */
+    assert_true(new_of_old[3] < new_of_old[5]); /* equal iterations keep their order */
     assert_int_equal(redcc_reorder_points(1, 2, point[0], new_of_old), 0);
     assert_int_equal(redcc_reorder_points(0, 3, NULL, new_of_old), 0);
     assert_int_equal(redcc_reorder_points(7, 1, point[0], new_of_old), -1);

@@ -31,14 +31,14 @@ static const char *read_page(const char *name) {
     return text;
 }
 
-/* The page's table under `heading` begins its rows with exactly these names, in this order; `rest`
- * is the rest of the row, if compared. */
+/* Checks that the rows of the page's table under `heading` begin with exactly these names, in this
+ * order; `rest`: the rest of each row, if compared. */
 static void expect_table(const char *page, const char *heading, const char *const *names,
                          const char *const *rest, int count) {
     const char *at = strstr(read_page(page), heading);
     if (!at)
         fail_msg("%s has no table %s", page, heading);
-    at = strchr(strchr(at + 1, '\n') + 1, '\n') + 1; /* behind the line of dashes */
+    at = strchr(strchr(at + 1, '\n') + 1, '\n') + 1; /* the first row after the line of dashes */
     for (int i = 0; i < count; i++) {
         char row[1024];
         snprintf(row, sizeof row, "| `%s` |%s%s", names[i], rest ? " " : "", rest ? rest[i] : "");
@@ -91,7 +91,8 @@ struct fixture {
 static void fixture_begin(struct fixture *fixture) {
     fixture->problem = problem_new(1, true);
     problem_describe(&fixture->problem, &fixture->described);
-    fixture->described.loop.flags &= ~(unsigned)REDCC_SELECTS; /* no way but a plan */
+    /* only a plan can execute the loop */
+    fixture->described.loop.flags &= ~(unsigned)REDCC_SELECTS;
 }
 
 static void fixture_end(struct fixture *fixture) {
@@ -120,7 +121,7 @@ static void run_until_reused(struct fixture *fixture) {
     fail_msg("no plan is used again in 100 calls");
 }
 
-/* All rows are others: a sample sees it as well as a comparison. */
+/* Changes all rows, so that a sample detects it as well as a comparison. */
 static void shift_rows(struct fixture *fixture) {
     struct problem *problem = &fixture->problem;
     for (long k = 0; k < problem->touches; k++)
@@ -142,12 +143,13 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
         assert_string_equal(it->lost.array[0].name, "row");
         assert_int_equal(it->lost.array[0].count, round);
         assert_int_equal(it->lost.array[1].count, 0);
-        run(&fixture); /* nothing is lost twice */
+        run(&fixture); /* the same plan is not counted twice */
         assert_int_equal(it->lost.count, round);
         problem_run_tells = true;
         run_until_reused(&fixture);
     }
-    fixture.problem.start[1]++; /* of another array a single element, which a sample may not see */
+    /* changes a single element of another array, which a sample may miss */
+    fixture.problem.start[1]++;
     run(&fixture);
     if (redcc_settings()->method) {
         assert_int_equal(it->lost.count, 3);
@@ -156,7 +158,7 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* However many calls follow that are left to the sequential loop. */
+/* A lost plan is counted once, even if many sequential calls follow. */
 static void no_plan_is_lost_twice(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -164,7 +166,7 @@ static void no_plan_is_lost_twice(void **unused) {
     fixture_begin(&fixture);
     run_until_reused(&fixture);
     struct reuse *reuse = &((struct loop_state *)fixture.described.loop.state)->execution.reuse;
-    for (long t = 1; t < fixture.problem.trip; t += 2) /* a sample is of what lies where it says */
+    for (long t = 1; t < fixture.problem.trip; t += 2) /* the changes are where the sample reads */
         fixture.problem.start[t] = fixture.problem.start[t - 1];
     for (int call = 0; call < 3; call++) {
         reuse->changed_source = -1;
@@ -209,7 +211,7 @@ static void modes_follow_the_calls(void **unused) {
     fixture_end(&fixture);
 }
 
-/* One sentence, of the reason that most calls had; none where most ran in parallel. */
+/* One sentence about the most frequent reason; none if most calls ran in parallel. */
 static void a_sequential_loop_is_told_why(void **unused) {
     (void)unused;
     struct statistics it = {0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* An array whose elements lie where pointers lead to (a base of 0): for (t) row[s[t]][t % WIDTH] +=
- * value[t], written as redcc writes it, with rows as far from each other as memory goes. */
+/* An array whose elements are reached through pointers (its base is 0): for (t) row[s[t]][t %
+ * WIDTH] += value[t], in the form that redcc generates, with rows far apart in memory. */
 #include "base/memory.h"
 #include "loop.h"
 #include "problem.h"
@@ -19,7 +19,7 @@ enum { TRIP = 5000, ROWS = 60, WIDTH = 7, CALLS = 3 };
 
 struct rows {
     double *row[ROWS];
-    double *near, *far; /* [ROWS * WIDTH] with nothing between them that could be read */
+    double *near, *far; /* [ROWS * WIDTH]; the memory between the two is unreadable */
     int s[TRIP];
     double value[TRIP];
 };
@@ -120,8 +120,8 @@ static void clear(struct rows *it) {
     memset(it->far, 0, used);
 }
 
-/* Runs it as often as CALLS says; the bits are always those of the oracle. Returns how often it ran
- * in parallel. */
+/* Runs the loop CALLS times and compares all bits with the oracle. Returns how often it ran in
+ * parallel. */
 static int compare(struct rows *it, redcc_loop *loop, int threads) {
     double near[ROWS * WIDTH], far[ROWS * WIDTH];
     clear(it);
@@ -153,7 +153,7 @@ static void each_element_has_its_order(bool is_far, int threads) {
         assert_int_equal(statistics_of(&loop)->plans_built, 1);
     }
     double *const first = it->row[0];
-    it->row[0] = it->row[1]; /* two the same, and one elsewhere */
+    it->row[0] = it->row[1]; /* two equal pointers, and one to another row */
     compare(it, &loop, threads);
     if (settings->method && (!is_far || !settings->method->in_levels))
         assert_int_equal(statistics_of(&loop)->plans_built, 2);

@@ -25,7 +25,7 @@ enum { TRIP = 60000, EACH = 1 + REDCC_STEALABLE };
 
 static int row[TRIP];
 static double b[TRIP + 1], expected[TRIP + 1];
-static char executed_by[TRIP][2]; /* thread 0, thread 1: how often */
+static char executed_by[TRIP][2]; /* how often threads 0 and 1 executed each iteration */
 
 static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8, 0};
 static const redcc_source source = {"row", 1};
@@ -55,13 +55,13 @@ static void oracle(void) {
     }
 }
 
-/* `waits`: thread 1 does not come on in its first iteration until thread 0 has nothing to do. */
+/* `waits`: in its first iteration thread 1 waits until thread 0 has no work left. */
 static int execute(int threads, bool waits) {
     const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)}};
     void *const bases[] = {b};
     atomic_bool first_is_done = false;
     redcc_call call;
-    redcc_loop_make(&loop); /* however short it is */
+    redcc_loop_make(&loop); /* creates a state, although the loop is short */
     if (redcc_enter(&call, &loop, TRIP, bases, known, NULL, threads, omp_in_parallel())) {
 #pragma omp parallel num_threads(call.threads)
         {
@@ -110,7 +110,7 @@ static void sort_rows(void) {
         row[t] = t;
 }
 
-/* Each row in this many iterations. */
+/* Makes each row occur in this many iterations. */
 static void repeat_rows(int times) {
     for (int t = 0; t < TRIP; t++)
         row[t] = t / times;
@@ -191,7 +191,7 @@ static void auto_takes_them_where_they_cost_little(void **unused) {
     assert_ptr_equal(method_by_auto(), &redcc_method_localwrite_steal);
 }
 
-/* Each cut parts one iteration of a hundred. */
+/* Each cut separates one iteration in a hundred. */
 static void auto_does_without_them_where_they_cost_more(void **unused) {
     (void)unused;
     if (redcc_settings()->method)

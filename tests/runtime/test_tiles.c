@@ -17,7 +17,7 @@ enum { MOST = 300, MOST_THREADS = 33 };
 
 static unsigned found[MOST], expected[MOST], seen[MOST][MOST], sum;
 
-/* No two of these commute. */
+/* An update that does not commute with any other. */
 static void turn(unsigned *element, int i, int j) {
     element[i] = element[i] * 3 + (unsigned)j;
     if (j != i)
@@ -56,7 +56,7 @@ static void execute(const redcc_tile *tile, int trip, bool below) {
     }
 }
 
-/* Of rows, in order: these do not commute either. */
+/* Adds the band's rows in order; these updates do not commute either. */
 static void add_band(struct tile_walk *walk, const struct plan *plan) {
     const redcc_tile *tile = &walk->tile;
     redcc_tiles_await_sums(walk, plan);
@@ -120,11 +120,11 @@ static void updates_keep_their_order(void **unused) {
                 struct plan plan = plan_of(threads[t], 1);
                 for (; plan.round < 3; plan.round++)
                     check(&plan, trips[n], sides[s], (n + s + plan.round) % 2);
-                redcc_memory_give(plan.flags);
+                redcc_memory_free(plan.flags);
             }
 }
 
-/* In each round, whatever the flags say of the last one. */
+/* Checks each round, whatever the flags have from the last one. */
 static void no_band_passes_the_first(void **unused) {
     (void)unused;
     struct plan plan = plan_of(3, 1);
@@ -132,7 +132,7 @@ static void no_band_passes_the_first(void **unused) {
     for (; plan.round < 6; plan.round++)
         check(&plan, 64, 16, plan.round % 2);
     is_slow = false;
-    redcc_memory_give(plan.flags);
+    redcc_memory_free(plan.flags);
 }
 
 /* Flags are raised modulo 2^32. */
@@ -141,7 +141,7 @@ static void rounds_go_on(void **unused) {
     struct plan plan = plan_of(3, 1);
     for (; plan.round < 300; plan.round++)
         check(&plan, 40, 2, false);
-    redcc_memory_give(plan.flags);
+    redcc_memory_free(plan.flags);
     plan = plan_of(3, UINT32_MAX / (20 * 21) - 2);
     for (unsigned last = plan.round; plan.round < last + 6; plan.round++) {
         for (uint32_t flag = 0; plan.round == last && flag < 16 * 5; flag++)
@@ -149,7 +149,7 @@ static void rounds_go_on(void **unused) {
         redcc_flag_raise(plan.flags, 16 * 5, plan.round * 20);
         check(&plan, 40, 2, true);
     }
-    redcc_memory_give(plan.flags);
+    redcc_memory_free(plan.flags);
 }
 
 static void grids_fit(void **unused) {

@@ -33,7 +33,7 @@ static redcc_loop loop = {.file = "test_trial.c",
                           .source_count = 2,
                           .sources = sources};
 
-/* Handed out, by variant: iterations, and the number of changes of variant. */
+/* Iterations handed out by variant, and the number of changes of variant. */
 static long iterations[VARIANTS], changes;
 
 static void tell_all(redcc_worker *worker) {
@@ -96,14 +96,14 @@ static void execute(int threads) {
     assert_memory_equal(b, expected, sizeof b);
 }
 
-/* Large and small distances, in short runs and in long ones. */
+/* Draws subscripts with large and small distances, in short and in long runs. */
 static void draw(int order) {
     for (int t = 0; t < TRIP; t++) {
         row[t] = order == 0 ? rand() % ROWS : (int)((long)t * (ROWS - 8) / TRIP);
         other[t] = order == 2 ? row[t] + rand() % 8 : order == 1 ? rand() % ROWS : row[t];
     }
     row[0] = 0;
-    other[TRIP - 1] = ROWS - 1; /* beyond a megabyte: prefetches are of use */
+    other[TRIP - 1] = ROWS - 1; /* more than a megabyte, so that prefetches may help */
 }
 
 static void one_execution_is_a_trial(void **unused) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Variants of executions: which are tried, which is kept; and the number of lanes for given
- * settings. */
+/* Variants of executions: which ones are tried, and which one is kept; and the number of lanes for
+ * given settings. */
 #include "execute/run.h"
 
 #include <setjmp.h>
@@ -43,7 +43,7 @@ static void nothing_is_tried_where_nothing_is_open(void **unused) {
     assert_int_equal(made[0], 50);
 }
 
-/* Of short executions each is a part. */
+/* Each short execution is one slice. */
 static void the_faster_one_is_kept(void **unused) {
     (void)unused;
     const double gains[VARIANTS] = {1.0, 0.9}, loses[VARIANTS] = {0.9, 1.0};
@@ -79,7 +79,7 @@ static void one_long_execution_does_for_a_trial(void **unused) {
     }
 }
 
-/* Five parts an execution: three rounds take two. */
+/* Five slices per execution: three rounds take two executions. */
 static void executions_in_between_have_some_parts(void **unused) {
     (void)unused;
     const double close[VARIANTS] = {1.0, 1.1}, clear[VARIANTS] = {3.0, 1.0};
@@ -133,7 +133,7 @@ static void two_rounds_do_where_the_best_is_evident(void **unused) {
     }
 }
 
-/* Executions that prefetches do not affect come in between: the result is kept. */
+/* The result survives executions that prefetches do not affect. */
 static void what_is_known_stays(void **unused) {
     (void)unused;
     const double seconds[VARIANTS] = {1.0, 0.5};
@@ -165,7 +165,7 @@ static void iterations_are_cut_into_parts(void **unused) {
         assert_true(iterations[part] == expected[part]); /* NOLINT: whole numbers */
         assert_true(seconds[part] >= 0);
     }
-    /* more than were expected are the last part's; of fewer some parts have none */
+    /* additional iterations belong to the last part; with fewer, some parts have none */
     redcc_parts_begin(&it, 2, 9);
     for (int i = 0; i < 33; i++) {
         redcc_parts_next(&it);

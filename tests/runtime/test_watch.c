@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Watched subscripts: where nothing changed they are not read, and nothing is disturbed. Needs a
- * system that can tell; else everything is as without, and the tests say so. */
+/* Write tracking of subscripts: unchanged ones are not read, and tracking does not disturb the
+ * program. On a system without page tracking the tests are skipped with a message. */
 #define _GNU_SOURCE /* sbrk, syscall */
 #include "watched.h"
 
@@ -40,7 +40,8 @@ static void nothing_changed(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Rewritten with the same values: no other plan is built, and afterwards they are tracked again. */
+/* Subscripts are rewritten with the same values: no other plan is built, and afterwards they are
+ * tracked again. */
 static void the_same_values_again(void **unused) {
     (void)unused;
     need_watching();
@@ -59,8 +60,7 @@ static void the_same_values_again(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A program that rewrites its subscripts before each execution has them tracked less and less
- * often. */
+/* Subscripts that are rewritten before each execution are tracked less and less often. */
 static void patience_grows(void **unused) {
     (void)unused;
     need_watching();
@@ -74,12 +74,12 @@ static void patience_grows(void **unused) {
             run_right(&fixture);
     }
     const struct loop_state *state = fixture.described.loop.state;
-    assert_in_range(state->cache.rest.length, 2 * LEARN_REST, 4 * LEARN_REST);
+    assert_in_range(state->cache.back_off.length, 2 * LEARN_BACK_OFF, 4 * LEARN_BACK_OFF);
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     fixture_end(&fixture);
 }
 
-/* A second loop over the same subscripts need not wait. */
+/* A second loop with the same subscripts uses their tracking at once. */
 static void loops_share_what_is_watched(void **unused) {
     (void)unused;
     need_watching();
@@ -114,7 +114,7 @@ static void freed_and_taken_again(void **unused) {
     fill(fixture.problem.row, 4711);
     run_right(&fixture);
     assert_int_equal(statistics_of(&fixture)->plans_built, 2);
-    for (int size = 2; size < 64; size *= 2) { /* grows, perhaps moves */
+    for (int size = 2; size < 64; size *= 2) { /* the memory grows, and may move */
         fixture.problem.row = realloc(fixture.problem.row, (size_t)size * TRIP * sizeof(int));
         assert_non_null(fixture.problem.row);
         fill(fixture.problem.row, (unsigned long)size);
@@ -126,7 +126,7 @@ static void freed_and_taken_again(void **unused) {
     fixture_end_at(&fixture);
 }
 
-/* Not private, or not of the processor alone: read each time. */
+/* Memory that is not private, or that devices may write, is read each time. */
 static void what_others_may_write_is_not_watched(void **unused) {
     (void)unused;
     need_watching();
@@ -141,7 +141,8 @@ static void what_others_may_write_is_not_watched(void **unused) {
         assert_true(sources_watched(&fixture) < 2);
     }
     const struct loop_state *state = fixture.described.loop.state;
-    assert_int_equal(state->cache.rest.length, LEARN_REST); /* not tried again at each call */
+    assert_int_equal(state->cache.back_off.length,
+                     LEARN_BACK_OFF); /* not tried again at each call */
     const pid_t child = fork();
     if (child == 0) {
         by_a_store(&fixture);
@@ -167,8 +168,8 @@ static int room_for_descriptors(void) {
     return room;
 }
 
-/* The program gets the descriptors that it would get anyway, and the system keeps the table of them
- * as it is: to make it larger takes long where there are threads. */
+/* The program gets the same descriptors as without tracking, and the descriptor table does not
+ * grow, which would take long in a process with threads. */
 static void descriptors_stay_low(void **unused) {
     (void)unused;
     need_watching();
@@ -184,7 +185,7 @@ static void descriptors_stay_low(void **unused) {
     fixture_end(&fixture);
 }
 
-/* In a child process; returns whether it ended well. */
+/* Runs the test in a child process; returns whether it succeeded. */
 static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
     fflush(stdout);
     const pid_t child = fork();
@@ -205,11 +206,11 @@ static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
         }                                                                                          \
     while (0)
 
-/* Not the loop, which would want threads: the registry alone. */
+/* Only the registry of tracked pages, since the loop would need threads. */
 static void in_a_child(struct fixture *fixture) {
     const struct range pages = rows_of(fixture);
     CHECK(!redcc_pages_begun());
-    CHECK(redcc_watch_share(pages) == 0); /* the parent's knowledge concerns the parent's memory */
+    CHECK(redcc_watch_share(pages) == 0); /* the parent's versions are of the parent's memory */
     for (uint64_t version = 1; version < 200; version++)
         CHECK(redcc_watch_ask(pages, version) == WATCH_TOUCHED);
     const uint64_t version = redcc_watch_begin(pages);
@@ -225,7 +226,8 @@ static void forked(void **unused) {
     struct fixture fixture;
     fixture_begin(&fixture);
     run_and_share(&fixture);
-    assert_true(in_child(in_a_child, &fixture)); /* its store is not the parent's */
+    /* a store of the child does not change the parent's memory */
+    assert_true(in_child(in_a_child, &fixture));
     assert_true(run_right(&fixture));
     assert_int_equal(sources_watched(&fixture), 2);
     by_a_store(&fixture);
@@ -234,7 +236,7 @@ static void forked(void **unused) {
     fixture_end(&fixture);
 }
 
-/* The program closes whatever is open, and opens something else under those numbers. */
+/* The program closes all descriptors and opens other files with their numbers. */
 static void without_descriptors(struct fixture *fixture) {
     const struct range pages = rows_of(fixture);
     uint64_t version = redcc_watch_begin(pages);
@@ -258,8 +260,8 @@ static void descriptors_are_closed(void **unused) {
     munmap(fixture.place, fixture.place_bytes);
 }
 
-/* It was time to watch the subscripts of a plan, but then fewer threads came and another plan was
- * compared: nothing is known of the first one's. */
+/* Tracking of a plan's subscripts has begun, but then fewer threads arrived and another plan was
+ * compared: the first plan's subscripts stay unknown. */
 static void watched_but_not_compared(void **unused) {
     (void)unused;
     need_watching();
@@ -277,7 +279,7 @@ static void watched_but_not_compared(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Huge pages are protected in one piece, and dropped in one piece. */
+/* Huge pages are protected and dropped as a whole. */
 static void a_huge_page(void **unused) {
     (void)unused;
     need_watching();
@@ -300,7 +302,7 @@ static void a_huge_page(void **unused) {
     munmap(place, bytes);
 }
 
-/* Descriptors by which others may write to memory, or take marks away. */
+/* Open descriptors through which memory may be written, or marks removed, forbid tracking. */
 static void what_is_open_forbids_it(void **unused) {
     (void)unused;
     need_watching();
@@ -318,7 +320,7 @@ static void what_is_open_forbids_it(void **unused) {
     fixture_end(&fixture);
 }
 
-/* A filter may kill for a system call, even one that lets all of them pass today. */
+/* A seccomp filter may kill the process for a system call, so none is made under a filter. */
 static void under_a_filter(struct fixture *fixture) {
     struct sock_filter allow = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
     const struct sock_fprog filter = {1, &allow};
@@ -339,7 +341,7 @@ static void nothing_is_asked_under_a_filter(void **unused) {
     fixture_end(&fixture);
 }
 
-/* More ranges than there are places for. */
+/* More ranges than the registry has slots. */
 static void many_ranges(void **unused) {
     (void)unused;
     need_watching();
@@ -364,8 +366,8 @@ static void many_ranges(void **unused) {
     munmap(place, RANGES * 8192);
 }
 
-/* In the heap that brk grows and shrinks. Last test: malloc gets enough of it for all later
- * allocations, so that its end belongs to the test. */
+/* Subscripts in the heap, which brk grows and shrinks. The last test, because malloc then has
+ * enough memory for all later allocations, and the heap's end belongs to this test. */
 static void subscripts_in_the_heap(void **unused) {
     (void)unused;
     need_watching();
@@ -385,20 +387,22 @@ static void subscripts_in_the_heap(void **unused) {
     assert_ptr_equal(sbrk(bytes), begin + bytes); /* grows beyond the tracked range */
     memset(begin + bytes, 1, (size_t)bytes);
     assert_true(run_right(&fixture));
-    assert_ptr_not_equal(sbrk(-bytes - bytes), (void *)-1); /* given back, taken again: zeros */
+    /* returned to the system and allocated again, it contains zeros */
+    assert_ptr_not_equal(sbrk(-bytes - bytes), (void *)-1);
     assert_ptr_equal(sbrk(bytes), begin);
     run_right(&fixture);
     assert_int_equal(statistics_of(&fixture)->plans_built, 2);
     fixture_end_at(&fixture);
 }
 
-/* The chooser has left this many calls to the original loop. */
+/* Simulates that auto ran the original loop in this many calls. */
 static void let_rest(struct fixture *fixture, long calls) {
     struct loop_state *state = fixture->described.loop.state;
     state->chooser.skipped += calls;
 }
 
-/* The plan has saved this many seconds before the next call, beyond its construction. */
+/* Simulates that the plan has saved this many seconds beyond its construction before the next call.
+ */
 static void let_earn(struct fixture *fixture, double seconds) {
     struct loop_state *state = fixture->described.loop.state;
     for (int size = 0; size < REDCC_SIZES; size++) {
@@ -408,8 +412,8 @@ static void let_earn(struct fixture *fixture, double seconds) {
     }
 }
 
-/* Subscripts that did not change while auto left the loop alone are watched at the first retry, in
- * time for it to be timed so. */
+/* Subscripts that did not change during a back-off of auto are tracked at the first retry, so that
+ * its time benefits from tracking. */
 static void calls_at_rest_count(void **unused) {
     (void)unused;
     need_watching();
@@ -421,17 +425,17 @@ static void calls_at_rest_count(void **unused) {
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     let_rest(&fixture, 5);
     for (int call = 0; call < 3; call++) {
-        let_earn(&fixture, 0); /* or that would pay for it (below) */
+        let_earn(&fixture, 0); /* savings would pay for tracking, too (see below) */
         assert_false(run_right(&fixture));
     }
     let_rest(&fixture, 100);
     let_earn(&fixture, 0);
     assert_false(run_right(&fixture)); /* compared */
     let_earn(&fixture, 0);
-    assert_false(run_right(&fixture)); /* protected, compared */
+    assert_false(run_right(&fixture)); /* the pages are protected and compared */
     assert_true(run_right(&fixture));
     assert_int_equal(sources_watched(&fixture), 2);
-    by_a_store(&fixture); /* which is seen: the original loop; then there is another plan */
+    by_a_store(&fixture); /* the change is detected: the original loop runs, then a new plan */
     assert_false(problem_run(&fixture.problem, &fixture.described, THREADS, &last));
     run_right(&fixture);
     assert_int_equal(statistics_of(&fixture)->plans_built, 2);
@@ -453,7 +457,7 @@ static void savings_pay(void **unused) {
         let_earn(&fixture, 0.9 * price);
         assert_false(run_right(&fixture));
     }
-    let_earn(&fixture, 1.8 * price); /* enough for one of the two */
+    let_earn(&fixture, 1.8 * price); /* enough for one of the two sources */
     assert_false(run_right(&fixture));
     let_earn(&fixture, 0);
     assert_true(run_right(&fixture));
@@ -467,7 +471,7 @@ static void savings_pay(void **unused) {
     fixture_end(&fixture);
 }
 
-/* Everything is as it was before there was watching. */
+/* Without tracking, subscripts are always read. */
 static void switched_off(void **unused) {
     (void)unused;
     struct fixture fixture;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Watched subscripts: every way of changing them is noticed. */
+/* Write tracking detects every way of changing subscripts. */
 #define _GNU_SOURCE /* mremap, process_vm_writev */
 #include "watched.h"
 
@@ -114,7 +114,7 @@ static void by_a_vfork_child(struct fixture *fixture) {
         _exit(0);
     }
     waitpid(child, NULL, 0);
-    if (*subscript == before) /* ThreadSanitizer makes a fork of it */
+    if (*subscript == before) /* ThreadSanitizer replaces vfork by fork */
         by_a_store(fixture);
 }
 
@@ -126,7 +126,7 @@ static void by_dropping_a_page(struct fixture *fixture) {
     assert_int_equal(madvise(page_in_the_middle(fixture), 4096, MADV_DONTNEED), 0);
 }
 
-/* Whole page tables at once, perhaps. */
+/* Drops all pages, perhaps whole page tables at once. */
 static void by_dropping_all(struct fixture *fixture) {
     assert_int_equal(madvise(fixture->place, fixture->place_bytes, MADV_DONTNEED), 0);
 }
@@ -157,7 +157,7 @@ static void by_mapping_a_file(struct fixture *fixture) {
     fclose(file);
 }
 
-/* Pages that are watched too, unwritten, and now lie where the subscripts lay. */
+/* Moves other tracked, unwritten pages to the subscripts' address. */
 static void by_moving_watched_pages_here(struct fixture *fixture) {
     const size_t bytes = fixture->place_bytes;
     char *elsewhere = map_pages(bytes);
@@ -170,8 +170,8 @@ static void by_moving_watched_pages_here(struct fixture *fixture) {
                      fixture->place);
 }
 
-/* The same, and afterwards other pages of the same mapping are watched, which makes the mapping
- * known to the system again. */
+/* The same; then other pages of the mapping are tracked, which registers the mapping with the
+ * system again. */
 static void by_moving_and_watching_beside(struct fixture *fixture) {
     by_moving_watched_pages_here(fixture);
     const uintptr_t end = (uintptr_t)fixture->place + fixture->place_bytes;
@@ -184,7 +184,8 @@ static void by_writing_while_unprotected_once_more(struct fixture *fixture) {
     by_a_store(fixture);
 }
 
-/* Another loop tracks the written page again, or a range that overlaps: the marks are gone. */
+/* Another loop tracks the written page again, or a range that overlaps it, which clears the record
+ * of writes. */
 static void and_another_watches_the_range(struct fixture *fixture) {
     by_a_store(fixture);
     assert_true(redcc_watch_begin(rows_of(fixture)) > 0);
@@ -200,7 +201,7 @@ static void by_forking_and_storing(struct fixture *fixture) {
     const pid_t child = fork();
     if (child == 0)
         _exit(0);
-    by_a_store(fixture); /* while the pages are shared with the child, or after */
+    by_a_store(fixture); /* while the pages are shared with the child, or afterwards */
     waitpid(child, NULL, 0);
 }
 

@@ -66,7 +66,7 @@ static void map_anew(void) {
                          MAP_FAILED);
 }
 
-/* Pages change places: from one end of it to the other; the old range is mapped again. */
+/* Moves pages from one end of the memory to the other, and maps the old range again. */
 static void move(void) {
     const size_t count = draw(16) + 1, from = draw(PAGES / 2 - count);
     const size_t to = PAGES / 2 + draw(PAGES / 2 - count);
@@ -105,7 +105,7 @@ static void change(void) {
         often[draw(sizeof often / sizeof *often)]();
 }
 
-/* Every other range from quarter to quarter, so that some are the same. */
+/* Every second range consists of whole quarters, so that some ranges are equal. */
 static void watch(struct kept *kept) {
     const size_t grain = draw(2) ? 1 : PAGES / 4, first = draw(PAGES / grain) * grain;
     const size_t count = (draw((PAGES - first) / grain) + 1) * grain;
@@ -116,7 +116,7 @@ static void watch(struct kept *kept) {
     memcpy(kept->copy, (const char *)kept->pages.first, redcc_range_bytes(kept->pages));
 }
 
-/* Returns whether it is untouched. */
+/* Returns whether the range is untouched. */
 static bool check(struct kept *kept) {
     if (!kept->version || redcc_watch_ask(kept->pages, kept->version) != WATCH_UNTOUCHED)
         return false;
@@ -141,7 +141,8 @@ static void what_is_untouched_is_what_it_was(void **unused) {
         watched += kept[number].version > 0;
         for (size_t changes = draw(3); changes > 0; changes--)
             change();
-        untouched += check(&kept[draw(RANGES)]); /* not all: a queried version is settled */
+        /* not all ranges, because a query updates a version */
+        untouched += check(&kept[draw(RANGES)]);
     }
     for (int i = 0; i < RANGES; i++)
         untouched += check(&kept[i]);

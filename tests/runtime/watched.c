@@ -72,7 +72,8 @@ static bool last_was_watched(struct fixture *fixture, long before) {
     return statistics_of(fixture)->watched > before;
 }
 
-/* Runs it, compares with the oracle, says whether subscripts were watched and not read. */
+/* Runs the loop and compares with the oracle; returns whether tracking made reading some subscripts
+ * unnecessary. */
 bool run_right(struct fixture *fixture) {
     struct problem *problem = &fixture->problem;
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
@@ -87,7 +88,7 @@ bool run_right(struct fixture *fixture) {
     return last_was_watched(fixture, before);
 }
 
-/* Of `start` as well as of `row`; which of them a test changes, the other one stays watched. */
+/* Counts `start` as well as `row`; a test changes one of them, and the other stays tracked. */
 uint32_t sources_watched(const struct fixture *fixture) {
     const struct loop_state *state = fixture->described.loop.state;
     return redcc_reuse_skipped_sources(&state->execution.reuse);

@@ -88,7 +88,7 @@ static void offer_stepped(extras *self, unsigned i) {
     arena *a = self->loop->arena;
     const char *const names[] = {arena_format(a, "redcc__from_%u", i),
                                  arena_format(a, "redcc__by_%u", i),
-                                 arena_format(a, "redcc__turns_%u", i)};
+                                 arena_format(a, "redcc__inner_trips_%u", i)};
     static const char *const types[] = {"redcc_word", "redcc_word", "redcc_int"};
     for (unsigned k = 0; k < 3; k++)
         offer(self, (extra_value){names[k], arena_format(a, "const %s %s", types[k], names[k]),

@@ -20,7 +20,7 @@ void write_meeting(loop_text *loop, writer *out) {
         buffer_text(&out->out, "#pragma omp barrier\n");
     }
     buffer_text(&out->out, "#pragma omp single copyprivate(redcc__crew)\n");
-    writer_line(out, "redcc__crew = REDCC_MEET(%s, %d);", site, has_locks);
+    writer_line(out, "redcc__crew = REDCC_CREW_BEGINS(%s, %d);", site, has_locks);
     writer_line(out, "if (!REDCC_HAS_HELPED(%s)) {", site);
 }
 

@@ -107,7 +107,7 @@ static const char *base_text(loop_text *loop, unsigned number) {
     const logged_source *all = loop->plan->sources;
     for (unsigned i = 0; is_own_element(&all[number]) && i < loop->plan->source_count; i++)
         if (is_own_element(&all[i]) && syntax_same(all[i].fact->base, all[number].fact->base))
-            return arena_format(loop->arena, " | REDCC_BEHIND(%u)", i + 1);
+            return arena_format(loop->arena, " | REDCC_SCALAR_BASE(%u)", i + 1);
     return "";
 }
 
@@ -120,8 +120,9 @@ static void write_sources(loop_text *loop, writer *out) {
         const bool meets_no_array = !item->is_subscript && !item->meets_arrays;
         const char *scalar = item->is_scalar        ? " | REDCC_IS_SCALAR"
                              : !item->meets_scalars ? ""
-                             : meets_no_array ? " | REDCC_MEETS_SCALARS | REDCC_MEETS_NO_ARRAY"
-                                              : " | REDCC_MEETS_SCALARS";
+                             : meets_no_array
+                                 ? " | REDCC_MAY_OVERLAP_SCALARS | REDCC_OVERLAPS_NO_ARRAY"
+                                 : " | REDCC_MAY_OVERLAP_SCALARS";
         writer_line(out, "    {%s, %d%s%s},", text_quoted(loop->arena, item->fact->name),
                     item->is_subscript, scalar, base_text(loop, i));
     }
@@ -143,7 +144,8 @@ void fill_key(loop_text *loop, writer *out) {
             if (facts->variables.privates[i].stride)
                 writer_line(out, "redcc__key[%u] = redcc__by_%u;", number++, i);
             if (facts->variables.privates[i].inner.loop)
-                writer_line(out, "redcc__key[%u] = (redcc_word)redcc__turns_%u;", number++, i);
+                writer_line(out, "redcc__key[%u] = (redcc_word)redcc__inner_trips_%u;", number++,
+                            i);
         }
     for (unsigned i = 0; i < facts->inspector.key_count; i++) {
         const ir_node *key = facts->inspector.key[i];

@@ -83,7 +83,7 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     const counted_loop *counted = &loop->facts->counted;
     writer_line(out, "REDCC_FIRST_AND_LAST {");
     out->depth++;
-    writer_line(out, "%s %s = (%s)REDCC_AN_END(%s);", loop->counter_type,
+    writer_line(out, "%s %s = (%s)REDCC_FIRST_OR_LAST(%s);", loop->counter_type,
                 origin_declarator(loop->arena, counted->counter), loop->counter_type,
                 loop_step(loop));
     for (unsigned i = 0; i < loop->plan->source_count; i++) {

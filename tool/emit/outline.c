@@ -144,7 +144,7 @@ static const char *write_slice_as(loop_text *loop, const char *function, writer 
                 counter_parameter(loop, is_used), buffer_take(loop->arena, &h.parameters),
                 is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     if (loop->lanes.is_wanted)
-        writer_line(out, "    REDCC_TOLD_OF_LANES");
+        writer_line(out, "    REDCC_LANES_BY_CALLS");
     buffer_text(&out->out, text);
     writer_line(out, "}");
     return arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", function,
@@ -300,12 +300,12 @@ static void write_body(loop_text *loop, writer *out) {
         arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
                      kind, count, loop_counter_value(loop), loop->outline.body_arguments);
     writer_line(out, "%s %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s",
-                loop->lanes.is_wanted ? "REDCC_BODY_BESIDE_LANES" : "REDCC_BODY",
+                loop->lanes.is_wanted ? "REDCC_SCALAR_BODY" : "REDCC_BODY",
                 outlined_name(loop, "body"), kind, count,
                 counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->outline.body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     if (loop->lanes.is_wanted)
-        writer_line(out, "    REDCC_TOLD_OF_LANES");
+        writer_line(out, "    REDCC_LANES_BY_CALLS");
     buffer_text(&out->out, text);
     writer_line(out, "}");
     if (!names_by_address(loop))

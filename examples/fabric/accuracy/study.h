@@ -92,6 +92,6 @@ int study_precision(study *of); /* float, mixed, double */
 int study_solver(study *of);    /* direct against iterative, over step and mesh */
 int study_sum(study *of);       /* the orders of reduction of the parallel program */
 int study_mesh(study *of);      /* finer meshes */
-int study_horizon(study *of);   /* how runs from nearly equal starts diverge */
+int study_horizon(study *of);   /* divergence of runs with nearly equal starts */
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Pseudo-random numbers that are the same on every machine: splitmix64 (Steele, Lea and Flood,
- *  Fast splittable pseudorandom number generators, OOPSLA 2014). Not for secrets. */
+ * Fast splittable pseudorandom number generators, OOPSLA 2014). Not cryptographic. */
 #ifndef FABRIC_RANDOM_H
 #define FABRIC_RANDOM_H
 
@@ -23,7 +23,7 @@ static inline double random_signed(random_source *source) {
     return (double)(random_bits(source) >> 11) * 0x1p-52 - 1.0;
 }
 
-/** Uniform in 0 .. count - 1 (count > 0); the bias of 2^-32 * count is of no concern here. */
+/** Uniform in 0 .. count - 1 (count > 0); its bias of 2^-32 * count is negligible here. */
 static inline int random_below(random_source *source, int count) {
     return (int)(((random_bits(source) >> 32) * (uint64_t)count) >> 32);
 }

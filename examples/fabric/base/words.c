@@ -34,7 +34,7 @@ static int edit_distance(const char *a, const char *b) {
 const char *words_nearest(const char *word, const char *const *words, int count) {
     const char *nearest = NULL;
     const size_t length = strlen(word);
-    int best = 2 + (int)length / 4; /* farther off, the hint would be a guess */
+    int best = 2 + (int)length / 4; /* the hint would be a guess at a larger distance */
     if (length > LONGEST)
         return NULL;
     for (int k = 0; k < count; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric compare: how far two saved states are from each other. */
+/* fabric compare: the differences of two saved states. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -33,8 +33,8 @@ static void print_events(const scene *s) {
         putchar('\n');
 }
 
-/* Resident memory of code and libraries' tables, bytes: what the first steps touch (0.7 to 1.2 MiB
- * measured), and what the first direct solution touches of CHOLMOD and BLAS. */
+/* Resident memory of code and libraries' tables, bytes: touched in the first steps (0.7 to 1.2 MiB
+ * measured), and by the first direct solution in CHOLMOD and BLAS. */
 static const double text_of_steps = 0.9 * 1024 * 1024, text_of_direct = 0.8 * 1024 * 1024;
 
 /* Memory of the process before the cloth is made, and of a run: all allocations up to the first

@@ -221,7 +221,7 @@ static int make_simulation(cloth_run *run, const run_request *r) {
         fprintf(stderr, "%s: %s\n", run->of.name, error);
         return -1;
     }
-    if (r->threads == 0) /* not given */
+    if (r->threads == 0) /* threads were not given */
         simulation_choose_threads(run->sim);
     run->account = (run_account){.program = program_name,
                                  .of = &run->of,

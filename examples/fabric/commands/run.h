@@ -13,7 +13,7 @@ enum { FRAMES = 25, NOT_GIVEN = -1 };
 
 /** Arguments of the command line. */
 typedef struct run_request {
-    const char *scene_name; /* NULL: that of the resumed run */
+    const char *scene_name; /* NULL: the scene of the resumed run */
     const char *folder;     /* NULL: named after the scene */
     const char *resume;     /* NULL: a new run */
     long steps;             /* NOT_GIVEN: the scene's */

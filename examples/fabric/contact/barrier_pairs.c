@@ -72,7 +72,7 @@ static int boxes_keep_distance(const barrier_pair *pair, const double (*x)[3],
                                     displacement ? 1 : 0, x, displacement ? displacement : x);
 }
 
-/* Sets the pair's reach to 0 if it cannot come within it. */
+/* Sets the pair's reach to 0 if the features cannot come within it. */
 static void leave_out_far(const barrier *b, const double (*x)[3], const double (*displacement)[3],
                           barrier_pair *pair) {
     double at[4][3];

@@ -66,7 +66,7 @@ typedef struct out_of_reach {
 /** The vertices that pins hold. */
 typedef struct pinned_vertices {
     int *pin_of;        /* [vertices] index of the pin that holds it; -1: none. NULL: no pins */
-    int count;          /* how many are held */
+    int count;          /* number of held vertices */
     int *list;          /* [count] the held vertices, ascending */
     double (*speed)[3]; /* [pins + 1] m/s, mean over the current step; the last is 0 */
 } pinned_vertices;
@@ -82,7 +82,7 @@ typedef struct collisions {
     body_motion *motion;  /* [colliders] in the current step, set for those in near_list that have
                              keyframes; NULL: none has */
     int any_near;
-    int any_there; /* how many exist now */
+    int any_there; /* number of colliders that exist now */
     out_of_reach others;
     int now_empty, before_empty; /* no vertex has a contact in `now`, `before` */
     long visits;                 /* vertices tested against colliders, all steps */

@@ -17,7 +17,7 @@ typedef struct impact_step {
     double time, h;         /* s */
     const double (*x)[3];   /* [vertices] m, at the step's beginning */
     double (*v)[3];         /* [vertices] m/s, changed */
-    movable of;             /* what may move */
+    movable of;             /* the vertices that may move */
     self_collision *itself; /* NULL: the cloth may go through itself */
     collisions *bodies;
 } impact_step;

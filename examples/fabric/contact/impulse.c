@@ -51,7 +51,7 @@ void movable_move(const movable *of, int i, const double change[3], double v[3])
  * impulse: the remainder points sideways and would have to be many times as large. */
 static void response(const movable *of, int i, const double v[3], const double d[3],
                      double change[3]) {
-    static const double least_part = 0.25; /* of d'd that is free */
+    static const double least_part = 0.25; /* least part of d'd that may be free */
     double light = of->mass[i] > 0 ? 1 / of->mass[i] : 0;
     movable_part(of, i, v, d, change);
     if (!(vector_dot(change, d) >= least_part * vector_dot(d, d)))

@@ -81,7 +81,7 @@ double motion_displacement(const body_motion *m, double reach) {
     return vector_length(way) + sqrt(turned) * reach;
 }
 
-/* p: x in the axes of the pose. */
+/* Sets p to x in the axes of the pose. */
 static void to_pose(const body_pose *pose, const double x[3], double p[3]) {
     double from[3];
     vector_subtract(x, pose->origin, from);
@@ -90,7 +90,7 @@ static void to_pose(const body_pose *pose, const double x[3], double p[3]) {
                pose->rotation[2][a] * from[2];
 }
 
-/* d: the direction p of the pose's axes in space. */
+/* Sets d to the direction in space of p, which is in the axes of the pose. */
 static void from_pose(const body_pose *pose, const double p[3], double d[3]) {
     for (int r = 0; r < 3; r++)
         d[r] = vector_dot(pose->rotation[r], p);

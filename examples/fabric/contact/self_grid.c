@@ -14,7 +14,8 @@ typedef struct self_entry {
     int triangle, bucket;
 } self_entry;
 
-enum { MOST_CELLS_EACH = 16 }; /* average per triangle; beyond it cells are made larger */
+/* maximum average number of cells per triangle; beyond it cells are made larger */
+enum { MOST_CELLS_EACH = 16 };
 
 /* fmin and fmax for arguments that are not NaN, without a call. */
 static inline double least(double a, double b) {

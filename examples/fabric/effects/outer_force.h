@@ -29,8 +29,8 @@ typedef struct force_target {
 typedef struct outer_force {
     /** Adds its terms to A and b (see forces_assemble). Called only if the effect is on. */
     void (*add)(const force_target *on, const expansion *at, linear_system *s);
-    /** Its work in J in a step of h s that began at positions x and ended with velocities v, by the
-     * same formula; 0 if the force is absent. May be 0 if the force only takes energy. */
+    /** Returns its work in J in a step of h s that began at positions x and ended with velocities
+     * v, by the same formula. 0 if the force is absent; may be 0 if it only takes energy. */
     double (*work)(const force_target *on, double h, const double (*x)[3], const double (*v)[3]);
 } outer_force;
 

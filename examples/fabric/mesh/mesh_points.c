@@ -10,9 +10,9 @@
 enum { RELAXATIONS = 16 };
 static const double BORDER_JITTER = 0.2; /* of the border's spacing, in either direction */
 static const double ROW_JITTER = 0.45;   /* of the spacing inside, before the points repel */
-static const double REACH = 1.3;         /* of the spacing: how far points repel one another */
-static const double REPULSION = 0.25;    /* above 0.6 or so the relaxation would oscillate */
-static const double MARGIN = 0.5;        /* of the spacing, kept between inside and border */
+static const double REACH = 1.3; /* distance up to which points repel each other, in spacings */
+static const double REPULSION = 0.25; /* above 0.6 or so the relaxation would oscillate */
+static const double MARGIN = 0.5;     /* of the spacing, kept between inside and border */
 
 /** Points sorted into square cells: those of cell c are item[start[c]] .. item[start[c + 1] - 1].
  */

@@ -20,7 +20,7 @@ typedef struct tree_node {
 
 struct surface {
     mesh mesh;
-    int count; /* of triangles with area */
+    int count; /* number of triangles with area */
     int node_count;
     int *order;           /* [count] triangles in the leaves' order */
     tree_node *node;      /* [2 * count] */
@@ -187,7 +187,7 @@ surface *surface_new(mesh *m, char *error) {
 
 /** The nearest point so far. */
 typedef struct nearest {
-    double square; /* of its distance */
+    double square; /* squared distance */
     double point[3];
     const double *normal; /* pseudonormal there */
 } nearest;

@@ -27,7 +27,7 @@ double surface_reach(const surface *s);
 /** The vertex' pseudonormal, of any length. */
 const double *surface_normal(const surface *s, int vertex);
 
-/** The mesh it was made of. */
+/** The mesh from which the surface was made. */
 const mesh *surface_mesh(const surface *s);
 
 /** A defect and its triangles. */

@@ -68,7 +68,7 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
     return 0;
 }
 
-/** Stops at the first difference, because if kinds differ, so do the keys that follow. */
+/** Stops at the first difference: after a different kind the keys differ as well. */
 static int compare_keys(comparison *of, const scene_key *keys, const char *path) {
     const int kind = scene_kind(keys, of->a);
     if (keys->name[0] == '\0' && kind != scene_kind(keys, of->b)) {

@@ -69,7 +69,7 @@ typedef struct solver {
 } solver;
 
 typedef struct solver_limits {
-    double tolerance; /* of |r| / |b - A z|, in the preconditioner's norm sqrt(r'Pr) */
+    double tolerance; /* limit of |r| / |b - A z|, in the preconditioner's norm sqrt(r'Pr) */
     double floor;     /* sqrt(kg) m/s, |r| below which a solution is accepted whatever b is */
     int max_iterations;
 } solver_limits;

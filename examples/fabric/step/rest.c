@@ -14,7 +14,7 @@ int rest_lasts(simulation *sim) {
     return sim->step.slow_steps >= STEPS_UNTIL_SLEEP && !timing_event_within_frame(sim);
 }
 
-/* Does wind, a pin or a collider move the cloth now, or could one start to without an event
+/* Does wind, a pin or a collider move the cloth now, or could it begin to do so without an event
  * (plan.h)? */
 static int is_driven(const simulation *sim) {
     const scene *s = sim->scene;

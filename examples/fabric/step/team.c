@@ -45,13 +45,13 @@ static double work(volatile double *sink) {
     return clock_seconds() - start;
 }
 
-/* Do threads often lose their core? Compares the time of many short parallel regions with the time
- * of the same work in one thread. */
+/* Do threads often lose their core? Compares many short parallel regions with the same work in one
+ * thread. */
 static int is_busy(void) {
     volatile double sink;
     double least = work(&sink), start = 0, seconds = 0;
     for (int k = 0; k <= PROBES && seconds <= delay * (double)(2 * PROBES) * least; k++) {
-        if (k == 1) /* the threads exist from now on */
+        if (k == 1) /* begins after the first region, which starts the threads */
             start = clock_seconds();
 #pragma omp parallel
         {
@@ -154,7 +154,7 @@ void team_end(team *t, const team_round *round) {
     }
     const double expected = predicted(at, round->iterations);
     if (at->rounds == SETTLED - 1)
-        t->credit += (margin - 1) * round->seconds; /* for the first trial */
+        t->credit += (margin - 1) * round->seconds; /* enough credit for the first trial */
     /* The round was much slower than expected: the loss justifies a new search. */
     if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
         t->credit += (round->seconds - expected) / 2;

@@ -36,11 +36,11 @@
 #endif
 
 /**
- * Hands out the next iterations to push: 1 with worker->first, worker->last and bins [stream_count]
- * set, or 0: continue with redcc_next. Called between redcc_inspect and redcc_next by every thread
- * of the region, until it returns 0. operands  values that the apply functions need, the same for
- * all threads. They stay unchanged during the loop; read until redcc_bins_next has returned 0 to
- * all threads.
+ * Hands out the next iterations to push. REDCC_TO_PUSH: worker->first, worker->last and bins
+ * [stream_count] are set. REDCC_TO_EXECUTE: call redcc_next until it returns 0, then this function
+ * again. 0: continue with redcc_next. Called after redcc_inspect by every thread of the region.
+ * `operands`: values that the apply functions need, the same for all threads; unchanged until the
+ * function has returned 0 to all threads.
  */
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands);
 
@@ -64,8 +64,8 @@ enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
 #define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
     ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
 
-/** Does the thread have a copy of this row? If not, the runtime records the row, so that the next
- *  attempt copies it. */
+/** Does the thread have a private copy of this row? If not, the row is recorded, and the next
+ * attempt copies it. */
 REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
         return 1;
@@ -76,20 +76,20 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
 /** The place of a row that has no bin. */
 #define REDCC_NO_ROW ((redcc_int)((redcc_word)1 << 63))
 
-/** Is the pointer at this address readable? */
+/** Can a pointer be loaded from this address? */
 REDCC_INLINE int redcc_can_load(const redcc_bins *bins, redcc_size address) {
     const redcc_size page = address / REDCC_PAGE;
     if (__builtin_expect(address % sizeof(void *) != 0, 0))
         return 0;
-    return __builtin_expect(page == *bins->there, 1) ||
-           bins->calls->before->behind->is_there(bins->there, (const void *)address);
+    return __builtin_expect(page == *bins->readable_page, 1) ||
+           bins->calls->before->behind->is_readable(bins->readable_page, (const void *)address);
 }
 
 REDCC_INLINE redcc_int redcc_element_at(redcc_size address, redcc_size bytes) {
     return address % bytes == 0 ? (redcc_int)(address / bytes) : REDCC_NO_ROW;
 }
 
-/** Identifies an array: number `part` of the arrays of a stream. */
+/** Identifies an array: it is number `part` of the arrays of stream `stream`. */
 typedef struct redcc_part {
     redcc_u32 stream;
     redcc_u32 part;
@@ -128,7 +128,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
 #define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
     (redcc__checked == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
-         : !redcc__checked || redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at))
+         : !redcc__checked || redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at))
 
 /** The number of an element behind a pointer, counted from address 0. redcc_pointer: the address of
  *  the pointer, or 0. In bins that address may be unverified: if it cannot be read, or the element
@@ -200,7 +200,7 @@ REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 arr
                                        (redcc_size)(redcc_part) * sizeof *(redcc_at)) -            \
                  (redcc_row *)(void *)(redcc_base)))
 
-/** The same for a stream whose array has rows of several elements. */
+/** As REDCC_UPDATE_BY, _ALIKE and _WITH, for a stream whose array has rows of several elements. */
 #define REDCC_UPDATE_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
                             redcc_part, redcc_record, redcc_values)                                \
     if (redcc__checked == REDCC_IN_BINS) {                                                         \
@@ -373,7 +373,7 @@ REDCC_RECORDS(float);
 #define REDCC_STREAM_OF_SPANS(redcc_apply, redcc_array, redcc_element, redcc_bytes)                \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, 0, REDCC_STREAM_SPANS }
 
-/** A stream of one array, its rows its elements. */
+/** A stream of one array, whose rows are its elements. */
 #define REDCC_STREAM(redcc_apply, redcc_array, redcc_element, redcc_bytes, redcc_bits,             \
                      redcc_exact)                                                                  \
     { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, redcc_bits, redcc_exact }
@@ -405,8 +405,8 @@ REDCC_RECORDS(float);
 #define REDCC_BINNED_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_5, REDCC_BINS_ARGUMENTS_5
 #define REDCC_BINNED_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_6, REDCC_BINS_ARGUMENTS_6
 
-/* For each array of a chunk that is pushed: a copy of its bins, and the array's base. Empty without
- * such a chunk. */
+/* For each array of a chunk that is pushed: a copy of its bins, and the array's base.
+ * REDCC_NO_BINS_OF is for other chunks. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
     const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
     const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
@@ -426,74 +426,74 @@ REDCC_RECORDS(float);
 #define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
 #define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
 
-/** Executes iterations whose updates are pushed, or made on copies; the first iteration records all
- *  reads. */
-#define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_told_bits, redcc_varied_bits,             \
+/** Executes iterations whose updates are pushed, or made on copies. redcc_first_mask has the
+ * sources that the first iteration records, redcc_later_mask those of later iterations. */
+#define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_first_mask, redcc_later_mask,             \
                          redcc_call_of_slice, redcc_call_of_body)                                  \
     {                                                                                              \
         const int redcc__checked = redcc_mode;                                                     \
         redcc_probe *const redcc__probe __attribute__((__unused__)) = 0;                           \
-        redcc_u32 redcc__told = redcc_told_bits;                                                   \
+        redcc_u32 redcc__source_mask = redcc_first_mask;                                           \
         redcc_bins_n##_OF(REDCC_BINS_OF) for (redcc__k = redcc__worker->first;                     \
                                               redcc__k < redcc__worker->last; redcc__k++) {        \
-            if (redcc__told)                                                                       \
+            if (redcc__source_mask)                                                                \
                 redcc_call_of_slice;                                                               \
             redcc_call_of_body;                                                                    \
-            redcc__told = redcc_varied_bits;                                                       \
+            redcc__source_mask = redcc_later_mask;                                                 \
         }                                                                                          \
     }
 
 /** As REDCC_PARALLEL, for a loop that can be binned.
  *    redcc_bins_n       REDCC_BINS_n, for n arrays
- *    redcc_told_bits    sources whose reads are recorded while iterations are pushed
+ *    redcc_first_mask    sources whose reads are recorded while iterations are pushed
  *    redcc_all_exact    may the updates be made on private copies? */
-#define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
+#define REDCC_PARALLEL_BINNED(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,          \
                               redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
-    REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,           \
-                     redcc_told_bits, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,   \
+    REDCC_BINNED_AND(0, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,          \
+                     redcc_first_mask, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,  \
                      redcc_call_of_body)
 /** The same with a separate slice for reads, which are recorded while iterations are pushed. The
- *  first iteration of a chunk records the sources of redcc_told_bits, later ones those of
- *  redcc_varied_bits, whose rows differ from iteration to iteration. */
-#define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,     \
-                                    redcc_varied_bits, redcc_all_exact, redcc_call_of_reads,       \
+ *  first iteration of a chunk records the sources of redcc_first_mask, later ones those of
+ *  redcc_later_mask, whose rows differ from iteration to iteration. */
+#define REDCC_PARALLEL_BINNED_READS(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,    \
+                                    redcc_later_mask, redcc_all_exact, redcc_call_of_reads,        \
                                     redcc_call_of_slice, redcc_call_of_body)                       \
     REDCC_BINNED_AND(redcc__context, 0, 1, redcc_streams, redcc_chunk, redcc_bins_n,               \
-                     redcc_told_bits, redcc_varied_bits, redcc_all_exact, redcc_call_of_reads,     \
+                     redcc_first_mask, redcc_later_mask, redcc_all_exact, redcc_call_of_reads,     \
                      redcc_call_of_slice, redcc_call_of_body)
 /** The same if iterations may be handed out a second time (redcc/series.h). */
-#define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits,    \
+#define REDCC_PARALLEL_BINNED_SERIES(redcc_streams, redcc_chunk, redcc_bins_n, redcc_first_mask,   \
                                      redcc_all_exact, redcc_again, redcc_call_of_slice,            \
                                      redcc_call_of_body)                                           \
-    REDCC_BINNED_AND(0, redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n, redcc_told_bits, \
-                     redcc_told_bits, redcc_all_exact, redcc_call_of_slice, redcc_call_of_slice,   \
-                     redcc_call_of_body)
+    REDCC_BINNED_AND(0, redcc_again, 2, redcc_streams, redcc_chunk, redcc_bins_n,                  \
+                     redcc_first_mask, redcc_first_mask, redcc_all_exact, redcc_call_of_slice,     \
+                     redcc_call_of_slice, redcc_call_of_body)
 #define REDCC_BINNED_AND(redcc_operands, redcc_again, redcc_selects, redcc_streams, redcc_chunk,   \
-                         redcc_bins_n, redcc_told_bits, redcc_varied_bits, redcc_all_exact,        \
+                         redcc_bins_n, redcc_first_mask, redcc_later_mask, redcc_all_exact,        \
                          redcc_call_of_reads, redcc_call_of_slice, redcc_call_of_body)             \
     {                                                                                              \
         const redcc_stream *const redcc__streams = redcc_streams;                                  \
         redcc_bins redcc__all[sizeof(redcc_streams) / sizeof(redcc_stream)];                       \
-        int redcc__handed;                                                                         \
+        int redcc__bins_kind;                                                                      \
         REDCC_JOIN(redcc_call_of_slice)                                                            \
         do {                                                                                       \
-            while (                                                                                \
-                __builtin_expect((redcc__handed = redcc__worker->call->calls->bins_next(           \
-                                      redcc__worker, redcc__all, redcc_operands)) == REDCC_HANDED, \
-                                 0)) {                                                             \
+            while (__builtin_expect((redcc__bins_kind = redcc__worker->call->calls->bins_next(     \
+                                         redcc__worker, redcc__all, redcc_operands)) ==            \
+                                        REDCC_TO_PUSH,                                             \
+                                    0)) {                                                          \
                 if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                           \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_told_bits,               \
-                                     redcc_varied_bits, redcc_call_of_reads, redcc_call_of_body)   \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_first_mask,              \
+                                     redcc_later_mask, redcc_call_of_reads, redcc_call_of_body)    \
                 else                                                                               \
-                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_told_bits,                 \
-                                     redcc_varied_bits, redcc_call_of_reads, redcc_call_of_body)   \
+                    REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_first_mask,                \
+                                     redcc_later_mask, redcc_call_of_reads, redcc_call_of_body)    \
             }                                                                                      \
             {                                                                                      \
                 redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE_AND(                             \
-                    redcc__handed != REDCC_BETWEEN && (redcc_again), redcc_selects, redcc_chunk,   \
-                    redcc_call_of_slice, redcc_call_of_body)                                       \
+                    redcc__bins_kind != REDCC_TO_EXECUTE && (redcc_again), redcc_selects,          \
+                    redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                          \
             }                                                                                      \
-        } while (redcc__handed == REDCC_BETWEEN);                                                  \
+        } while (redcc__bins_kind == REDCC_TO_EXECUTE);                                            \
     }
 
 #endif

@@ -43,8 +43,8 @@ REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc
     return number * (trip / blocks) + (number < longer ? number : longer);
 }
 
-/** Adds the blocks that the calling thread has executed to the team's count. True for the one
- *  thread that completes the count, which it resets for the loop's next execution. */
+/** Adds the number of blocks that the calling thread has executed to the team's count. True for the
+ * one thread that completes the count; it also resets the count for the loop's next execution. */
 #define REDCC_IS_LAST(redcc_ended, redcc_mine, redcc_blocks)                                       \
     ((redcc_mine) > 0 &&                                                                           \
      __atomic_add_fetch(redcc_ended, redcc_mine, __ATOMIC_ACQ_REL) == (redcc_blocks) &&            \

@@ -1,30 +1,33 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * `omp for`, to which all threads of a team come, executed without its directive: the first thread
- * executes the loop, and the others work for it.
+ * An `omp for` loop, which all threads of a team reach, executed without its directive. The threads
+ * form a crew: the first one executes the loop, and the others wait and help to execute its
+ * parallel regions.
  */
 #ifndef REDCC_CREW_H
 #define REDCC_CREW_H
 
-/** The calling thread has come, and belongs to OpenMP. */
+/** Registers the calling thread, which has reached the loop, as a thread of OpenMP. */
 #define REDCC_ARRIVE(redcc_site)                                                                   \
     do {                                                                                           \
         if (redcc_run && redcc_is_known(&(redcc_site)))                                            \
             (redcc_site).calls->before->crew->arrive();                                            \
     } while (0)
 
-/** The team as a crew; 0: it must execute the loop as it is written. By one thread, for all. If
- *  directives protect the loop's updates (redcc_locks), all must have arrived. */
-#define REDCC_MEET(redcc_site, redcc_locks)                                                        \
+/** Makes a crew of the team; called by one thread for all. 0: the team must execute the loop as it
+ * is written. If directives protect the loop's updates (redcc_locks), all threads must have
+ * arrived. */
+#define REDCC_CREW_BEGINS(redcc_site, redcc_locks)                                                 \
     (redcc_run && redcc_is_known(&(redcc_site))                                                    \
-         ? (redcc_site).calls->before->crew->meet(&(redcc_site).binned.loop, redcc_locks)          \
+         ? (redcc_site).calls->before->crew->begin(&(redcc_site).binned.loop, redcc_locks)         \
          : 0)
 
-/** Has the calling thread helped the first one to execute the loop? */
+/** 1, after the loop, for a thread that has helped the first one; 0 for the first one, before the
+ * loop. */
 #define REDCC_HAS_HELPED(redcc_site)                                                               \
     (redcc__crew && (redcc_site).calls->before->crew->help(redcc__crew))
 
-/** The first thread has executed it. */
+/** Called by the first thread after the loop: ends the crew. */
 #define REDCC_CREW_ENDS(redcc_site)                                                                \
     do {                                                                                           \
         if (redcc__crew)                                                                           \

@@ -152,7 +152,7 @@ static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
     redcc_bins handed[REDCC_ARRAYS];
     int more;
     while (__builtin_expect(
-        (more = worker->call->calls->bins_next(worker, handed, 0)) == REDCC_HANDED, 0)) {
+        (more = worker->call->calls->bins_next(worker, handed, 0)) == REDCC_TO_PUSH, 0)) {
         redcc_bins bins[REDCC_ARRAYS];
         redcc_slice named = {0, 0, REDCC_NAMED};
         redcc_rows rows;
@@ -187,7 +187,7 @@ static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
             redcc_end_rows(&body);
         }
     }
-    return more == REDCC_BETWEEN;
+    return more == REDCC_TO_EXECUTE;
 }
 #endif
 
@@ -207,7 +207,7 @@ static void REDCC_THIS(_select)(redcc_worker *worker, const redcc_attempt *attem
         (&select, REDCC_THIS(_counter)(attempt->first, k, &context), &context);
         classes[k - worker->first] = redcc_class_of(&seen);
     }
-    redcc_classes_give(worker, classes);
+    redcc_store_classes(worker, classes);
 }
 
 /* Executes runs of iterations of which the thread owns all rows, or some. */

@@ -15,19 +15,19 @@ typedef struct redcc_site {
     const redcc_calls *calls; /* set by the first redcc_run */
 } redcc_site;
 
-/** One execution. */
+/** The arguments of one execution. */
 typedef struct redcc_attempt {
     redcc_int trip;
     redcc_int first;
     void *const *bases;
     const redcc_extent *known;
     const redcc_word *key;
-    const redcc_linkage *linkage; /* 0: no function of another file was inlined or analysed */
+    const redcc_linkage *linkage; /* 0: the translation relies on no function of another file */
     /* Operands of each iteration, which the caller uses afterwards. */
     redcc_u32 operand_count;
     const redcc_size *operand_bytes; /* [operand_count] */
     void **operands; /* [operand_count], set by the runtime before any thread begins; if the loop is
-                      * done, the caller frees them (series->give) */
+                      * done, the caller frees them (series->release) */
     redcc_u32 series_count;
     redcc_series **series;        /* [series_count], of redcc/series.h; likewise */
     int threads;                  /* REDCC_TEAM: the number that the program requests; 0: none */
@@ -49,7 +49,7 @@ int redcc_run(redcc_u32 version, redcc_site *site, const redcc_attempt *attempt,
 }
 #endif
 
-/** A scratch row that is added to its array at redcc_rows_end: for bins, locks, compensated sums.
+/** A scratch row that redcc_rows_end adds to its array: used with bins, locks and compensated sums.
  */
 typedef struct redcc_kept_row {
     redcc_u32 array;

@@ -53,9 +53,8 @@
 
 /* ---- lanes ---------------------------------------------------------------------------------- */
 
-/* Evaluates an expression of redcc__l for each lane, as initialisers: a loop would go through
- * memory.
- */
+/* Evaluates an expression of redcc__l for each lane, as a list of initialisers. A loop over the
+ * lanes would store them to memory and load them again. */
 #define REDCC_LANE(redcc_i, ...)                                                                   \
     __extension__({                                                                                \
         enum { redcc__l = redcc_i };                                                               \
@@ -71,7 +70,7 @@
 
 /** Qualifiers of an inlined vector function, and of the body that executes REDCC_WIDTH iterations.
  */
-#define REDCC_LIFTED REDCC_INLINE REDCC_TARGET
+#define REDCC_VECTOR_INLINE REDCC_INLINE REDCC_TARGET
 #define REDCC_LANES_BODY static __attribute__((__noinline__, __unused__)) REDCC_TARGET void
 
 /** Executes the following statement for each lane redcc__l; or only for lanes that have an
@@ -92,7 +91,7 @@ typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 #define REDCC_GATHER_FLOATS(...) (__extension__(redcc_floats){REDCC_ALL(__VA_ARGS__)})
 
 /** A mask of the lanes with a value other than 0. */
-#define REDCC_TELL(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
+#define REDCC_MASK(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
 
 /** Values of another type for each lane, as an array. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
@@ -104,36 +103,37 @@ typedef int redcc_float_mask __attribute__((__vector_size__(4 * REDCC_WIDTH)));
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 
 /** Broadcasts a double, or float; not by an addition of 0, which would change -0.0. */
-REDCC_LIFTED redcc_vector redcc_same(double value) {
+REDCC_VECTOR_INLINE redcc_vector redcc_same(double value) {
     return (__extension__(redcc_vector){REDCC_ALL(value)});
 }
-REDCC_LIFTED redcc_floats redcc_same_float(float value) {
+REDCC_VECTOR_INLINE redcc_floats redcc_same_float(float value) {
     return (__extension__(redcc_floats){REDCC_ALL(value)});
 }
 
 /** For each lane: the first value if the mask is -1, else the second. */
-REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {
+REDCC_VECTOR_INLINE redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {
     return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));
 }
-REDCC_LIFTED redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes, redcc_floats no) {
+REDCC_VECTOR_INLINE redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes,
+                                                     redcc_floats no) {
     const redcc_float_mask mask = __builtin_convertvector(lanes, redcc_float_mask);
     return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));
 }
 
-/* Vector square roots in assembly, because compilers do not select these instructions: they call
- * the library's function for each root, which may have to set errno. The second operand order is
- * for -masm=intel. */
+/* Vector square roots in assembly. Compilers do not select these instructions, because the
+ * library's function may have to set errno, and so they call it for each root. The second operand
+ * order is for -masm=intel. */
 #if defined(__x86_64__) && !defined(REDCC_IS_CHECKED)
 #define REDCC_ROOTS(redcc_root, redcc_v)                                                           \
     __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(redcc_root) : "x"(redcc_v))
-REDCC_LIFTED int redcc_any(redcc_mask mask) {
+REDCC_VECTOR_INLINE int redcc_any(redcc_mask mask) {
     int signs;
     __asm__("vmovmskpd {%1, %0|%0, %1}" : "=r"(signs) : "x"(mask));
     return signs != 0;
 }
 #else
 #define REDCC_ROOTS(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
-REDCC_LIFTED int redcc_any(redcc_mask mask) {
+REDCC_VECTOR_INLINE int redcc_any(redcc_mask mask) {
     redcc_int all = 0;
     int l;
     for (l = 0; l < REDCC_WIDTH; l++)
@@ -149,7 +149,7 @@ redcc_each_root(redcc_vector value) {
 }
 
 /** Square roots of all lanes at once; if a lane is negative, redcc_each_root sets errno. */
-REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {
+REDCC_VECTOR_INLINE redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     redcc_vector root;
     if (redcc_any((redcc_mask)value < 0))
         return redcc_each_root(value);
@@ -157,13 +157,13 @@ REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {
     return root;
 }
 /** Absolute values; fabs never sets errno. Compilers make one instruction of it. */
-REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {
+REDCC_VECTOR_INLINE redcc_vector redcc_lanes_fabs(redcc_vector value) {
     return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});
 }
-REDCC_LIFTED redcc_floats redcc_lanes_sqrtf(redcc_floats value) {
+REDCC_VECTOR_INLINE redcc_floats redcc_lanes_sqrtf(redcc_floats value) {
     return (__extension__(redcc_floats){REDCC_ALL(__builtin_sqrtf(value[redcc__l]))});
 }
-REDCC_LIFTED redcc_floats redcc_lanes_fabsf(redcc_floats value) {
+REDCC_VECTOR_INLINE redcc_floats redcc_lanes_fabsf(redcc_floats value) {
     return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});
 }
 
@@ -181,16 +181,16 @@ static __attribute__((__noinline__, __unused__)) REDCC_TARGET int redcc_lanes_ro
 
 /* ---- the executor ---------------------------------------------------------------------------- */
 
-/** Iterations that are executed at once, and whether their updates must call redcc_owns. A partial
- *  block is padded with copies of its last iteration, which are computed but update nothing. */
+/** Iterations that are executed at once, and whether each update must check the owner. A partial
+ * block is padded with copies of its last iteration, which are computed but update nothing. */
 typedef struct redcc_block {
     redcc_int k[REDCC_WIDTH];
     int checked[REDCC_WIDTH];
     int count;
 } redcc_block;
 
-/** Takes the next iterations of the runs, in order. Returns their number. */
-REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
+/** Fills the block with the next iterations of the runs, in order. Returns their number. */
+REDCC_INLINE int redcc_block_fill(redcc_block *block, redcc_ahead *from) {
     int count = 0, l;
     for (; count < REDCC_WIDTH && redcc_ahead_step(from); count++) {
         block->k[count] = from->k;
@@ -202,19 +202,19 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
     return count;
 }
 
-/** Slice and body for one iteration, each compiled once. The body is used if the processor lacks
- * such vectors or REDCC_LANES=off is set, for owner-checked and other iterations. */
+/** Slice and body for one iteration, each compiled once. The body executes all iterations,
+ * owner-checked or not, if the processor lacks such vectors or REDCC_LANES=off is set. */
 #define REDCC_SLICE_OF_LANES REDCC_SLICE_ONCE
-#define REDCC_TOLD_OF_LANES REDCC_BY_CALLS
-#define REDCC_BODY_BESIDE_LANES static __attribute__((__noinline__, __unused__)) void
+#define REDCC_LANES_BY_CALLS REDCC_BY_CALLS
+#define REDCC_SCALAR_BODY static __attribute__((__noinline__, __unused__)) void
 
 /** Executes the chunk, REDCC_WIDTH iterations at once. */
 #define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     for (;;) {                                                                                     \
-        int redcc__asked;                                                                          \
+        int redcc__chunk_kind;                                                                     \
         REDCC_NEXT_CHUNK(1, redcc_call_of_slice)                                                   \
-        if (!redcc__asked)                                                                         \
+        if (!redcc__chunk_kind)                                                                    \
             break;                                                                                 \
         {                                                                                          \
             redcc_chunk redcc_block redcc__block;                                                  \
@@ -223,9 +223,9 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
             REDCC_PREFETCH_BEGIN(redcc__prefetches < REDCC_WIDTH ? REDCC_WIDTH                     \
                                                                  : redcc__prefetches)              \
             redcc__worker->call->calls->ahead->begin(&redcc__from, redcc__worker, 0);              \
-            while (redcc_block_take(&redcc__block, &redcc__from)) {                                \
+            while (redcc_block_fill(&redcc__block, &redcc__from)) {                                \
                 int redcc__l;                                                                      \
-                for (redcc__l = 0; redcc__wished && redcc__l < REDCC_WIDTH; redcc__l++)            \
+                for (redcc__l = 0; redcc__is_prefetching && redcc__l < REDCC_WIDTH; redcc__l++)    \
                     REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
                 if (redcc__at_once) {                                                              \
                     const int redcc__checked = 0;                                                  \
@@ -252,8 +252,8 @@ REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
 
 #else
 #define REDCC_SLICE_OF_LANES REDCC_SLICE
-#define REDCC_TOLD_OF_LANES
-#define REDCC_BODY_BESIDE_LANES REDCC_BODY
+#define REDCC_LANES_BY_CALLS
+#define REDCC_SCALAR_BODY REDCC_BODY
 #define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \
                              redcc_arguments)                                                      \
     REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)

@@ -57,9 +57,9 @@
                                         REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
-/** Hides a context from compilers, which would report one without relevant members as an
- *  uninitialised variable. */
-REDCC_INLINE int redcc_is_there(void *context) {
+/** Hides a context from compilers. They would report a context without members that are set as an
+ * uninitialised variable. */
+REDCC_INLINE int redcc_hide_context(void *context) {
     __asm__ __volatile__("" : : "r"(context) : "memory");
     return 1;
 }
@@ -71,11 +71,10 @@ REDCC_INLINE int redcc_is_there(void *context) {
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
     redcc_word redcc__key[redcc_keys];                                                             \
-    int redcc__end __attribute__((__unused__)) = redcc_is_there(&redcc__context)
+    int redcc__end __attribute__((__unused__)) = redcc_hide_context(&redcc__context)
 
-/** In the context: the arithmetic progressions of prefetched rows. REDCC_NO_PROGRESSIONS: none so
- * far.
- */
+/** Declares, in the context, the arithmetic progressions of prefetched rows. REDCC_NO_PROGRESSIONS
+ * clears them. */
 #define REDCC_PROGRESSIONS_OF(redcc_sources)                                                       \
     redcc_progression redcc__progressions[(redcc_sources) + 1]
 #define REDCC_NO_PROGRESSIONS                                                                      \
@@ -92,11 +91,13 @@ REDCC_INLINE int redcc_is_there(void *context) {
                     redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
                     redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
 
-/** A loop of two rounds: for the rows that the first iteration reads, and for those of the last. */
+/** Executes a statement twice: for the rows that the first iteration reads, and for those that the
+ * last reads. REDCC_FIRST_OR_LAST is the counter of that iteration. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
-#define REDCC_AN_END(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
+#define REDCC_FIRST_OR_LAST(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
-/** The loop reads this row. If several are given, it may read all rows between them. */
+/** The loop reads this row. If several rows of a source are given, it may read all rows between
+ * them. */
 #define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
     do {                                                                                           \
         const char *const redcc__row = (const char *)&redcc_row;                                   \
@@ -125,10 +126,10 @@ REDCC_INLINE void redcc_known_element(redcc_extent *extent, const void *base, re
 
 #include <redcc/prefetch.h>
 
-/** Keeps rbp as the function's frame pointer. Values that are live across redcc_enter occupy
- *  callee-saved registers. So do the bases of the sequential loop in the same function, which alone
- *  would get others. Loads by rbp and an index were slower than by any other register: 6 % of the
- *  time of a product with a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
+/** Reserves rbp for the function's frame pointer. Values that are live across redcc_run occupy
+ * callee-saved registers, so the bases of the sequential loop in the same function might get rbp.
+ * Loads by rbp and an index were slower than by other registers: 6 % of the time of a product with
+ * a sparse matrix (script/bench choice, columns, on an Intel Xeon). */
 #if defined(__x86_64__)
 #define REDCC_KEEP_FRAME redcc_keep_frame(__builtin_frame_address(0))
 #else
@@ -203,8 +204,8 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
             (redcc_int)(redcc_length) * (redcc_int)sizeof *(redcc_array);                          \
     } while (0)
 
-/** The runtime keeps operands of each iteration, for `redcc_count` updates
- *  (redcc__operand_bytes). */
+/** The runtime allocates an operand of each iteration for `redcc_count` updates;
+ * redcc__operand_bytes has their sizes. */
 #define REDCC_OPERANDS(redcc_count)                                                                \
     void *redcc__operands[redcc_count];                                                            \
     redcc__attempt.operand_count = redcc_count;                                                    \
@@ -215,8 +216,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \
     redcc__attempt.series = redcc__series
-/** Stores the value of iteration redcc__k's own element, of the type redcc_type, if the element's
- * bits differ. */
+/** Stores iteration redcc__k's value, of type redcc_type, in its own element if the bits differ. */
 #define REDCC_STORE_KEPT(redcc_element, redcc_type, redcc_kept)                                    \
     do {                                                                                           \
         const redcc_type *const redcc__of_iteration = (const redcc_type *)redcc_kept + redcc__k;   \
@@ -224,7 +224,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
             __builtin_memcpy(&(redcc_element), redcc__of_iteration, sizeof(redcc_type));           \
     } while (0)
 /** Frees the operands after their use. */
-#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->give(&redcc__attempt)
+#define REDCC_OPERANDS_END(redcc_site) redcc_site.calls->series->release(&redcc__attempt)
 
 /** The parameters of the function that each thread executes. */
 #define REDCC_MEMBER_PARAMETERS                                                                    \
@@ -236,7 +236,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     const redcc_int redcc__lower __attribute__((__unused__)) = redcc__attempt->first;              \
     const redcc_int redcc__trip __attribute__((__unused__)) = redcc__attempt->trip
 
-/** In the body, after the last iteration: 1 for exactly one of the threads that execute it. */
+/** In the body of the last iteration: 1 for exactly one of the threads that execute it. */
 #define REDCC_CLAIMS_LAST redcc__worker->call->calls->claims_last(redcc__worker)
 
 /** A spin lock, held only for a few instructions. */
@@ -278,35 +278,35 @@ REDCC_INLINE void redcc_assume(int redcc_holds) {
  *  separately. */
 #define REDCC_BODY REDCC_INLINE void
 
-/** Marked cold, because otherwise gcc keeps the body's constants in memory: no floating-point
- *  register survives a call. */
+/** Marked cold: otherwise gcc would keep the body's constants in memory, because no floating-point
+ * register survives a call. */
 static __attribute__((__noinline__, __cold__, __unused__)) int
-redcc_ask_hook(const redcc_worker *worker, struct redcc_hook *hook, const void *address) {
+redcc_call_hook(const redcc_worker *worker, struct redcc_hook *hook, const void *address) {
     return worker->call->calls->hooked(hook, address);
 }
-REDCC_INLINE int redcc_asks(const redcc_worker *worker, const redcc_owner *owner,
-                            const void *address) {
+REDCC_INLINE int redcc_is_owned(const redcc_worker *worker, const redcc_owner *owner,
+                                const void *address) {
     return redcc_has(owner, address) ||
-           (owner->hook && redcc_ask_hook(worker, owner->hook, address));
+           (owner->hook && redcc_call_hook(worker, owner->hook, address));
 }
-/* redcc_asks for long iterations: not inlined. */
+/* redcc_is_owned for long iterations: not inlined. */
 static __attribute__((__noinline__, __unused__)) int
-redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
-    return redcc_asks(worker, owner, address);
+redcc_is_owned_by_call(const redcc_worker *worker, const redcc_owner *owner, const void *address) {
+    return redcc_is_owned(worker, owner, address);
 }
 
 /** Precedes an update of array number redcc_i: the thread makes it only if it owns the element. */
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
     if (!redcc__checked ||                                                                         \
-        (redcc__by_calls ? redcc_asks_by_call(redcc__worker, redcc__own_##redcc_i, redcc_at)       \
-                         : redcc_asks(redcc__worker, redcc__own_##redcc_i, redcc_at)))
+        (redcc__by_calls ? redcc_is_owned_by_call(redcc__worker, redcc__own_##redcc_i, redcc_at)   \
+                         : redcc_is_owned(redcc__worker, redcc__own_##redcc_i, redcc_at)))
 
-/** Begins an iteration of an inner loop ("turn"): in the owner-checked form it is skipped if the
- *  thread owns no row that it would update. */
-#define REDCC_TURN(redcc_owned)                                                                    \
+/** Begins an inner iteration. In the owner-checked form the thread skips it if it owns none of the
+ * rows that it would update. */
+#define REDCC_INNER_ITERATION(redcc_owned)                                                         \
     if (redcc__checked == 1 && !(redcc_owned))                                                     \
         continue;
-/** Must the thread execute all of the iteration? For a loop without series. */
+/** For a loop without series: must the thread execute every inner iteration, whatever it owns? */
 #define REDCC_LEADS_ALONE (!redcc__worker->variant.follows)
 #define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
     redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
@@ -346,7 +346,7 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
             redcc__worker->origin + redcc__run->begin + redcc__run->count_and_check / 2;           \
         redcc__k = redcc__worker->origin + redcc__run->begin;                                      \
         while (redcc__k < redcc__end) {                                                            \
-            const redcc_int redcc__stop = redcc__wished ? redcc__k + 1 : redcc__end;               \
+            const redcc_int redcc__stop = redcc__is_prefetching ? redcc__k + 1 : redcc__end;       \
             REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                \
             if (!(redcc__run->count_and_check & 1)) {                                              \
                 const int redcc__checked = 0;                                                      \
@@ -364,7 +364,7 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
  *  array, so that the compiler sees that storing them does not change the slice's reads. */
 #define REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     {                                                                                              \
-        const redcc_u32 redcc__told = 0;                                                           \
+        const redcc_u32 redcc__source_mask = 0;                                                    \
         unsigned char redcc__class[REDCC_SELECTED];                                                \
         for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last; redcc__k++) {        \
             redcc_probe redcc__seen = {0, 0, redcc_selects, 0, 0, 0};                              \
@@ -372,15 +372,15 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
             redcc_call_of_slice;                                                                   \
             redcc__class[redcc__k - redcc__worker->first] = redcc_class_of(&redcc__seen);          \
         }                                                                                          \
-        redcc_classes_give(redcc__worker, redcc__class);                                           \
+        redcc_store_classes(redcc__worker, redcc__class);                                          \
     }
 
-/** The next chunk to execute, before a block. If the runtime requests it, iterations are classified
- *  first. */
+/** Precedes a block that executes the next chunk. As often as the runtime requests, iterations are
+ * classified first. */
 #define REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
     for (;;) {                                                                                     \
-        redcc__asked = redcc__worker->call->calls->next(redcc__worker);                            \
-        if (__builtin_expect(redcc__asked != REDCC_SELECT, 1))                                     \
+        redcc__chunk_kind = redcc__worker->call->calls->next(redcc__worker);                       \
+        if (__builtin_expect(redcc__chunk_kind != REDCC_SELECT, 1))                                \
             break;                                                                                 \
         REDCC_CLASSIFY(redcc_selects, redcc_call_of_slice)                                         \
     }
@@ -388,13 +388,13 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
 /** Executes chunks run by run, owner-checked or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     REDCC_EXECUTE_AND(0, 1, redcc_chunk, redcc_call_of_slice, redcc_call_of_body)
-/** The same, and a second time if the runtime requests it at the end. */
+/** The same; if the runtime requests it at the end, iterations are executed a second time. */
 #define REDCC_EXECUTE_AND(redcc_again, redcc_selects, redcc_chunk, redcc_call_of_slice,            \
                           redcc_call_of_body)                                                      \
     for (;;) {                                                                                     \
-        int redcc__asked;                                                                          \
+        int redcc__chunk_kind;                                                                     \
         REDCC_NEXT_CHUNK(redcc_selects, redcc_call_of_slice)                                       \
-        if (!redcc__asked && !(redcc_again))                                                       \
+        if (!redcc__chunk_kind && !(redcc_again))                                                  \
             break;                                                                                 \
         {                                                                                          \
             redcc_chunk const redcc_iterations *redcc__run = redcc__worker->run;                   \
@@ -429,12 +429,12 @@ redcc_asks_by_call(const redcc_worker *worker, const redcc_owner *owner, const v
 
 /** A thread joins the region and inspects the blocks that the runtime hands out. */
 #define REDCC_JOIN(redcc_call_of_slice)                                                            \
-    redcc_worker *const redcc__teller = redcc__worker;                                             \
+    redcc_worker *const redcc__recorder = redcc__worker;                                           \
     redcc_int redcc__k;                                                                            \
     REDCC_INSPECT(redcc_call_of_slice)
 
-/** Executed by each thread: it inspects the iterations that it is handed, then executes those that
- * it is handed. redcc__k is the iteration's number. */
+/** Executed by each thread: inspects the iterations that the runtime hands out for inspection, then
+ * executes those that it hands out for execution. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
         REDCC_JOIN(redcc_call_of_slice)                                                            \

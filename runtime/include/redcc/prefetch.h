@@ -3,10 +3,10 @@
  * Prefetches of rows that later iterations update and read, in the executor of loop.h.
  *
  * The slice of a later iteration of the same thread computes the addresses, as it did for the
- * inspector: it reads memory that is known to be readable, and unmodified while the loop runs. Its
- * own reads are prefetched twice as far ahead, if consecutive iterations read rows at equal
- * distances. A prefetch stores nothing, so no result depends on it. Of each row the first byte, the
- * last byte and each cache line between them are prefetched.
+ * inspector: it reads memory that is known to be readable, and unmodified while the loop runs. The
+ * rows that the slice itself reads are prefetched twice as far ahead, if consecutive iterations
+ * read them at equal distances. A prefetch stores nothing, so no result depends on it. Of each row
+ * the first byte, the last byte and each cache line between them are prefetched.
  *
  * loop.h includes this file.
  */
@@ -17,13 +17,13 @@
  * block of a loop whose iterations are long enough. */
 enum { redcc__prefetches = 0 };
 
-/** In the block of a loop: if the runtime finds it profitable, its executor prefetches this number
- * of iterations ahead. Together they take as long as a memory access. A larger distance occupied
- * more entries of the first-level TLB and was slower on shuffled data. */
+/** In the block of a loop: its executor prefetches this number of iterations ahead, if the runtime
+ * finds that profitable. So many iterations take as long as a memory access. A larger distance
+ * occupied more entries of the first-level TLB and was slower on shuffled data. */
 #define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
-/* Bytes of a cache line, and the maximum of a row that are prefetched: hardware prefetchers detect
- * longer sequences. */
+/* Bytes of a cache line, and the maximum number of bytes of a row that are prefetched: hardware
+ * prefetchers detect longer sequences. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
 /** Prefetches a row. The address need not be valid. */
@@ -41,7 +41,8 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
         __builtin_prefetch((const void *)((redcc_size)address + bytes - 1));
 }
 
-/** In the slice: the iteration reads redcc_base[redcc_row]. This is prefetched but not recorded. */
+/** In the slice: the iteration reads redcc_base[redcc_row], which is prefetched but not recorded.
+ */
 #define REDCC_AHEAD(redcc_base, redcc_row)                                                         \
     if (!redcc__worker)                                                                            \
     redcc_prefetch((const char *)((redcc_size)(redcc_base) +                                       \
@@ -77,7 +78,7 @@ redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes, 
 
 /** Advances to the next iteration. Returns 0 if none is left. */
 REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
-    return ++it->k < it->end || it->calls->turn(it);
+    return ++it->k < it->end || it->calls->next_run(it);
 }
 
 /** Prefetches the reads of that iteration. */
@@ -98,8 +99,8 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
     redcc_ahead redcc__ahead, redcc__farther;                                                      \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
-    const int redcc__wished = redcc__prefetches > 0 && redcc__worker->variant.prefetches;          \
-    if (redcc__wished) {                                                                           \
+    const int redcc__is_prefetching = redcc__prefetches > 0 && redcc__worker->variant.prefetches;  \
+    if (redcc__is_prefetching) {                                                                   \
         const redcc_ahead_calls *const redcc__calls = redcc__worker->call->calls->ahead;           \
         redcc__calls->begin(&redcc__ahead, redcc__worker, redcc_distance);                         \
         redcc__calls->begin(&redcc__farther, redcc__worker, 2 * (redcc_distance));                 \
@@ -110,12 +111,12 @@ REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int c
  *  nearer one; a slice without a worker prefetches. */
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
     {                                                                                              \
-        if (redcc__wished && redcc_ahead_step(&redcc__farther))                                    \
+        if (redcc__is_prefetching && redcc_ahead_step(&redcc__farther))                            \
             redcc_progressions_prefetch(redcc__rows, REDCC_PROGRESSIONS, &redcc__farther);         \
-        if (redcc__wished && redcc_ahead_step(&redcc__ahead)) {                                    \
+        if (redcc__is_prefetching && redcc_ahead_step(&redcc__ahead)) {                            \
             redcc_probe *const redcc__probe = 0;                                                   \
-            redcc_worker *const redcc__teller = 0;                                                 \
-            const redcc_u32 redcc__told = 0;                                                       \
+            redcc_worker *const redcc__recorder = 0;                                               \
+            const redcc_u32 redcc__source_mask = 0;                                                \
             const redcc_int redcc__k = redcc__ahead.k;                                             \
             redcc_call_of_slice;                                                                   \
         }                                                                                          \

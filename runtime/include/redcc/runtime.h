@@ -96,10 +96,10 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
  *  results are validated. */
 extern redcc_int redcc_least_trip;
 
-/** The number of short iterations that the program may still execute, in all loops together, before
- *  redcc_enter is called for any of them: parallel execution of so few could not repay the cost of
- * the runtime's first call. Zero or negative: none. Approximate if several threads count. */
-extern redcc_int redcc_unasked_iterations;
+/** The number of short iterations, over all loops, that the program may still execute before any
+ * loop calls redcc_enter. So few could not repay the cost of the runtime's first call. Zero or
+ * negative: every loop calls it. Approximate if several threads count. */
+extern redcc_int redcc_exempt_iterations;
 
 /** Are the functions that this object calls, directly or indirectly, those that `expected` names?
  *  False if the static or the dynamic linker has replaced one by another definition. */
@@ -109,20 +109,14 @@ int redcc_are_linked(const redcc_callee *called, redcc_size count,
 /** Counts an execution of the original loop because of replaced functions. Returns 0. */
 int redcc_is_unlinked(redcc_loop *loop) __attribute__((__cold__));
 
-/** Is the calling thread the only running one of the process, except for OpenMP's idle threads? */
+/** Is the calling thread the only running thread of the process? OpenMP's idle threads do not
+ * count. */
 int redcc_is_alone(redcc_loop *loop);
 
-/** All threads of the calling thread's team come to the loop: may the first one execute it, and the
- *  others work for it? locks: only if redcc_is_alone would hold without the team's. 0: no. */
-redcc_crew *redcc_meet(redcc_loop *loop, int locks);
-
-/** Allocates an operand of `size` bytes for each iteration. After redcc_leave it is freed by
- *  redcc_operands_give. REDCC_MEMORY_LIMIT includes it. Returns NULL if trip is not positive, or if
- *  memory is lacking (which is reported); the original loop must run then. */
-void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size);
-
-/** Frees such an operand; NULL does nothing. */
-void redcc_operands_give(void *operands);
+/** Makes a crew of the calling thread's team, all of whose threads reach the loop: the first one
+ * executes it, and the others help. locks: only if all other threads of the process are idle. 0:
+ * the loop must be executed as written. */
+redcc_crew *redcc_crew_begin(redcc_loop *loop, int locks);
 
 /** Called once by each thread of the region, with its number and the number of threads. */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
@@ -187,11 +181,11 @@ static __inline__ int redcc_is_worth_entering(redcc_int trip) {
     redcc_int left;
     if (trip < __atomic_load_n(&redcc_least_trip, __ATOMIC_RELAXED))
         return 0;
-    left = __atomic_load_n(&redcc_unasked_iterations, __ATOMIC_RELAXED);
+    left = __atomic_load_n(&redcc_exempt_iterations, __ATOMIC_RELAXED);
     if (left <= 0)
         return 1;
     left -= trip;
-    __atomic_store_n(&redcc_unasked_iterations, left, __ATOMIC_RELAXED);
+    __atomic_store_n(&redcc_exempt_iterations, left, __ATOMIC_RELAXED);
     return left <= 0;
 }
 

@@ -10,14 +10,14 @@
  *     redcc_series_begin      each thread   before anything is executed
  *     REDCC_SERIES_NEXT       each thread   begins an iteration
  *     redcc_series_put        each thread   stores an operand
- *     REDCC_SERIES_AGAIN      each thread   when nothing is left to execute. If memory for an
+ *     REDCC_SERIES_REPEATS    each thread   when nothing is left to execute. If memory for an
  *                                           operand was lacking, the first thread executes all
  *                                           iterations a second time, without updates, and adds
  *                                           the operands directly
  *     REDCC_SERIES_BANDS      each thread   after each tile
  *     series->is_over         each thread   1: it is the first thread, and the loop is done
  *     REDCC_SERIES_APPLY      that thread   adds the operands
- *     series->give            one thread    frees them after the loop
+ *     series->release         one thread    frees them after the loop
  *
  * runtime.h includes this file.
  */
@@ -42,9 +42,10 @@ struct redcc_series_writer {
     int adds;                /**< the thread adds operands directly and stores none */
     int begins;              /**< `adds` is set, and no operand was added yet */
     int follows;             /**< another thread stores the operands of the current iteration */
-    int in_front;            /**< the thread adds, since it executed all iterations before `next` */
-    int added;               /**< in_front: it has added an operand */
-    redcc_int next;          /**< operands from this iteration on are stored */
+    int in_front; /**< the thread adds, because it has executed all iterations before `next` itself
+                   */
+    int added;    /**< in_front: it has added an operand */
+    redcc_int next;           /**< operands from this iteration on are stored */
     redcc_series_part **ends; /**< in tiles: the last part of each iteration of the band */
     struct operand_block *first, *block; /**< the thread's blocks: the first, that of `at` */
 };
@@ -75,17 +76,17 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                     ? (void)(redcc_writer).next++                                  \
                                     : (void)((redcc_writer).in_front = (redcc_writer).adds = 0))   \
                              : (void)0)
-/** The same for an iteration's inner iterations in a tile; and after them. */
-#define REDCC_SERIES_GO_ON(redcc_writer)                                                           \
+/** The same at the beginning and at the end of the part of an iteration that is in a tile. */
+#define REDCC_SERIES_RESUME(redcc_writer)                                                          \
     ((redcc_writer).part =                                                                         \
          redcc__tile->is_first ? 0 : (redcc_writer).ends[redcc__k - redcc__tile->row],             \
      (redcc_writer).end = (redcc_writer).at,                                                       \
      (redcc_writer).follows = (redcc_writer).in_front = (redcc_writer).adds = 0)
-#define REDCC_SERIES_STOP(redcc_writer)                                                            \
+#define REDCC_SERIES_SUSPEND(redcc_writer)                                                         \
     (REDCC_SERIES_COMPLETE(redcc_writer),                                                          \
      (redcc_writer).ends[redcc__k - redcc__tile->row] = (redcc_writer).part)
-/** While the first thread executes the loop's first iterations, it adds operands directly,
- * beginning with the scalar's value. */
+/** While the first thread executes the loop's first iterations, it adds operands directly to the
+ * scalar's value. */
 #define REDCC_SERIES_IN_FRONT(redcc_writer, redcc_own, redcc_scalar)                               \
     if (redcc__worker->thread == 0) {                                                              \
         (redcc_writer).in_front = (redcc_writer).adds = 1;                                         \
@@ -138,9 +139,9 @@ static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_
         redcc_sum = redcc__of_band;                                                                \
     }
 
-/** Is a chunk handed out a second time? */
-#define REDCC_SERIES_AGAIN(redcc_count)                                                            \
-    redcc__worker->call->calls->series->again(redcc__worker, redcc__writers, redcc_count)
+/** Are iterations handed out a second time? */
+#define REDCC_SERIES_REPEATS(redcc_count)                                                          \
+    redcc__worker->call->calls->series->repeats(redcc__worker, redcc__writers, redcc_count)
 
 /** The adding thread begins with the scalar's value, if it is updated at all. */
 #define REDCC_SERIES_BEGIN(redcc_writer, redcc_own, redcc_scalar)                                  \

@@ -9,19 +9,19 @@
 #include <redcc/entry.h>
 #include <redcc/prefetch.h>
 
-/** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__teller 0 if they are
- *  prefetched. redcc__told is 0 if all addresses are recorded; otherwise its bits select sources.
- * All are constants, so that each use of the function is compiled separately. */
+/** Parameters of a slice. redcc__probe is 0 if addresses are recorded, redcc__recorder 0 if they
+ * are prefetched. redcc__source_mask is 0 if all addresses are recorded; otherwise its bits select
+ * sources. All are constants, so that each use of the function is compiled separately. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
         redcc_worker *const redcc__worker __attribute__((__unused__)),                             \
-        const redcc_u32 redcc__told __attribute__((__unused__))
-#define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
-#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told, redcc__by_calls
+        const redcc_u32 redcc__source_mask __attribute__((__unused__))
+#define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__recorder, redcc__source_mask
+#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__source_mask, redcc__by_calls
 
-/** For long iterations (lanes.h): compiled once for all uses, recording and comparing addresses by
- *  calls. Other slices compare them inline. */
+/** For long iterations (lanes.h): the slice is compiled once for all uses, and records and compares
+ * addresses by calls. Other slices are inlined in each use. */
 #define REDCC_SLICE_ONCE static __attribute__((__noinline__, __unused__)) void
 #define REDCC_BY_CALLS enum { redcc__by_calls = 1 };
 enum { redcc__by_calls = 0 };
@@ -32,8 +32,9 @@ enum { redcc__by_calls = 0 };
 #define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
     redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 
-/** Precedes a block that records reads of one source. */
-#define REDCC_IF_TOLD(redcc_i) if (!redcc__told || redcc__told >> (redcc_i)&1)
+/** Precedes a block that records the reads of one source: skips it if that source is not recorded.
+ */
+#define REDCC_IF_RECORDED(redcc_i) if (!redcc__source_mask || redcc__source_mask >> (redcc_i)&1)
 
 /** The same for redcc_base[redcc_row]. No iteration changes redcc_base, so the number identifies
  *  the row. */
@@ -46,25 +47,26 @@ enum { redcc__by_calls = 0 };
                          (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
                          sizeof((redcc_base)[redcc_row]))
 
-/** In a loop that needs a dry run: returns if the update, or the read, before it has ended the dry
- *  run. */
+/** In a loop that needs a dry run: returns if the preceding update (OVER) or read (STALE) has ended
+ * the dry run. */
 #define REDCC_RETURN_IF_OVER                                                                       \
-    if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
+    if (redcc__worker && !redcc__probe && !redcc__source_mask && !redcc__worker->last)             \
         return;
 #define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
-    if (redcc__worker && !redcc__probe && !redcc__told &&                                          \
+    if (redcc__worker && !redcc__probe && !redcc__source_mask &&                                   \
         redcc_is_over(redcc__worker, redcc_source))                                                \
         return;
 
 /** The iteration leaves the loop. */
 #define REDCC_LEAVE                                                                                \
     {                                                                                              \
-        if (redcc__worker && !redcc__probe && !redcc__told)                                        \
+        if (redcc__worker && !redcc__probe && !redcc__source_mask)                                 \
             redcc_iteration_leaves(redcc__worker);                                                 \
         return;                                                                                    \
     }
 
-/** The owner of the row that is touched next executes the whole iteration (redcc/series.h). */
+/** Makes the owner of the row that is touched next the leader of the iteration, who executes all of
+ * it (redcc/series.h). */
 #define REDCC_LEADER                                                                               \
     if (redcc__probe)                                                                              \
         redcc__probe->preferred = 1;
@@ -73,95 +75,97 @@ enum { redcc__by_calls = 0 };
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-/* The common case, a touch within the owned range of an owner without a map, is handled inline;
- * this function has the rest. */
+/* Handles a touch outside of the owned range, or of an owner with a map. The common case is
+ * inlined. */
 static __attribute__((__noinline__, __unused__)) void
-redcc_tell_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array, const void *address,
-                   redcc_size bytes) {
+redcc_inspect_outside(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                      const void *address, redcc_size bytes) {
     if (probe)
         redcc_probe_touch(probe, worker, array, address, bytes);
     else
         redcc_touch(worker, array, address, bytes);
 }
-REDCC_INLINE void redcc_tell_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
-                                   const void *address, redcc_size bytes) {
+REDCC_INLINE void redcc_inspect_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                      const void *address, redcc_size bytes) {
     const redcc_owner *window = &worker->window[array];
     int *const inside = probe ? &probe->inside : &worker->inside;
     if (window->map || redcc_leaves(window->first, window->size, address, bytes))
-        redcc_tell_outside(probe, worker, array, address, bytes);
+        redcc_inspect_outside(probe, worker, array, address, bytes);
     else
         *inside = 1;
 }
 static __attribute__((__noinline__, __unused__)) void
-redcc_tell_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source, const void *address,
-                redcc_size bytes) {
+redcc_inspect_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source, const void *address,
+                   redcc_size bytes) {
     if (probe)
         redcc_probe_read(probe, worker, source, address, bytes);
     else
         redcc_read(worker, source, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 source_mask,
                                     int by_calls, redcc_u32 array, const void *address,
                                     redcc_size bytes) {
-    if (told)
+    if (source_mask)
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
     else if (probe && !by_calls)
         redcc_probe_touch(probe, worker, array, address, bytes);
     else
-        redcc_tell_touch(probe, worker, array, address, bytes);
+        redcc_inspect_touch(probe, worker, array, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source_mask,
                                    int by_calls, redcc_u32 source, const void *address,
                                    redcc_size bytes) {
-    if (told && !(told >> source & 1))
+    if (source_mask && !(source_mask >> source & 1))
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
     else if (by_calls)
-        redcc_tell_read(probe, worker, source, address, bytes);
+        redcc_inspect_read(probe, worker, source, address, bytes);
     else if (probe)
         redcc_probe_read(probe, worker, source, address, bytes);
     else
         redcc_read(worker, source, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                        int by_calls, redcc_u32 array, const void *address,
-                                        const void *base, redcc_int row, redcc_size bytes) {
-    if (told)
+REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker,
+                                        redcc_u32 source_mask, int by_calls, redcc_u32 array,
+                                        const void *address, const void *base, redcc_int row,
+                                        redcc_size bytes) {
+    if (source_mask)
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
     else if (probe && !by_calls)
         redcc_probe_touch_row(probe, worker, array, base, row, bytes);
     else
-        redcc_tell_touch(probe, worker, array, address, bytes);
+        redcc_inspect_touch(probe, worker, array, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                       int by_calls, redcc_u32 source, const void *address,
-                                       const void *base, redcc_int row, redcc_size bytes) {
-    if (told && !(told >> source & 1))
+REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker,
+                                       redcc_u32 source_mask, int by_calls, redcc_u32 source,
+                                       const void *address, const void *base, redcc_int row,
+                                       redcc_size bytes) {
+    if (source_mask && !(source_mask >> source & 1))
         return;
     if (!worker)
         redcc_prefetch((const char *)address, bytes);
     else if (by_calls)
-        redcc_tell_read(probe, worker, source, address, bytes);
+        redcc_inspect_read(probe, worker, source, address, bytes);
     else if (probe)
         redcc_probe_read_row(probe, worker, source, base, row, bytes);
     else
         redcc_read(worker, source, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
-                                         int by_calls, redcc_u32 array, const char *first,
-                                         const char *end) {
+REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker,
+                                         redcc_u32 source_mask, int by_calls, redcc_u32 array,
+                                         const char *first, const char *end) {
     (void)by_calls; /* not used: one call records a span */
-    if (told)
+    if (source_mask)
         return;
     if (!worker)
         redcc_prefetch((const char *)first, (redcc_size)(end - first));
@@ -176,7 +180,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
  */
 #define REDCC_INSPECT(redcc_call_of_slice)                                                         \
     while (redcc__worker->call->calls->inspect(redcc__worker)) {                                   \
-        const redcc_u32 redcc__told = 0;                                                           \
+        const redcc_u32 redcc__source_mask = 0;                                                    \
         for (redcc__k = redcc__worker->first; redcc__k < redcc__worker->last;                      \
              redcc__k += redcc__worker->stride) {                                                  \
             if (redcc_is_settled(redcc__worker)) {                                                 \

@@ -30,7 +30,7 @@ REDCC_INLINE redcc_size redcc_unit_number(const redcc_owner *owner, redcc_size i
     return redcc_quotient(into, owner->unit, owner->reciprocal);
 }
 
-/* A function, because inlined at each update it is slow to compile. The fields are passed by value,
+/* Not inlined, because it would be slow to compile at each update. The fields are passed by value,
  * so that compilers can keep an owner without a map in registers. */
 static __attribute__((__noinline__, __unused__)) int
 redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
@@ -38,7 +38,7 @@ redcc_is_mapped_to(const unsigned char *map, redcc_size into, redcc_size unit,
     return map[redcc_quotient(into, unit, reciprocal)] == self;
 }
 
-/** Does the thread own the byte at `address`? Does not ask the hook. */
+/** Does the thread own the byte at `address`? Ignores the hook. */
 REDCC_INLINE int redcc_has(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     return into < owner->size &&
@@ -119,14 +119,15 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
  * is recorded as read from the source. The dry run then ends, and the slice must not use the value.
  */
 static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
-    const redcc_extent *told = &worker->sources[source];
+    const redcc_extent *recorded = &worker->sources[source];
     const redcc_owner *clear;
     redcc_size into;
     if (worker->alike >= 0)
         return 0;
     clear = &worker->owner[source];
-    into = (redcc_size)told->first - (redcc_size)clear->first;
-    return !(into < clear->size && (redcc_size)(told->end - told->first) <= clear->size - into) &&
+    into = (redcc_size)recorded->first - (redcc_size)clear->first;
+    return !(into < clear->size &&
+             (redcc_size)(recorded->end - recorded->first) <= clear->size - into) &&
            worker->call->calls->is_stale(worker, source);
 }
 
@@ -152,10 +153,10 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->call->calls->flush(worker); /* the owned range may differ for the next iteration */
 }
 
-/** Inspector, for an iteration that may need no record: does it touch an element of the owned range
- *  (inside), and does it touch or read anything outside of known ranges (outside)? Initially {0, 0,
- *  0}. With {0, 0, 1} (REDCC_SELECT), `outside` means that it touches an element outside of the
- * owned range; reads do not matter. */
+/** The probe of an iteration, which finds out whether it needs a record. inside: it touches an
+ * element of the owned range. outside: it touches or reads something outside of the known ranges.
+ * All fields are initially 0, except `selects` for REDCC_SELECT. Then `outside` means that the
+ * iteration touches an element outside of the owned range, and reads do not matter. */
 typedef struct redcc_probe {
     int inside;
     int outside;
@@ -217,14 +218,14 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
 }
 
 /** Do the `bytes` bytes at `address` intersect the `size` bytes at `first`? */
-static __inline__ int redcc_meets(const char *first, redcc_size size, const void *address,
-                                  redcc_size bytes) {
+static __inline__ int redcc_intersects(const char *first, redcc_size size, const void *address,
+                                       redcc_size bytes) {
     const redcc_size more = bytes - 1;
     const redcc_size ends = size ? size + more : 0; /* positions of the last byte that intersect */
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 
-/* Both tests of REDCC_SELECT. A function, because inlined at each touch it is slow to compile. */
+/* Both tests of REDCC_SELECT. Not inlined, because it would be slow to compile at each touch. */
 static __attribute__((__noinline__, __unused__)) void
 redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 array,
                    const void *address, redcc_size bytes) {
@@ -235,7 +236,7 @@ redcc_select_touch(redcc_probe *probe, const redcc_worker *worker, redcc_u32 arr
         redcc_probe_mapped(probe, window, address, bytes);
         return;
     }
-    probe->inside |= bytes > 0 && redcc_meets(window->first, window->size, address, bytes);
+    probe->inside |= bytes > 0 && redcc_intersects(window->first, window->size, address, bytes);
     probe->outside |= bytes > 0 && redcc_leaves(window->first, window->size, address, bytes);
 }
 
@@ -293,12 +294,13 @@ static __inline__ unsigned char redcc_class_of(const redcc_probe *probe) {
 }
 
 /** REDCC_SELECT: stores the classes of the requested iterations. */
-static __inline__ void redcc_classes_give(const redcc_worker *worker,
-                                          const unsigned char *classes) {
+static __inline__ void redcc_store_classes(const redcc_worker *worker,
+                                           const unsigned char *classes) {
     __builtin_memcpy((void *)worker->entry, classes, (redcc_size)(worker->last - worker->first));
 }
 
-/** May this thread write any of the bytes at `address`? Does not ask the hook. */
+/** May this thread write any of the bytes at `address`? Does not call the hook: with one the answer
+ * is yes. */
 static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
                                       redcc_size bytes) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
@@ -364,7 +366,7 @@ REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 }
 
 /** Replaces an update if REDCC_ARE_COPIED: updates the thread's private copy immediately. Otherwise
- *  does the same as redcc_push. */
+ * redcc_push replaces it. */
 REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
                                redcc_u32 tag, const void *record) {
     const redcc_size into = (redcc_size)row - (redcc_size)bins->first;

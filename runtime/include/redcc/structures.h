@@ -78,15 +78,15 @@ enum {
     /** A scalar in memory to which the loop adds: it must not overlap an array of the loop, another
      *  such scalar, or a source with the next bit. */
     REDCC_IS_SCALAR = 2,
-    /** A source that is not proved disjoint from such a scalar. */
-    REDCC_MEETS_SCALARS = 4,
+    /** A source that was not proved disjoint from such scalars. */
+    REDCC_MAY_OVERLAP_SCALARS = 4,
     /** A source that is disjoint from all arrays, although it may lie between their elements
      * (another member of their structures). It may overlap only scalars. */
-    REDCC_MEETS_NO_ARRAY = 8
+    REDCC_OVERLAPS_NO_ARRAY = 8
 };
-/** An iteration's own elements are such scalars; those with the same base are known to be disjoint.
- */
-#define REDCC_BEHIND(redcc_base) ((redcc_base)*256)
+/** The elements that belong to one iteration are such scalars. This flag identifies their base; two
+ * such sources with the same base are disjoint. */
+#define REDCC_SCALAR_BASE(redcc_base) ((redcc_base)*256)
 
 /** The address of any function. */
 typedef void (*redcc_code)(void);
@@ -215,10 +215,10 @@ enum {
     /** This thread is the leader of the threads that execute the iteration: it owns the leading row
      *  (redcc_probe_first). */
     REDCC_CLASS_LEADS = 4,
-    /** Results of redcc_bins_next. 0: no more bins; HANDED: a chunk to push; BETWEEN: call
-     * redcc_next for a chunk before the next call. */
-    REDCC_HANDED = 1,
-    REDCC_BETWEEN = 2
+    /** Results of redcc_bins_next. 0: no chunks are left. TO_PUSH: a chunk whose updates must be
+     * pushed. TO_EXECUTE: call redcc_next for chunks first. */
+    REDCC_TO_PUSH = 1,
+    REDCC_TO_EXECUTE = 2
 };
 
 /** Replaces a source's number: an iteration leaves the loop (redcc_iteration_leaves). */
@@ -275,7 +275,7 @@ typedef struct redcc_owner {
     redcc_word reciprocal;    /* for a division by `unit`; 0: none (redcc_unit_number) */
     redcc_u32 self;
     redcc_u32 unit;          /* with a map: bytes of a unit */
-    struct redcc_hook *hook; /* not 0: decides and sees every update; the range is then empty */
+    struct redcc_hook *hook; /* not 0: the hook decides about each update, and the range is empty */
 } redcc_owner;
 
 /** An address recorded by the inspector, or (array == REDCC_END_OF_ITERATION) the end of an
@@ -294,9 +294,9 @@ typedef struct redcc_entry {
 /** The largest number of bytes that redcc_touch accepts. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
-/** Part of a loop over pairs: of the outer iterations row, row + 1, ... < row_end those inner
- *  iterations whose counter is `column` to before `column_end` steps after the loop's first value.
- * A thread gets all tiles of a band of rows, one after the other. */
+/** Part of a loop over pairs: outer iterations `row` to before `row_end`, and of these the inner
+ * iterations whose counter is `column` to before `column_end` steps after the loop's first value. A
+ * thread gets all tiles of a band of rows, one after the other. */
 typedef struct redcc_tile {
     redcc_int row, row_end;
     redcc_int column, column_end;
@@ -395,7 +395,7 @@ typedef struct redcc_binned {
 struct redcc_bin_buffer;
 
 enum { REDCC_PAGE = 4096 }; /* bytes; the system's pages are at least as large */
-#define REDCC_NOWHERE (~(redcc_size)0)
+#define REDCC_NO_PAGE (~(redcc_size)0)
 
 /** One thread's bins of one stream. Constant while a chunk is executed, so that generated code may
  * copy it. */
@@ -410,7 +410,8 @@ typedef struct redcc_bins {
     char *copy[REDCC_STREAM_ARRAYS]; /* private copies of each array, from row `first` on; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
-    redcc_size *there; /* the number of a readable page; REDCC_NOWHERE: none is known */
+    redcc_size
+        *readable_page; /* the number of a page that is readable; REDCC_NO_PAGE: none is known */
     const struct redcc_calls *calls;
 } redcc_bins;
 
@@ -424,22 +425,23 @@ struct redcc_attempt;
 typedef struct redcc_series_calls {
     void (*join)(redcc_series_writer *writer, redcc_series *series);
     int (*room)(redcc_series_writer *writer, redcc_int k);
-    int (*again)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
+    int (*repeats)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
     int (*is_over)(const redcc_worker *worker);
     int (*has_any)(const redcc_series *series);
     const redcc_series_part *(*find)(const redcc_series *series, redcc_int *k);
-    /** With tiles: called when the thread's band is done; and when its operands were added. */
+    /** With tiles: await_band is called when the thread's band is done, end_band when its operands
+     * were added. */
     void (*await_band)(redcc_worker *worker);
     const redcc_series_part *(*part_of)(const redcc_series *series, redcc_int k);
     void (*end_band)(redcc_worker *worker, redcc_series_writer *writers, redcc_u32 count);
     /** Frees all memory of the loop's operands. */
-    void (*give)(const struct redcc_attempt *attempt);
+    void (*release)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
 /** For elements behind pointers, in bins. */
 typedef struct redcc_behind_calls {
-    /** Is a pointer at this address readable? If so, sets *there to the number of its page. */
-    int (*is_there)(redcc_size *there, const void *address);
+    /** Is a pointer at this address readable? If so, sets *page to the number of its page. */
+    int (*is_readable)(redcc_size *page, const void *address);
     /** Pushes a record of `count` rows from row `low` on. */
     void (*push_span)(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                       redcc_int count, const void *record);
@@ -447,17 +449,18 @@ typedef struct redcc_behind_calls {
 
 typedef struct redcc_crew redcc_crew;
 
-/** Calls of the library for a loop to which all threads of a team come (redcc/crew.h). */
+/** Functions of the library for a loop that all threads of a team reach (redcc/crew.h). */
 typedef struct redcc_crew_calls {
     void (*arrive)(void);
-    redcc_crew *(*meet)(redcc_loop *loop, int locks);
+    redcc_crew *(*begin)(redcc_loop *loop, int locks);
     int (*help)(redcc_crew *crew);
     void (*end)(redcc_crew *crew);
 } redcc_crew_calls;
 
 /** Functions of the library that are called before a loop begins. */
 typedef struct redcc_before_calls {
-    /** Is it certain that no other thread of the process runs before the loop ends? */
+    /** Is it certain that no other thread of the process executes the program's code before the
+     * loop ends? */
     int (*is_alone)(redcc_loop *loop);
     /** May pointers that the loop reads only under conditions be loaded before it? 0: not in this
      *  execution, because the loop is executed too often. */
@@ -495,7 +498,7 @@ typedef struct redcc_ahead_calls {
     /** Sets `it` before iteration number `distance` of the worker's runs. */
     void (*begin)(redcc_ahead *it, const redcc_worker *worker, int distance);
     /** Advances to the next run. Returns 0 if none is left. */
-    int (*turn)(redcc_ahead *it);
+    int (*next_run)(redcc_ahead *it);
     /** Copies progressions, except those that earlier ones cover because they are members of the
      * same structures. */
     void (*rows)(redcc_progression *to, const redcc_progression *from, int count);

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops over pairs: tiles, for which the body's inner loop is clipped to a range of columns; and
- * the number of inner iterations before a row. An inner iteration is called a turn. loop.h includes
- * this file.
+ * the number of inner iterations before a row. loop.h includes this file.
  */
 #ifndef REDCC_TILES_H
 #define REDCC_TILES_H
 
 #include <redcc/entry.h>
 
-/** Parameters of a function that executes, for each iteration of a tile, its turns from column
- *  redcc__from to before redcc__to. */
+/** Parameters of a function that executes one iteration of a tile: its inner iterations from column
+ * redcc__from to before redcc__to. */
 #define REDCC_TILE_PARAMETERS                                                                      \
     redcc_worker *const redcc__worker __attribute__((__unused__)),                                 \
         const redcc_tile *const redcc__tile __attribute__((__unused__)),                           \
@@ -28,7 +27,7 @@
 /** Precedes a chunk's declarations: if a tile was handed out, executes it. Both counters have this
  *  step. */
 #define REDCC_TILED(redcc_step, redcc_call_of_tile, redcc_after_tile)                              \
-    if (__builtin_expect(redcc__asked == REDCC_TILE, 0)) {                                         \
+    if (__builtin_expect(redcc__chunk_kind == REDCC_TILE, 0)) {                                    \
         const redcc_tile redcc__tile = *redcc__worker->variant.tile;                               \
         const redcc_int redcc__from = redcc__tile.is_first                                         \
                                           ? -__LONG_LONG_MAX__                                     \
@@ -46,15 +45,15 @@ REDCC_INLINE redcc_word redcc_pairs(redcc_word m) {
     return m % 2 ? m * ((m - 1) / 2) : m / 2 * (m - 1);
 }
 
-/** The total number of turns of rows 0 to k - 1, which have first, first - 1, ... turns but not
- * fewer than 0. */
-REDCC_INLINE redcc_word redcc_turns_above(redcc_int first, redcc_int k) {
+/** The total number of inner iterations of rows 0 to k - 1, which have first, first - 1, ... of
+ * them, but at least 0. */
+REDCC_INLINE redcc_word redcc_inner_trips_above(redcc_int first, redcc_int k) {
     const redcc_word rows = (redcc_word)(first < 0 ? 0 : first < k ? first : k);
     return rows * (redcc_word)first - redcc_pairs(rows);
 }
 
-/** The same for first, first + 1, ... turns. */
-REDCC_INLINE redcc_word redcc_turns_below(redcc_int first, redcc_int k) {
+/** The same for first, first + 1, ... inner iterations. */
+REDCC_INLINE redcc_word redcc_inner_trips_below(redcc_int first, redcc_int k) {
     const redcc_int empty = first < 0 ? -first : 0;
     const redcc_word rows = (redcc_word)(k < empty ? 0 : k - empty);
     return rows * (redcc_word)(first + empty) + redcc_pairs(rows);

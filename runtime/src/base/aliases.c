@@ -10,7 +10,7 @@
 struct part {
     struct range place;
     struct object object;
-    uint64_t offset; /* of its first byte in the object */
+    uint64_t offset; /* offset of the first byte in the object */
 };
 
 enum { PARTS = 32 };
@@ -83,7 +83,7 @@ static bool is_touched(const struct touches *touches, struct range range) {
     return false;
 }
 
-/* The addresses of the part in the mapping, unless they are the part's own. */
+/* Where this mapping shows the part; an empty range if that is the part's own address. */
 static struct range image_of(const struct part *part, const struct mapping *mapping) {
     const uint64_t part_end = part->offset + redcc_range_size(part->place);
     const uint64_t mapping_end = mapping->offset + redcc_range_size(mapping->place);

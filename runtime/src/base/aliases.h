@@ -21,10 +21,9 @@ struct touches {
 };
 
 /** May the loop also touch written memory at another address? True also if that is unknown. Takes a
- *  few nanoseconds if no object of the process refers to a function that maps memory. Otherwise it
- *  reads the mappings in each execution, because the kernel does not report new ones. A thread of
- *  the program that maps memory meanwhile, while that memory is written, has a data race.
- *  Thread-safe. */
+ * few nanoseconds if no object of the process refers to a function that maps memory. Otherwise it
+ * reads the mappings in each execution, because the kernel does not report new ones. A thread that
+ * maps the written memory again during the loop has a data race. Thread-safe. */
 bool redcc_may_be_aliased(struct touches touches);
 
 /** Does the process have writable memory with several addresses? For steps that run before the

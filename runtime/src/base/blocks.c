@@ -75,7 +75,7 @@ static void *take_free(unsigned class, size_t bytes) {
     return block;
 }
 
-void *redcc_block_take(size_t *bytes, bool keep) {
+void *redcc_block_alloc(size_t *bytes, bool keep) {
     size_t size;
     const unsigned class = class_of(*bytes, &size);
     const bool small = size <= SMALL_MOST;
@@ -113,7 +113,7 @@ static bool put(void *block, size_t bytes, bool keep) {
     return stays;
 }
 
-void redcc_block_give(void *block, size_t bytes, bool keep) {
+void redcc_block_free(void *block, size_t bytes, bool keep) {
     if (!put(block, bytes, keep))
         redcc_system_unmap(block, bytes);
 }

@@ -13,10 +13,10 @@
  *  needed to free the block. Not initialised. keep: a cached block may be used. NULL: out of
  * memory.
  */
-void *redcc_block_take(size_t *bytes, bool keep);
+void *redcc_block_alloc(size_t *bytes, bool keep);
 
 /** Frees a block of `bytes` bytes; keep: caches it if possible. */
-void redcc_block_give(void *block, size_t bytes, bool keep);
+void redcc_block_free(void *block, size_t bytes, bool keep);
 
 /** Must be called in a forked process. Since other threads may have held the lock, memory that was
  *  free then is not used again. */

@@ -12,16 +12,17 @@ enum { LINE = 64 };
 
 struct redcc_crew {
     int threads;
-    int level;                /* of its region, among those around it */
-    struct redcc_crew *outer; /* that its first thread led before: a team around this one */
-    atomic_int users;         /* threads that may still look at this memory */
+    int level; /* nesting level of its region */
+    /* the crew of the enclosing region, which its first thread also leads */
+    struct redcc_crew *outer;
+    atomic_int users; /* threads that may still read this memory */
     /* The current task. */
     region_work *work; /* NULL: the loop is over */
     void *shared;
     int threads_at_work;
     atomic_uint tasks;               /* so far */
-    atomic_int idle;                 /* threads that sleep until there is another one */
-    _Alignas(LINE) atomic_uint left; /* threads that the task's end waits for */
+    atomic_int idle;                 /* threads that sleep until the next task */
+    _Alignas(LINE) atomic_uint left; /* threads that have not finished the task */
     atomic_int asleep;
 };
 
@@ -35,8 +36,8 @@ extern int omp_get_thread_num(void) WEAK;
 redcc_crew *redcc_crew_new(void) {
     if (redcc_region_is_own() || !omp_get_level)
         return NULL;
-    redcc_memory_exempt(true); /* as written, the loop would have other bits */
-    struct redcc_crew *it = redcc_memory_take_zeroed(1, sizeof *it);
+    redcc_memory_exempt(true); /* without a crew the loop runs as written, with other bits */
+    struct redcc_crew *it = redcc_memory_alloc_zeroed(1, sizeof *it);
     redcc_memory_exempt(false);
     if (!it)
         return NULL;
@@ -48,7 +49,7 @@ redcc_crew *redcc_crew_new(void) {
 
 static void leave(struct redcc_crew *it) {
     if (atomic_fetch_sub(&it->users, 1) == 1)
-        redcc_memory_give(it);
+        redcc_memory_free(it);
 }
 
 static void begin(struct redcc_crew *it, int threads, region_work *work, void *shared) {

@@ -2,10 +2,10 @@
 /**
  * The external functions that the objects of the process refer to and define.
  *
- * In most programs signal handlers end only by returning. For these, blocking signals during loops
- * would gain nothing, and costs a tenth of a short loop's time. References are found in the dynamic
- * symbol tables of the objects. A statically linked program has none, so its handlers are assumed
- * to leave by other ways (siglongjmp).
+ * In most programs signal handlers end only by returning. Blocking signals during loops would gain
+ * nothing for these programs, and would cost a tenth of a short loop's time. References are found
+ * in the dynamic symbol tables of the objects. A statically linked program has none, so its
+ * handlers are assumed to leave by other ways (siglongjmp).
  */
 #include "base/escapes.h"
 
@@ -29,8 +29,8 @@ struct object {
     size_t text_bytes;
 };
 
-/* Compares the first character before the call of strcmp: of thousands of names most differ there.
- */
+/* Compares the first character before strcmp is called: most of the thousands of names differ
+ * there. */
 static bool is_called(const char *name, const char *other) {
     return name[0] == other[0] && strcmp(name, other) == 0;
 }

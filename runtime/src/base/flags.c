@@ -7,7 +7,7 @@
 #include "base/wait.h"
 
 struct flags *redcc_flags_new(uint32_t count) {
-    return redcc_memory_take_zeroed(1, sizeof(struct flags) + count * sizeof(atomic_uint));
+    return redcc_memory_alloc_zeroed(1, sizeof(struct flags) + count * sizeof(atomic_uint));
 }
 
 void redcc_flag_raise(struct flags *flags, uint32_t flag, unsigned round) {

@@ -14,7 +14,7 @@ struct flags {
     atomic_uint flag[]; /* the round in which it was raised */
 };
 
-/** Allocates `count` flags, lowered in all rounds except round 0; freed by redcc_memory_give. NULL:
+/** Allocates `count` flags, lowered in all rounds except round 0; freed by redcc_memory_free. NULL:
  * out of memory. */
 struct flags *redcc_flags_new(uint32_t count);
 

@@ -20,19 +20,19 @@ struct header {
 
 #if defined(__SANITIZE_ADDRESS__) /* separate blocks, so that accesses beyond their ends are       \
                                      detected */
-static void *block_take(size_t *bytes, bool keep) {
+static void *block_alloc(size_t *bytes, bool keep) {
     (void)keep;
     return aligned_alloc(LINE, *bytes);
 }
 
-static void block_give(void *block, size_t bytes, bool keep) {
+static void block_free(void *block, size_t bytes, bool keep) {
     (void)bytes;
     (void)keep;
     free(block);
 }
 #else
-#define block_take redcc_block_take
-#define block_give redcc_block_give
+#define block_alloc redcc_block_alloc
+#define block_free redcc_block_free
 #endif
 
 static atomic_size_t in_use;
@@ -62,7 +62,7 @@ static bool account(size_t bytes) {
     return true;
 }
 
-void *redcc_memory_take(size_t bytes) {
+void *redcc_memory_alloc(size_t bytes) {
     if (bytes > SIZE_MAX / 2 || fails_on_purpose())
         return NULL;
     const size_t whole = (bytes + LINE - 1) / LINE * LINE + LINE;
@@ -70,7 +70,7 @@ void *redcc_memory_take(size_t bytes) {
         return NULL;
     const bool keep = atomic_load_explicit(&limit, memory_order_relaxed) == 0;
     size_t held = whole;
-    char *memory = block_take(&held, keep);
+    char *memory = block_alloc(&held, keep);
     if (!memory) {
         atomic_fetch_sub(&in_use, whole);
         return NULL;
@@ -81,10 +81,10 @@ void *redcc_memory_take(size_t bytes) {
     return memory + LINE;
 }
 
-void *redcc_memory_take_zeroed(size_t count, size_t size) {
+void *redcc_memory_alloc_zeroed(size_t count, size_t size) {
     if (size && count > SIZE_MAX / 2 / size)
         return NULL;
-    void *block = redcc_memory_take(count * size);
+    void *block = redcc_memory_alloc(count * size);
     if (block)
         memset(block, 0, count * size);
     return block;
@@ -94,24 +94,24 @@ static struct header *header_of(const void *block) {
     return (struct header *)((uintptr_t)block - LINE);
 }
 
-char *redcc_memory_take_text(const char *text) {
+char *redcc_memory_copy_text(const char *text) {
     const size_t bytes = strlen(text) + 1;
-    char *copy = redcc_memory_take(bytes);
+    char *copy = redcc_memory_alloc(bytes);
     return copy ? memcpy(copy, text, bytes) : NULL;
 }
 
 void *redcc_memory_resize(void *block, size_t bytes) {
-    void *other = redcc_memory_take(bytes);
+    void *other = redcc_memory_alloc(bytes);
     if (other && block) {
         const size_t held = redcc_memory_size(block) - LINE;
         assert(held > 0);
         memcpy(other, block, held < bytes ? held : bytes);
-        redcc_memory_give(block);
+        redcc_memory_free(block);
     }
     return other;
 }
 
-void redcc_memory_give(void *block) {
+void redcc_memory_free(void *block) {
     if (!block)
         return;
     assert(header_of(block)->bytes >= LINE && header_of(block)->bytes <= header_of(block)->held);
@@ -119,7 +119,7 @@ void redcc_memory_give(void *block) {
     atomic_fetch_sub(&in_use, header_of(block)->bytes);
     atomic_fetch_sub(&live, 1);
     const struct header header = *header_of(block);
-    block_give(header_of(block), header.held, header.kept);
+    block_free(header_of(block), header.held, header.kept);
 }
 
 void redcc_memory_forked(void) {

@@ -12,20 +12,20 @@
 /** Allocates `bytes` bytes, aligned to a cache line. Not initialised, so that the first thread to
  * write a page determines its NUMA node. NULL if out of memory, or if the limit would be exceeded.
  */
-void *redcc_memory_take(size_t bytes);
+void *redcc_memory_alloc(size_t bytes);
 
-/** As redcc_memory_take, for `count` items of `size` bytes, all zero. */
-void *redcc_memory_take_zeroed(size_t count, size_t size);
+/** As redcc_memory_alloc, for `count` items of `size` bytes, all zero. */
+void *redcc_memory_alloc_zeroed(size_t count, size_t size);
 
 /** A copy of the text; NULL: out of memory. */
-char *redcc_memory_take_text(const char *text);
+char *redcc_memory_copy_text(const char *text);
 
 /** Resizes a block (NULL: an empty one) and keeps its contents; returns the new block. NULL:
  *  `block` is unchanged. */
 void *redcc_memory_resize(void *block, size_t bytes);
 
 /** Frees a block; NULL does nothing. */
-void redcc_memory_give(void *block);
+void redcc_memory_free(void *block);
 
 /** Must be called in a forked process: other threads of the parent may have been allocating. */
 void redcc_memory_forked(void);

@@ -28,7 +28,7 @@ static void stay_loaded(void) {
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);
 }
 
-/* Calls `end` with `it` when the calling thread ends. False: it will not. */
+/* Makes the calling thread call `end` with `it` when it ends. False: this is impossible. */
 static bool call_at_end(void (*end)(void *), void *it) {
     return __cxa_thread_atexit_impl(end, it, (void *)(uintptr_t)nothing) == 0;
 }
@@ -56,7 +56,7 @@ static bool call_at_end(void (*end)(void *), void *it) {
 
 enum { MOST = 1024, LINE = 64 };
 
-/* One thread's next task. Each has separate cache lines. */
+/* One thread's next task, in cache lines of its own. */
 struct slot {
     _Alignas(LINE) atomic_uint region; /* changes when there is a task */
     atomic_int asleep;
@@ -70,7 +70,7 @@ struct slot {
 struct pool {
     atomic_uint left; /* threads that the current region waits for */
     atomic_int asleep;
-    atomic_int alive; /* threads, until the last one frees the memory */
+    atomic_int alive; /* threads that still use this memory; the last one frees it */
     int threads;      /* started threads plus the calling one */
     struct slot slot[MOST];
 };

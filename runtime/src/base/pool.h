@@ -11,9 +11,9 @@
 
 #include <stddef.h>
 
-/** Starts threads until the calling thread's pool has `threads`, including itself, or the system
- *  refuses one. Returns the number of threads, at most `threads`. Signals must be blocked, because
- * new threads inherit the mask. stack: bytes of a thread's stack; 0: the default. */
+/** Starts threads until the calling thread's pool has `threads` threads (itself included), or the
+ * system refuses one. Returns the number of threads, at most `threads`. Signals must be blocked,
+ * because new threads inherit the mask. stack: bytes of a thread's stack; 0: the default. */
 int redcc_pool_prepare(int threads, size_t stack);
 
 /** The number of threads of the calling thread's pool, including itself. */

@@ -14,12 +14,12 @@ typedef void region_work(int number, int threads, void *shared);
 /** Does the program lack an OpenMP library, so that the threads of pool.h execute regions? */
 bool redcc_region_is_own(void);
 
-/** The number of threads for a region: those that work for the caller; else from OpenMP's library
- * or, without one, from its environment variables. At least 1. */
+/** The number of threads for a region, at least 1. It is that of the caller's crew, if it leads
+ * one; otherwise that of OpenMP's library or, without a library, of its environment variables. */
 int redcc_region_threads(void);
 
-/** Is the calling thread within a parallel region of the program or of the runtime? Not if the
- *  region's other threads work for it (crew.h). */
+/** Is the calling thread within a parallel region of the program or of the runtime? False if the
+ * calling thread leads a crew (crew.h). */
 bool redcc_region_is_nested(void);
 
 /** Opens a region of `threads` threads (OpenMP may give fewer) and waits for its end. */

@@ -3,8 +3,8 @@
 #ifndef REDCC_ROUTE_H
 #define REDCC_ROUTE_H
 
-/** The kind of plan that an inspection builds. The end of a stage decides it, once enough is known.
- */
+/** The kind of plan that an inspection builds. It is decided at the end of the first stage that
+ * knows enough. */
 enum route {
     ROUTE_SERIAL, /* no plan: the original loop */
     ROUTE_OWNERS, /* owners cut by address */

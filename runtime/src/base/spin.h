@@ -19,7 +19,7 @@ static inline bool redcc_spin_try(struct spin *lock) {
            atomic_exchange_explicit(&lock->held, 1, memory_order_acquire) == 0;
 }
 
-/** Acquires the lock; false after a wait so long that the lock may never be released. */
+/** Acquires the lock. False after a long wait, because its holder may never release it. */
 static inline bool redcc_spin_hope(struct spin *lock) {
     for (int tries = 0; tries < 10000; tries++) {
         if (redcc_spin_try(lock))

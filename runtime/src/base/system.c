@@ -56,7 +56,7 @@ void redcc_system_close(int descriptor) {
 }
 
 void redcc_system_read_text(const char *name, char *text, size_t bytes) {
-    assert(bytes > 0); /* for the final 0 */
+    assert(bytes > 0); /* room for the final 0 */
     const int file = redcc_system_open(name);
     if (file < 0)
         return;
@@ -64,14 +64,15 @@ void redcc_system_read_text(const char *name, char *text, size_t bytes) {
     redcc_system_close(file);
 }
 
-#ifdef SYS_mmap2 /* the file offset is in pages there; these mappings have no file */
+#ifdef SYS_mmap2 /* mmap2 takes the offset in pages, but these mappings have no file */
 #define MAP_CALL SYS_mmap2
 #else
 #define MAP_CALL SYS_mmap
 #endif
 
-/* The kernel may map for one thread memory that another thread has unmapped, and orders the two.
- * Race detectors do not see this order in the system calls, but they see it in this counter. */
+/* One thread may unmap memory that the kernel then maps for another thread. The kernel orders the
+ * two calls. Race detectors do not see this order in system calls, but they see it in this counter.
+ */
 static atomic_uint unmapped;
 
 void *redcc_system_map(size_t bytes) {

@@ -45,13 +45,13 @@ extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
 extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
 
 enum {
-    FEW = 8192, /* processes: a limit above this is assumed not to be reached */
+    FEW = 8192, /* a limit above this number of processes is assumed not to be reached */
     SPARE = 4 * 1024 * 1024
 };
 
 struct team {
-    int threads;         /* of the thread's last region; 0: there was none */
-    int pinned;          /* it is ensured that the code of its threads is not unloaded */
+    int threads;         /* threads of the thread's last region; 0: there was none */
+    int pinned;          /* the library that contains its threads' code cannot be unloaded */
     int rest;            /* calls to skip after a handler was last detected */
     int rest_left;       /* how many of these remain */
     size_t stack_before; /* bytes, the default size to restore; 0: it was not changed */
@@ -181,9 +181,9 @@ static void *be_there(void *argument) {
     return NULL;
 }
 
-/* Number of threads of the process; 0: not known. */
+/* The number of threads of the process; 0: unknown. Each is a subdirectory of /proc/self/task. */
 static int count_tasks(void) {
-    enum { LINKS = 2 }; /* of a directory without subdirectories */
+    enum { LINKS = 2 }; /* links of a directory without subdirectories */
     struct statx tasks;
     if (redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0)
         return 0;
@@ -195,7 +195,7 @@ static int try_threads(int more) {
     const int before = count_tasks();
     struct trial trial = {0};
     int made = 0;
-    pthread_t *thread = redcc_memory_take((size_t)more * sizeof *thread);
+    pthread_t *thread = redcc_memory_alloc((size_t)more * sizeof *thread);
     if (!thread)
         return 0;
     while (made < more && pthread_create(&thread[made], NULL, be_there, &trial) == 0)
@@ -205,7 +205,7 @@ static int try_threads(int more) {
     redcc_wake(&trial.over, &trial.asleep);
     for (int i = 0; i < made; i++)
         pthread_join(thread[i], NULL);
-    redcc_memory_give(thread);
+    redcc_memory_free(thread);
     for (int wait = 0; wait < 10000 && count_tasks() > before; wait++)
         redcc_system_yield(); /* the limit counts them until the system has removed them */
     return useful;
@@ -368,8 +368,8 @@ static int count_others_that_stay(double seconds) {
     }
 }
 
-/* Opens a region with as many threads as the process has, so that all of OpenMP's become members.
- */
+/* Opens a region with as many threads as the process has, so that all of OpenMP's threads register
+ * as members. */
 static void note_all(int others) {
     enum { MOST = 256 };
     const int usual = redcc_region_threads(), all = 1 + atomic_load(&members) + others;
@@ -377,18 +377,19 @@ static void note_all(int others) {
     redcc_region_run(may_be_more && all > usual ? all : usual, be_noted, NULL);
 }
 
-static atomic_int known; /* the number of other threads that stayed when they were waited for */
+static atomic_int known; /* the number of other threads that had not ended after the last wait */
 
-/* The same as count_others, after waiting for members that are leaving. */
+/* The same as count_others, after waiting for the members that are ending. */
 static int count_unknown(void) {
-    (void)redcc_is_forked(); /* members are this process's */
+    (void)redcc_is_forked(); /* counts members of this process only */
     const int others = count_others();
     return others > 0 && others != atomic_load(&known) ? count_others_that_stay(0) : others;
 }
 
-/* Waits for others to leave. */
+/* Waits for other threads to end. */
 static bool others_leave(void) {
-    static _Atomic double longest = 0.25; /* seconds; halved if nothing came of it */
+    /* seconds; halved after each wait that left other threads */
+    static _Atomic double longest = 0.25;
     const double seconds = atomic_load(&longest);
     const int others = count_others_that_stay(seconds);
     atomic_store(&known, others);
@@ -397,15 +398,22 @@ static bool others_leave(void) {
     return others == 0;
 }
 
+/* Are all other threads of the process members? If some are unknown, waits for them to end.
+ * registers: first opens a region, in which OpenMP's idle threads register as members. */
+static bool are_others_idle(bool registers) {
+    const int others = count_unknown();
+    if (others <= 0 || others == atomic_load(&known))
+        return others == 0;
+    if (registers)
+        note_all(others);
+    return others_leave();
+}
+
 bool redcc_team_is_alone(void) {
     if (redcc_region_is_nested() || redcc_crew_threads() > 0 ||
         redcc_system(SYS_gettid) != redcc_system_process())
         return false;
-    const int others = count_unknown();
-    if (others <= 0 || others == atomic_load(&known))
-        return others == 0;
-    note_all(others);
-    return others_leave();
+    return are_others_idle(true);
 }
 
 bool redcc_team_has_met(void) {
@@ -413,8 +421,7 @@ bool redcc_team_has_met(void) {
         return redcc_team_is_alone();
     if (redcc_within || omp_get_level() > 1)
         return false;
-    const int others = count_unknown();
-    return others <= 0 || others == atomic_load(&known) ? others == 0 : others_leave();
+    return are_others_idle(false);
 }
 
 #else

@@ -43,19 +43,20 @@ int redcc_team_to_start(int threads);
  * runtime with as many threads, which this function opens. */
 bool redcc_team_is_alone(void);
 
-/** Are all threads of the process those of the calling thread's team, which have noted themselves
- *  and come together, or idle ones? The team is of an outermost region; outside of regions the same
- *  as redcc_team_is_alone. */
+/** Does every running thread of the process belong to the calling thread's team, whose threads have
+ * all registered and reached the same loop? False in nested regions. Outside of regions this is
+ * redcc_team_is_alone. */
 bool redcc_team_has_met(void);
 
 /** Called by each thread of a region except the first: registers it as made by OpenMP or the
  * runtime. */
 void redcc_team_note_member(void);
 
-/** Called in a new process, in which only the calling thread exists. */
+/** Called in a child process, where only the calling thread exists: forgets the parent's threads.
+ */
 void redcc_team_forked(void);
 
-/** Called by the region's first thread when the region has begun, with `threads` threads. */
+/** Called by the region's first thread when the region has begun with `threads` threads. */
 void redcc_team_begun(int threads);
 
 #endif

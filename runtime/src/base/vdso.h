@@ -5,7 +5,7 @@
 
 #if defined(__aarch64__)
 #define REDCC_VDSO_CLOCK "__kernel_clock_gettime"
-#define REDCC_VDSO_NODE "__kernel_getcpu" /* does not exist here */
+#define REDCC_VDSO_NODE "__kernel_getcpu" /* no such function on this processor */
 #else
 #define REDCC_VDSO_CLOCK "__vdso_clock_gettime"
 #define REDCC_VDSO_NODE "__vdso_getcpu"

@@ -14,7 +14,7 @@
 enum {
     SPINS = 4000, /* some 20 to 100 microseconds: more than the skew of a balanced loop's threads */
     IDLE = 1000,  /* spins of idle threads (docs/decisions/0002) */
-    YIELDS = 4,   /* then yield the core to the awaited thread, then sleep */
+    YIELDS = 4,   /* after the spins, times that the thread yields its core before it sleeps */
     FULL = 1024
 };
 

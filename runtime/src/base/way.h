@@ -7,7 +7,7 @@
 
 enum way {
     WAY_SEQUENTIAL,
-    /* With a plan, built by an inspection: */
+    /* With a plan, which an inspection builds: */
     WAY_COPIES, /**< private copies */
     WAY_INDEX,  /**< LOCALWRITE, owners by address */
     WAY_GRAPH, /**< LOCALWRITE, owners cut from the access graph; or wavefronts, if the owners' work

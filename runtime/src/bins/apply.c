@@ -8,7 +8,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* Records of doubles, for rows of floats: the type in which the update was computed. */
+/* Applies records of doubles to rows of floats: the updates were computed in double. */
 static void apply_wide(const redcc_applied *applied, redcc_operator operation, size_t count) {
     float *const rows = applied->rows[0];
     const double *const records = applied->records;
@@ -20,7 +20,8 @@ static void apply_wide(const redcc_applied *applied, redcc_operator operation, s
         }
 }
 
-/* Does the library have a function for the stream's records? */
+/* Can a function of the library apply the stream's records, without the loop's own apply function?
+ * *wide: the records are doubles, and the rows floats. */
 static bool is_plain(const redcc_array *array, const redcc_stream *stream, bool *wide) {
     const struct element_rule *rule =
         redcc_element_rule((redcc_operator)array->operation, (redcc_type)array->type);
@@ -59,7 +60,7 @@ static void apply_records(const redcc_binned *loop, const redcc_stream *stream,
             ->apply(applied, stream->rows[0] / array->element);
 }
 
-/* All records of one bin, in the order of the loop. */
+/* Applies all records of one bin, in the order of the loop. */
 static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
                       const void *operands) {
     const redcc_stream *stream = &binning->loop->streams[s];
@@ -128,7 +129,7 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
         for (uint32_t a = 0; a < stream->array_count; a++) {
             const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
             const size_t bytes = binning->stream[s].window.rows * stream->rows[a];
-            assert(rule && bytes % rule->size == 0); /* redcc_private_possible */
+            assert(rule && bytes % rule->size == 0); /* ensured by redcc_private_possible */
             rule->fill(binner->buffer[s].push.copy[a], bytes / rule->size);
         }
     }
@@ -142,7 +143,7 @@ static struct row_range changed_rows(const struct binning *binning, uint32_t s, 
     const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
     const struct window window = binning->stream[s].window;
     const uint64_t row = stream->rows[a], size = rule->size;
-    uint64_t neutral = 0; /* no integer is larger */
+    uint64_t neutral = 0; /* as large as the largest integer */
     rule->fill(&neutral, 1);
     uint64_t first = 0, end = window.rows * row;
     while (first < end && memcmp(copy + first, &neutral, size) == 0)
@@ -165,7 +166,8 @@ struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
     return rows;
 }
 
-/* A share of the rows, copy after copy. The window has rows beyond those of the array. */
+/* Merges this thread's share of the rows, copy after copy. The window also has rows beyond the
+ * array's ends. */
 static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct row_range changed = binning->stream[s].changed;

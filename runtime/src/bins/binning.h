@@ -11,7 +11,7 @@
  *     apply    one thread takes each bin and applies its records: the first piece's, the second's,
  *              ..., each in the order they were appended
  *
- * So each element gets its updates in the order of the loop, at every number of threads. If records
+ * So each element gets its updates in the order of the loop, with any number of threads. If records
  * of a round are missing (rows outside of the bins, no more memory), it is aborted and executed
  * again, with other bins or fewer iterations. If that does not help, or the guard fails, the rest
  * of the loop runs sequentially: the round has written nothing.
@@ -41,11 +41,11 @@ enum bins_phase {
     BINS_MEASURE,
     BINS_PUSH,
     BINS_APPLY,
-    BINS_STRETCH, /* of a trial: the first thread executes iterations sequentially */
+    BINS_STRETCH, /* in a trial: the first thread executes iterations sequentially */
     BINS_OVER     /* `begin` iterations are done */
 };
 
-/** One thread's part. Only it writes this; the other threads read it after the barrier. */
+/** One thread's part. Only this thread writes it; the others read it after the barrier. */
 struct binner {
     int thread;
     int threads;
@@ -53,7 +53,7 @@ struct binner {
     bool begun;              /* its part of the phase has begun */
     struct bins_share share; /* its share of the round */
     int pieces;              /* number taken in this round */
-    redcc_int next;          /* of its piece, [next, last) is not handed out yet */
+    redcc_int next;          /* iterations [next, last) of its piece are not handed out yet */
     redcc_int last;
     redcc_int unseen;                /* iterations since it last checked for missing records */
     int sample;                      /* stretches of iterations handed out for measuring */
@@ -83,7 +83,8 @@ struct round {
                                       * aborted */
 };
 
-/** Receives the bytes of an array that will be written next, before they are; tell NULL: unused. */
+/** Is called with the bytes of an array that are about to be written; tell NULL: nothing is called.
+ */
 struct written_witness {
     void (*tell)(void *whom, uint32_t array, struct range written);
     void *whom;
@@ -100,8 +101,8 @@ struct bins_trial {
                       * which is not known yet; 0: no trial */
     double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
     double began;    /* its time */
-    double pushes;   /* the time at which the only round (REDCC_WHOLE) began to be pushed */
-    bool is_late;    /* that round takes too long to push */
+    double pushes;   /* the time at which pushing the only round (REDCC_WHOLE) began */
+    bool is_late;    /* pushing it takes too long */
     redcc_int stretch; /* iterations that the trial executes sequentially */
     double sequential; /* their time, seconds */
 };
@@ -117,10 +118,10 @@ struct binning {
     struct bins_trial trial;
     struct round round;
     bool copies;        /* private copies, in this execution */
-    int cut_threads;    /* for which the windows were cut */
+    int cut_threads;    /* number of threads for which the windows were cut */
     bool denies_copies; /* the guard found them to be too coarse */
     atomic_uint next_bin;
-    atomic_int failed; /* in this round, by some thread */
+    atomic_int failed; /* some thread lacks records of this round */
     struct effects effects;
     enum reason reason;     /* why the rest is sequential; NONE: all is done */
     struct overlap overlap; /* of REASON_OVERLAP */
@@ -134,8 +135,8 @@ static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
     return loop->flags & REDCC_BINNED ? (const redcc_binned *)(const void *)loop : NULL;
 }
 
-/** Must the guard have seen all updates of the loop before the first one is made? Then the loop is
- *  one round, and no part of it is executed sequentially. */
+/** Must the guard see all updates of the loop before the first one is made? If so, the loop is one
+ * round, and no part of it is executed sequentially. */
 static inline bool redcc_bins_is_whole(const struct binning *binning) {
     const unsigned flags = binning->loop->loop.flags;
     return flags & REDCC_WHOLE && !(flags & REDCC_BINS_CHECKED);
@@ -200,9 +201,9 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** A thread joins an execution of `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution of binning->call. may_lose, usual: as in bins_trial. It may exceed the
- *  sequential loop's time by may_lose before the rest runs sequentially; 0: no trial. One
- *  thread. */
+/** Begins an execution of binning->call; called by one thread. may_lose, usual: as in bins_trial.
+ * In a trial the rest runs sequentially once the execution has exceeded the sequential loop's time
+ * by may_lose. */
 void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
                       struct written_witness witness);
 
@@ -215,7 +216,7 @@ double redcc_bins_usual(const struct binning *binning);
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
                      redcc_bins *bins, const void *operands);
 
-/** A thread's part of a loop; NULL: no memory. The second frees it. */
+/** Allocates a thread's part of a loop; NULL: out of memory. The second function frees it. */
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread);
 void redcc_binner_free(struct binner *binner, const redcc_binned *loop);
 

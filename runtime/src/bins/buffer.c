@@ -54,8 +54,8 @@ static void *part(const struct redcc_bin_buffer *buffer, size_t offset) {
 static bool provide(struct redcc_bin_buffer *buffer, size_t bytes) {
     if (buffer->memory && redcc_memory_size(buffer->memory) >= bytes + LINE)
         return true;
-    redcc_buffer_end(buffer); /* before: both might not fit */
-    buffer->memory = redcc_memory_take(bytes);
+    redcc_buffer_end(buffer); /* frees first, because the limit may not permit both */
+    buffer->memory = redcc_memory_alloc(bytes);
     return buffer->memory != NULL;
 }
 
@@ -67,7 +67,7 @@ static void place_rows(struct redcc_bin_buffer *buffer, const redcc_stream *stre
                                 .span = window.rows,
                                 .shift = window.shift,
                                 .buffer = buffer,
-                                .there = &buffer->there};
+                                .readable_page = &buffer->readable_page};
 }
 
 bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
@@ -106,7 +106,7 @@ bool redcc_buffer_shape_copies(struct redcc_bin_buffer *buffer, const redcc_stre
 }
 
 void redcc_buffer_end(struct redcc_bin_buffer *buffer) {
-    redcc_memory_give(buffer->memory);
+    redcc_memory_free(buffer->memory);
     buffer->memory = NULL;
     buffer->blocks = 0;
 }
@@ -116,7 +116,7 @@ static void forget_outside(struct redcc_bin_buffer *buffer) {
     buffer->outside = redcc_no_rows;
     buffer->outside_count = 0;
     buffer->reached = redcc_no_rows;
-    buffer->there = REDCC_NOWHERE; /* the program may have unmapped it */
+    buffer->readable_page = REDCC_NO_PAGE; /* the program may have unmapped it */
 }
 
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {
@@ -158,11 +158,11 @@ void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_i
     }
 }
 
-int redcc_is_readable(redcc_size *there, const void *address) {
+int redcc_is_readable(redcc_size *page, const void *address) {
     void *pointer;
     if (!redcc_load(&pointer, address, sizeof pointer))
         return 0;
-    *there = (redcc_size)address / REDCC_PAGE;
+    *page = (redcc_size)address / REDCC_PAGE;
     return 1;
 }
 

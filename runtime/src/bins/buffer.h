@@ -17,7 +17,7 @@
 struct redcc_bin_buffer {
     redcc_bins push; /* copied by generated code */
     const redcc_stream *stream;
-    redcc_size there; /* in this round, as redcc_bins.there */
+    redcc_size readable_page; /* as in redcc_bins; of this round */
     uint32_t bins;
     uint32_t blocks; /* allocated */
     uint32_t used;   /* blocks, so far */
@@ -27,7 +27,7 @@ struct redcc_bin_buffer {
     bool exhausted;                /* no blocks were left: records are missing */
     struct row_range outside; /* recorded rows outside of the bins: their records are missing */
     redcc_int outside_count;  /* their number */
-    struct row_range reached; /* by spans */
+    struct row_range reached; /* rows that spans reach */
     char *memory;
 };
 
@@ -69,7 +69,7 @@ void redcc_buffer_end(struct redcc_bin_buffer *buffer);
 /** Empties it. Called by the pushing thread, as are the next functions. */
 void redcc_buffer_clear(struct redcc_bin_buffer *buffer);
 
-/** Makes it hold no rows, so that pushed records are only counted. */
+/** Gives it a window without rows, so that pushed records are only counted. */
 void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *stream);
 
 /** Begins piece number `piece` of the thread, and ends the preceding one. */
@@ -79,7 +79,7 @@ void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece);
  *  number. */
 bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records);
 
-/** All is pushed: writes the lines still being combined. */
+/** Called after the last push: writes the partially filled lines of write combining. */
 void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
 
 /** Pushes a record of `count` rows, from row `low` on, to each of their bins. REDCC_NO_ROW: the
@@ -87,8 +87,8 @@ void redcc_buffer_finish(struct redcc_bin_buffer *buffer);
 void redcc_push_span(const redcc_bins *bins, const redcc_stream *stream, redcc_int low,
                      redcc_int count, const void *record);
 
-/** Is a pointer at this address readable? Then *there is the number of its page. */
-int redcc_is_readable(redcc_size *there, const void *address);
+/** Is a pointer at this address readable? Then *page is the number of its page. */
+int redcc_is_readable(redcc_size *page, const void *address);
 
 /** Are records missing? */
 static inline bool redcc_buffer_failed(const struct redcc_bin_buffer *buffer) {

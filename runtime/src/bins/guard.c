@@ -124,8 +124,8 @@ static enum reason ask(struct binning *binning, bool exact, struct range *writte
 
 enum reason redcc_bins_guard(struct binning *binning) {
     const redcc_loop *loop = &binning->loop->loop;
-    struct range *written = redcc_memory_take(loop->array_count * sizeof *written);
-    struct range *read = redcc_memory_take(loop->source_count * sizeof *read);
+    struct range *written = redcc_memory_alloc(loop->array_count * sizeof *written);
+    struct range *read = redcc_memory_alloc(loop->source_count * sizeof *read);
     enum reason reason = REASON_NO_MEMORY;
     if (written && read) {
         find_read(binning, read);
@@ -133,8 +133,8 @@ enum reason redcc_bins_guard(struct binning *binning) {
         if (reason != REASON_NONE)
             reason = ask(binning, true, written, read);
     }
-    redcc_memory_give(written);
-    redcc_memory_give(read);
+    redcc_memory_free(written);
+    redcc_memory_free(read);
     return reason;
 }
 

@@ -10,7 +10,8 @@
 
 enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_OF_COPIES = 4, MOST_FAILURES = 24 };
 
-/* The recorded rows may lack an outer one; after failures, more of them. */
+/* Rows to add at each end of the window: the first round may have missed the outermost row and,
+ * after failures, more of them. */
 static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
     if (redcc_rows_empty(rows))
         return MARGIN_ROWS;
@@ -39,7 +40,7 @@ static struct row_range from_a_line(const struct binning *binning, uint32_t s, u
     return rows;
 }
 
-/* A window that held all rows is kept, and with it its memory. */
+/* A window that held all rows is kept, and so is its memory. */
 static bool cut_windows(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
@@ -71,7 +72,7 @@ static size_t bytes_of_arrays(const struct binning *binning) {
     return bytes;
 }
 
-/* Are private copies better? Their merge must not take more work than the updates. */
+/* Are private copies better than bins? Their merge must not take more work than the updates. */
 static bool wants_copies(const struct binning *binning) {
     const int kind = binning->call->parameter;
     double rows = 0, records = 0;
@@ -95,7 +96,7 @@ static bool wants_copies(const struct binning *binning) {
                                    bytes <= redcc_bins_tuning.copies_bytes);
 }
 
-/* Requires other windows. */
+/* Makes redcc_bins_lay_out cut the windows again. */
 static void recut(struct binning *binning) {
     for (uint32_t s = 0; s < binning->loop->stream_count; s++)
         binning->stream[s].cut_for = 0;
@@ -122,8 +123,8 @@ static bool take_copies(struct binning *binning) {
 
 /* ---- records --------------------------------------------------------------------------------- */
 
-/* Blocks for a share of `iterations`, and for stolen pieces: the last one of each bin is half
- * full. */
+/* The number of blocks for a share of `iterations` and for stolen pieces. The last block of each
+ * bin is half full on average. */
 static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
     const double block = REDCC_BLOCK_RECORDS, and_others = 1.25;
     const double most = (double)UINT32_MAX / block - 1; /* records have numbers of 32 bits */
@@ -139,8 +140,8 @@ static double bytes_for(const struct binning *binning, double iterations) {
     return bytes * binning->call->threads;
 }
 
-/* Iterations of a thread's share whose records take `budget` bytes, at most `most`; below 1: none
- * do. */
+/* The number of iterations, at most `most`, whose records fit in `budget` bytes of a thread's
+ * share; below 1: not even one. */
 static double share_for(const struct binning *binning, double budget, double most) {
     double low = 0, high = most;
     if (bytes_for(binning, high) <= budget)
@@ -195,7 +196,7 @@ static size_t bytes_held(const struct binning *binning) {
     return bytes;
 }
 
-/* With one thread it pays only if the arrays exceed the caches. */
+/* With one thread, binning pays only if the arrays exceed the caches. */
 static bool is_for_several(const struct binning *binning) {
     return binning->call->threads > 1 || binning->call->parameter != BINS_EITHER ||
            bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;

@@ -17,9 +17,11 @@
 
 enum {
     SHARE_PIECES = 16,
-    STOLEN_PIECES = 16,                          /* at most, by one thread in one round */
-    TAKEN_PIECES = SHARE_PIECES + STOLEN_PIECES, /* at most, including its own */
-    PIECE_MARKS = TAKEN_PIECES + 1 /* the beginning of each, and the end of the last one */
+    STOLEN_PIECES = 16, /* maximum number that one thread steals in a round */
+    TAKEN_PIECES =
+        SHARE_PIECES + STOLEN_PIECES, /* maximum number that one thread executes in a round */
+    PIECE_MARKS =
+        TAKEN_PIECES + 1 /* marks: the beginning of each piece, and the end of the last one */
 };
 
 struct binning;
@@ -35,14 +37,14 @@ struct piece {
 struct bins_share {
     redcc_int begin;
     redcc_int end;
-    atomic_int taken; /* pieces, the first ones */
+    atomic_int taken; /* number of its pieces that were taken, from the first on */
     struct piece piece[SHARE_PIECES];
 };
 
-/** Consecutive pieces of the loop that are also consecutive in the records of one thread: its
- *  pieces number [first, end). */
+/** Pieces that are consecutive in the loop and in the records of one thread: pieces [first, end) of
+ * that thread. */
 struct piece_run {
-    int share, piece; /* the piece after them */
+    int share, piece; /* position of the next piece in the loop */
     int thread;
     int first;
     int end;

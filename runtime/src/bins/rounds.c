@@ -10,19 +10,19 @@
 #include <string.h>
 
 enum {
-    CHUNK = 16384,  /* iterations after which a thread notices that the round has failed; a smaller
-                     * number would show less of the missing rows and records */
+    CHUNK = 16384,  /* iterations between two checks whether the round has failed. With a smaller
+                       number, fewer of the missing rows and records would be counted by then */
     STRETCHES = 64, /* stretches of each thread's share that are measured */
     STRETCH = 64,   /* maximum iterations of a stretch */
-    MEASURED = 64,  /* of a small share one iteration in this many is measured */
+    MEASURED = 64,  /* in a small share, one iteration in this many is measured */
     LEAST_CHUNK = 512,
     TRIED = 16 /* the first round of a trial is this fraction of the loop, as is the sequential
                 * stretch compared with it: a shorter one finds the caches full of records, and
                 * takes too long */
 };
 
-/* Margins above the seen numbers. While a rate is at most this much too high it is kept, and with
- * it the memory. */
+/* Factors by which rates exceed the measured ones, after a measurement and after a round. A rate is
+ * kept, and so is its memory, while the measured rate is at least kept_down_to times as high. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
 static uint32_t stream_count(const struct binning *binning) {
@@ -70,8 +70,9 @@ static void begin_measure(const struct binning *binning, struct binner *binner) 
         redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
 }
 
-/* Stretches of the thread's share, evenly spread, including the first and the last iterations. Of a
- * small share one in MEASURED: its iterations may be expensive. */
+/* Hands out stretches that are spread evenly over the thread's share and include its first and last
+ * iterations. A small share is measured by one iteration in MEASURED, because these may be
+ * expensive. */
 static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
                          redcc_bins *bins) {
     if (!binner->begun)
@@ -169,14 +170,14 @@ double redcc_bins_usual(const struct binning *binning) {
     return it->stretch > 0 ? it->sequential / (double)it->stretch : 0;
 }
 
-/* Seconds that the trial may lose in all, */
+/* Seconds that the trial may lose in all. */
 static double may_lose(const struct binning *binning) {
     const double most = binning->trial.may_lose;
     const double whole = redcc_bins_usual(binning) * (double)binning->call->request.trip;
     return most < 0 && most >= -1 ? -most * whole : most;
 }
 
-/* and has lost so far. */
+/* Seconds that it has lost so far. */
 static double lost_so_far(const struct binning *binning) {
     const struct bins_trial *it = &binning->trial;
     const redcc_int binned = binning->round.begin - it->stretch;
@@ -184,8 +185,9 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* Iterations of a trial's next round: as many as all before. If these lose as much each as the
- * earlier ones, the trial loses no more than it may. */
+/* The number of iterations of a trial's next round: at most as many as in all rounds before, and
+ * few enough that the trial stays within its limit if each of them loses as much as the earlier
+ * ones. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;
@@ -222,7 +224,8 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED; /* which takes time */
+    /* such a check takes time */
+    const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED;
     binning->trial.began = checked ? binning->call->entered : redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->stream[s].rate == 0)
@@ -330,7 +333,7 @@ static void trim(struct binning *binning) {
     }
 }
 
-/* The iterations with too many records may be over. */
+/* Makes rounds longer again: the iterations with many records may be over. */
 static enum bins_phase lengthen(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int most = most_of_round(binning);
@@ -339,8 +342,8 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
-/* The next iterations, the number of the first round: their time shows the round's gain,
- * independently of changes between executions of the loop. */
+/* Begins a sequential stretch with as many iterations as the first round. Its time shows the gain
+ * of that round, whatever changes between executions of the loop. */
 static enum bins_phase begin_stretch(struct binning *binning) {
     struct round *round = &binning->round;
     const redcc_int left = binning->call->request.trip - round->begin;
@@ -424,7 +427,7 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop) {
     binning->loop = redcc_binned_of(loop);
     if (!binning->loop)
         return true;
-    binning->stream = redcc_memory_take_zeroed(stream_count(binning), sizeof *binning->stream);
+    binning->stream = redcc_memory_alloc_zeroed(stream_count(binning), sizeof *binning->stream);
     for (uint32_t s = 0; binning->stream && s < stream_count(binning); s++)
         binning->stream[s].rows = redcc_no_rows;
     return binning->stream != NULL;
@@ -450,12 +453,12 @@ void redcc_bins_begin(struct binning *binning, double may_lose, double usual,
 
 struct binner *redcc_binner_new(const redcc_binned *loop, int thread) {
     assert(thread >= 0);
-    struct binner *binner = redcc_memory_take_zeroed(1, sizeof *binner);
+    struct binner *binner = redcc_memory_alloc_zeroed(1, sizeof *binner);
     if (!binner)
         return NULL;
     binner->thread = thread;
-    binner->sources = redcc_memory_take_zeroed(loop->loop.source_count, sizeof *binner->sources);
-    binner->buffer = redcc_memory_take_zeroed(loop->stream_count, sizeof *binner->buffer);
+    binner->sources = redcc_memory_alloc_zeroed(loop->loop.source_count, sizeof *binner->sources);
+    binner->buffer = redcc_memory_alloc_zeroed(loop->stream_count, sizeof *binner->buffer);
     if (binner->sources && binner->buffer)
         return binner;
     redcc_binner_free(binner, loop);
@@ -467,9 +470,9 @@ void redcc_binner_free(struct binner *binner, const redcc_binned *loop) {
         return;
     for (uint32_t s = 0; binner->buffer && s < loop->stream_count; s++)
         redcc_buffer_end(&binner->buffer[s]);
-    redcc_memory_give(binner->sources);
-    redcc_memory_give(binner->buffer);
-    redcc_memory_give(binner);
+    redcc_memory_free(binner->sources);
+    redcc_memory_free(binner->buffer);
+    redcc_memory_free(binner);
 }
 
 void redcc_bins_drop(struct binning *binning) {

@@ -49,8 +49,8 @@ static bool affords(const redcc_stream *stream, uint64_t bins, int threads) {
     return 4.0 * (double)bins * block * threads < (double)(redcc_bins_tuning.least_budget / 4);
 }
 
-/* Where a span ends, the processor loads the next lines ahead, from the thread that applies the
- * next bin; not beyond a page. */
+/* The least size of a bin of spans is a page. Where a span ends, the processor prefetches the next
+ * lines, which the thread that applies the next bin writes; it never prefetches beyond a page. */
 static uint32_t least_bits(const redcc_stream *stream) {
     uint32_t bits = LEAST_BITS;
     while (stream->exact == REDCC_STREAM_SPANS &&
@@ -62,7 +62,7 @@ static uint32_t least_bits(const redcc_stream *stream) {
 static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, double records) {
     const size_t row = redcc_stream_row(stream);
     const uint64_t enough = (uint64_t)threads * BINS_A_THREAD;
-    const double each = (double)(threads * RECORDS_A_BIN); /* records of a bin, by all threads */
+    const double each = (double)(threads * RECORDS_A_BIN); /* records of a bin, from all threads */
     uint32_t bits = REDCC_PLACE_BITS - stream->tag_bits;
     if (bits > redcc_bins_tuning.bin_bits)
         bits = redcc_bins_tuning.bin_bits;

@@ -38,16 +38,16 @@ struct window {
 
 /** Parameters that tests may change. */
 struct bins_tuning {
-    size_t bin_bytes;         /* of the rows of a bin, at most */
-    uint32_t bin_bits;        /* a bin has 2 ^ that many rows, at most */
+    size_t bin_bytes;         /* maximum bytes of the rows of a bin */
+    uint32_t bin_bits;        /* a bin has at most 2 ^ bin_bits rows */
     uint32_t direct_bins;     /* with more bins than this, records are pushed by write combining */
-    double direct_rate;       /* the same if an iteration has more records than this */
-    redcc_int round;          /* iterations of a round, at most */
-    redcc_int round_of_spans; /* likewise, if a stream has spans */
+    double direct_rate;       /* likewise if an iteration has more records than this */
+    redcc_int round;          /* maximum iterations of a round */
+    redcc_int round_of_spans; /* the same if a stream has spans */
     size_t least_budget;      /* bytes of records, for arrays of any size */
     size_t whole_budget;      /* the same if the loop must be one round */
-    size_t copies_bytes;      /* of the arrays, at most, for private copies */
-    size_t one_thread_bytes;  /* of the arrays, at least, for binning by one thread */
+    size_t copies_bytes;      /* maximum bytes of arrays that have private copies */
+    size_t one_thread_bytes;  /* minimum bytes of arrays for which one thread uses bins */
     double trial;             /* if binning is named: the seconds it may lose (redcc_bins_begin) */
 };
 
@@ -56,9 +56,9 @@ extern struct bins_tuning redcc_bins_tuning;
 /** Bytes of the rows of all arrays of a stream, at one subscript. */
 size_t redcc_stream_row(const redcc_stream *stream);
 
-/** The window of `rows` and of `margin` rows on either side, in enough bins for `threads`, each for
- *  some hundreds of `iterations` times `rate` records. No window: the rows span too large a
- *  range. */
+/** The window of `rows`, with `margin` more rows on either side. It has enough bins for `threads`
+ * threads, each for some hundreds of the `iterations` times `rate` records. A window without rows:
+ * the range is too large. */
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
                            int threads, double rate, double iterations);
 

@@ -14,12 +14,12 @@
 #include <math.h>
 #include <string.h>
 
-/* For a loop without a timed sequential one: the number of iterations that are worth two threads,
- * whatever an iteration takes. */
+/* For a loop that has no timed sequential execution: with this many iterations two threads are
+ * worth waking, however short an iteration is. */
 enum {
     SMALL_TRIP = 4096,
-    /* Units of the leading array for each thread. If they are rows of a mesh, stealable blocks cost
-     * 1 %. */
+    /* The least units of the leading array per thread. If these are rows of a mesh, stealable
+     * blocks then cost 1 %. */
     LEAST_UNITS_TO_STEAL = 32768
 };
 
@@ -85,7 +85,7 @@ static bool are_the_same(const struct chooser *chooser, const redcc_loop *loop,
            redcc_fingerprint_equal(all, chooser->all);
 }
 
-/* Was the sample seen in one of the last calls? A loop that is called for several arrays in turn
+/* Was the sample seen in one of the last calls? A loop that is called for one array after the other
  * keeps a plan for each. */
 static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
     int at = 0;
@@ -228,14 +228,14 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual(size_of(chooser, trip));
 }
 
-/* The measured time of an iteration's slice; 0: its touches explain it, within what the timing of a
- * few iterations is worth. */
+/* The measured time of an iteration's slice. 0: the time estimated from its touches agrees with it,
+ * as far as a timing of a few iterations can show. */
 static double time_of_slice(const struct inspection *inspection) {
     const double measured = redcc_slice_seconds(inspection);
     return measured > 2 * inspection->each.touches * LEARN_TOUCH ? measured : 0;
 }
 
-/* Facts that are known both after the sample and after all iterations. */
+/* The findings that are known after the sample as well as after all iterations. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
     const struct call *call = inspection->call;
@@ -297,9 +297,9 @@ static bool is_fetched(const struct inspection *inspection, double changes) {
            is_random(inspection, changes);
 }
 
-/* Each thread evaluates all slices, after all threads together have evaluated them once; a dry run,
- * by one thread, counts as that, too. Owner-checked iterations skip more than half of their
- * work. */
+/* The share of a thread that selects its own iterations: it evaluates all slices, after all threads
+ * together (or one, in a dry run) have evaluated them once. Owner-checked iterations skip more than
+ * half of their work. */
 static double share_directly(const struct inspection *inspection, const struct findings *it,
                              double largest) {
     const uint32_t flags = inspection->call->request.loop->flags;
@@ -309,7 +309,8 @@ static double share_directly(const struct inspection *inspection, const struct f
         flags & REDCC_DRY_RUN ? inspection->inspector[0]->dry_run.seconds / (double)it->trip : 0;
     const double recorded = dried > 0 ? dried : 3 * inspection->each.records * LEARN_TOUCH;
     const double slice = recorded > it->slice ? recorded : it->slice;
-    if (redcc_may_be_tiled(inspection) && it->sequential > 0) /* each pair once; slices are short */
+    /* each pair is computed once, and slices are short */
+    if (redcc_may_be_tiled(inspection) && it->sequential > 0)
         return even;
     return flags & REDCC_SELECTS && it->sequential > 0
                ? share + (dried + slice * (1 + even)) / it->sequential
@@ -362,7 +363,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     find_bins(inspection, estimate, &findings);
     redcc_estimate_arms(&findings, arm);
     trace_arms(&findings, arm, call->request.loop);
-    if (entry->alone) { /* a profitable plan is constructed in another call */
+    if (entry->alone) { /* a profitable plan is constructed in a later call */
         redcc_note_arms(&chooser->state, findings.trip, arm, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
@@ -379,7 +380,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     return redcc_pick_way(&chooser->state, &now, arm, findings.spent);
 }
 
-/* Of the stage that begins now. */
+/* Sets the deadline of the stage that begins now. */
 static void set_deadline(struct inspection *inspection, double seconds) {
     inspection->pace.began = redcc_seconds();
     inspection->pace.deadline = inspection->pace.began + seconds;
@@ -412,7 +413,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     set_deadline(inspection, decision.deadline);
     if (entry->way != WAY_COPIES)
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
-    redcc_partition_in_one(partition); /* owners do not matter, only the range */
+    redcc_partition_in_one(partition); /* only the touched range matters, not the owners */
     return ROUTE_COPIES;
 }
 
@@ -428,7 +429,7 @@ bool redcc_may_be_tiled(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     const struct partition *partition = &inspection->partition;
     for (uint32_t array = 0; array < partition->array_count; array++)
-        if (partition->group_of[array] != array) /* an element has two numbers */
+        if (partition->group_of[array] != array) /* its elements have two numbers */
             return false;
     return call->request.loop->flags & REDCC_TILES && redcc_can_be_tiled(call->request.trip);
 }
@@ -470,7 +471,8 @@ const struct method *redcc_advise_swept(const struct chooser *chooser,
 
 /* ---- after the log and the partition --------------------------------------------------------- */
 
-/* The iterations of an owner are scattered over the loop. */
+/* As stealing_pays, for owners cut from the access graph, whose iterations may be scattered over
+ * the loop. */
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
                               double overhead) {
     const struct estimate found = {.share = share, .overhead = overhead, .changes = 1};
@@ -542,7 +544,7 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason) {
     if (outcome->result == RESULT_REFUSED)
         chooser->refused = reason;
-    if (outcome->result == RESULT_CHANGED) /* although the sample was the same */
+    if (outcome->result == RESULT_CHANGED) /* the change was outside of the sample */
         chooser->steady = 0;
     redcc_observe(&chooser->state, outcome);
 }

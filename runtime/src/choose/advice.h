@@ -28,19 +28,19 @@ struct chooser {
     enum reach reach;              /* of this call */
     uint64_t sampled[REDCC_PLANS]; /* samples, most recent first */
     int steady;                    /* consecutive calls that had one of these */
-    struct fingerprint all;        /* of all subscripts, after the last call; if kept */
+    struct fingerprint all;        /* of all subscripts after the last call, if it was computed */
     bool remembered;
-    bool verified;       /* all were compared once, and the samples have been the same since */
-    int asked, came;     /* threads requested and obtained in the last parallel region */
-    bool begun;          /* this execution has begun in order (beginning.h) */
-    long skipped;        /* sequential calls since a plan was used */
+    bool verified;   /* all subscripts were compared once, and their sample has not changed since */
+    int asked, came; /* threads requested and obtained in the last parallel region */
+    bool begun;      /* this execution has begun in order (beginning.h) */
+    long skipped;    /* sequential calls since a plan was used */
     enum reason refused; /* the last reason why no plan was available */
 };
 
 /** Auto's decision at entry. */
 struct advice {
     enum action action;
-    enum way way;       /* REUSE; INSPECT: once it is decided */
+    enum way way;       /* REUSE: the strategy; INSPECT: the same, once it is decided */
     bool timed;         /* SEQUENTIAL */
     bool alone;         /* INSPECT: only a sample, by one thread; a plan is constructed in another
                          * call */
@@ -54,7 +54,8 @@ struct advice {
     enum rule rule;
 };
 
-/** By owners, without inspecting which thread executes what? There is no plan to reuse. */
+/** Do threads select their iterations by owner during the execution? Then there is no plan to
+ * reuse. */
 static inline bool redcc_goes_directly(const struct advice *advice) {
     return advice->action == ACTION_REUSE && advice->way == WAY_DIRECT;
 }
@@ -70,13 +71,13 @@ void redcc_advise_begun(struct chooser *chooser, redcc_int rest, redcc_int done,
 /** Is a loop with this trip count tried in its first execution, before it was timed? */
 bool redcc_advise_at_once(const redcc_loop *loop, redcc_int trip);
 
-/** For a call that redcc_advise_rest did not decide: samples its subscripts. Is no action feasible,
- *  whatever threads cost? Then sets *advice, before any work that only a parallel execution
- *  needs. */
+/** For a call that redcc_advise_rest did not decide: samples its subscripts. Returns true and sets
+ * *advice if no parallel action would be affordable even if threads cost nothing. This precedes any
+ * work that only a parallel execution needs. */
 bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                          redcc_int trip, int threads, struct advice *advice);
 
-/** For a call that neither of these decided. */
+/** The decision for a call that neither redcc_advise_rest nor redcc_advise_saving decided. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
 /** The original loop was timed, and redcc_tell has the time. After the first timing it samples the
@@ -97,8 +98,9 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
  * without a common row or column may then update one element. */
 bool redcc_may_be_tiled(const struct inspection *inspection);
 
-/** Limits the check of a loop on trial in bins, a sweep for its extents, which every execution
- * needs: it is part of the trial, and may take what that may lose. */
+/** Sets the deadline of the sweep that finds the extents of a loop on trial in bins. Every
+ * execution needs this sweep, so it is part of the trial and may take as long as the trial may
+ * lose. */
 void redcc_advise_check(const struct advice *entry, struct inspection *inspection);
 
 /** Selects the method, given the access summaries. reusable: the plan can be kept. NULL: none, the
@@ -114,7 +116,7 @@ bool redcc_copies_allowed(const struct inspection *inspection);
 const struct method *redcc_advise_logged(const struct chooser *chooser,
                                          struct inspection *inspection, bool reusable);
 
-/** The owners cannot be cut from the access graph. */
+/** Informs auto that the owners cannot be cut from the access graph. */
 void redcc_tell_no_graph(struct advice *entry);
 
 /** Called after the owners are cut. *method is kept, or changes. JOIN: the stealable blocks, which
@@ -128,16 +130,17 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 /** Reports the result and the cost of a call; reason: why there was no plan, or NONE. */
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason);
 
-/** `came` threads arrived of `asked` requested ones, some of them newly started; starting them, or
- *  else waking all, took `seconds`; 0: not known. Thread-safe except for the chooser. */
+/** Reports that `came` of `asked` requested threads arrived and that `started` of these were new.
+ * `seconds`: the time to start them or, if none was new, to wake all; 0: unknown. Thread-safe
+ * except for the chooser. */
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started);
 
 /** The row of auto's table that decided last. */
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip);
 
-/** How many of `threads` are worth waking for a loop of `trip` iterations that has no timed
- *  sequential loop, since no sequential one gives its sums. seconds: the time of its first
- *  `iterations`. */
+/** How many of `threads` threads are worth waking for a loop of `trip` iterations? The loop has no
+ * timed sequential execution, because that would give other sums. seconds: the time of its first
+ * `iterations`. */
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations);
 
 #endif

@@ -3,9 +3,9 @@
 
 #include <assert.h>
 
-/* Time by owners, relative to the original loop. Irregular rows that are prefetched take 0.42 to
- * 0.57. With lanes one thread takes 0.3 to 0.9: worth a plan construction from the credit, but not
- * an overdraft. */
+/* The time of an execution by owners, relative to the original loop. Irregular rows that are
+ * prefetched take 0.42 to 0.57. With lanes one thread takes 0.3 to 0.9: worth a plan construction
+ * from the credit, but not an overdraft. */
 static double by_owners(const struct findings *it) {
     const double waiting = it->fetched ? LEARN_CLEAR * LEARN_BETTER : 1;
     return waiting * (it->threads > 1 ? LEARN_CONTENDED
@@ -13,12 +13,14 @@ static double by_owners(const struct findings *it) {
                                       : 1);
 }
 
-/* Each thread has a start-up cost for each run of iterations. */
+/* Seconds per iteration for the runs of iterations: each thread has a start-up cost for each run.
+ */
 static double beginning_runs(const struct findings *it) {
     return it->runs * 3 * LEARN_TOUCH / it->threads;
 }
 
-/* Recording an iteration: its touches, or what it takes to find them. */
+/* Seconds to record an iteration: for its touches or, if that is longer, for its slice, which finds
+ * them. */
 static double recording(const struct findings *it) {
     const double touches = it->touches * LEARN_TOUCH;
     return touches > it->slice ? touches : it->slice;
@@ -78,7 +80,7 @@ void redcc_estimate_arms(const struct findings *findings, struct arm *arm) {
     by_graph(findings, &arm[WAY_GRAPH]);
     directly(findings, &arm[WAY_DIRECT]);
     by_bins(findings, &arm[WAY_BINS]);
-    for (enum way way = WAY_COPIES; redcc_is_planned(way); way++) /* if not kept, it is used only
-                                                                   * once */
+    /* a plan that cannot be kept is used only once */
+    for (enum way way = WAY_COPIES; redcc_is_planned(way); way++)
         arm[way].execution += findings->reusable ? checked : arm[way].set_up / trip;
 }

@@ -12,15 +12,15 @@ enum {
     MOST_SHARES = 16,
     /* Shorter loops are not worth a call of the runtime. */
     LEAST_ITERATIONS = 8192,
-    /* Iterations for each element of all copies, which is added to the array and cleared in a third
-     * of an update's time. Two shares save half of the iterations. More of them gain nothing on two
-     * cores, and must cost next to nothing there (script/bench openmp). */
+    /* Least iterations per element of all copies. To add such an element to the array and clear it
+     * takes a third of an update's time. Two shares save half of the iterations. More shares gain
+     * nothing on two cores, so they must cost almost nothing there (script/bench openmp). */
     ITERATIONS_PER_ELEMENT = 12,
     /* An iteration with inner loops or calls takes the time of several updates. */
     HEAVY = 8
 };
 
-/* All copies together: some times the last cache of a few cores. */
+/* Maximum bytes of all copies: several times the last-level cache of a few cores. */
 static const size_t most_bytes = (size_t)64 << 20;
 
 static struct range range_of(redcc_extent section) {
@@ -32,13 +32,13 @@ static bool are_alike(const redcc_array *a, const redcc_array *b) {
            a->limit == b->limit;
 }
 
-/* Arrays of one section, which share its copy. */
+/* Do two arrays have the same section? Then they share one copy. */
 static bool are_one(const redcc_loop *loop, const redcc_extent *sections, uint32_t a, uint32_t b) {
     return sections[a].first == sections[b].first && sections[a].end == sections[b].end &&
            are_alike(&loop->arrays[a], &loop->arrays[b]);
 }
 
-/* The first array of its section. */
+/* The first array with the same section. */
 static uint32_t first_of(const redcc_loop *loop, const redcc_extent *sections, uint32_t array) {
     uint32_t first = 0;
     while (first < array && !are_one(loop, sections, first, array))
@@ -89,7 +89,7 @@ int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *b
 
 /* ---- how many threads ------------------------------------------------------------------------ */
 
-/* Seconds: if several threads take longer, waking them is a small part of it. */
+/* Seconds above which waking the threads is a small part of an execution. */
 #define WORTH_WAKING 0.3e-3
 enum { FEW_CALLS = 1024 };
 
@@ -104,37 +104,37 @@ static unsigned size_of(redcc_int trip) {
 
 int redcc_sections_threads(struct sections *it, redcc_int trip, int threads) {
     const unsigned size = size_of(trip);
-    struct turns *pace = &it->pace[size];
+    struct paired_timing *pace = &it->pace[size];
     if (threads < 2)
         return 1;
-    const int winner = redcc_turns_winner(pace);
+    const int winner = redcc_paired_winner(pace);
     if (pace->timed > 0 && pace->least[0] * (double)trip > WORTH_WAKING)
         return threads;
     if (winner < 0)
-        return redcc_turn_of(pace->timed) == 0 ? threads : 1;
+        return redcc_arm_of(pace->timed) == 0 ? threads : 1;
     if (++it->rest[size] >= FEW_CALLS) {
         it->rest[size] = 0;
-        *pace = (struct turns){0};
+        *pace = (struct paired_timing){0};
     }
     return winner == 0 ? threads : 1;
 }
 
 void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, double seconds) {
     const unsigned size = size_of(trip);
-    struct turns *pace = &it->pace[size];
+    struct paired_timing *pace = &it->pace[size];
     const int arm = threads < 2;
-    if (redcc_turns_winner(pace) >= 0)
+    if (redcc_paired_winner(pace) >= 0)
         return;
     if (!it->met[size][arm]) {
         it->met[size][arm] = true;
         return;
     }
-    if (arm != redcc_turn_of(pace->timed)) { /* one thread was not tried, since all took long */
+    if (arm != redcc_arm_of(pace->timed)) { /* one thread was not tried, since all took long */
         if (arm == 1 || seconds / (double)trip > pace->least[0])
             return;
-        *pace = (struct turns){0};
+        *pace = (struct paired_timing){0};
     }
-    redcc_turns_note(pace, seconds / (double)trip);
+    redcc_paired_note(pace, seconds / (double)trip);
 }
 
 /* ---- the plan -------------------------------------------------------------------------------- */
@@ -171,7 +171,7 @@ static struct plan *build(const struct call *call) {
     const redcc_loop *loop = call->request.loop;
     struct partition partition;
     struct plan *plan = NULL;
-    struct range *touched = redcc_memory_take(loop->array_count * sizeof *touched);
+    struct range *touched = redcc_memory_alloc(loop->array_count * sizeof *touched);
     if (redcc_partition_begin(&partition, loop, call->request.bases, 1) && touched) {
         redcc_partition_in_one(&partition);
         for (uint32_t a = 0; a < loop->array_count; a++) {
@@ -186,7 +186,7 @@ static struct plan *build(const struct call *call) {
         }
     }
     redcc_partition_end(&partition);
-    redcc_memory_give(touched);
+    redcc_memory_free(touched);
     return plan;
 }
 

@@ -1,36 +1,39 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops whose arrays OpenMP's clause `reduction` names with their sections. The clause permits any
- * order, and says what is touched. So without an inspection N shares of the iterations add to a
- * copy each, and the copies are merged in order. N follows from the trip count and the size of the
- * sections alone, never from threads, time or free memory: all executions give the same bits. Only
- * how many threads execute the shares is learned.
+ * order, and names all elements that are updated. So without an inspection N shares of the
+ * iterations add to a copy each, and the copies are merged in order. N follows from the trip count
+ * and the size of the sections alone, never from threads, time or free memory: all executions give
+ * the same bits. Only how many threads execute the shares is learned.
  */
 #ifndef REDCC_CHOOSE_SECTIONS_H
 #define REDCC_CHOOSE_SECTIONS_H
 
 #include "base/call.h"
-#include "learn/turns.h"
+#include "learn/paired_timing.h"
 #include "plan/plan.h"
 
 enum { SECTION_SIZES = 16 };
 
 /** Of a loop; initially zero. */
 struct sections {
-    struct plan *plan[2];             /* the last one of one thread, and of several */
-    struct turns pace[SECTION_SIZES]; /* of several threads (arm 0), and of one; by trip count */
-    bool met[SECTION_SIZES][2];       /* each has run once: threads and copies are there */
-    unsigned rest[SECTION_SIZES];     /* calls since the two were compared */
+    struct plan *plan[2]; /* the last plan for one thread, and for several */
+    struct paired_timing
+        pace[SECTION_SIZES]; /* of several threads (arm 0), and of one; by trip count */
+    bool met[SECTION_SIZES]
+            [2]; /* has one thread, have several executed it once? Then threads and copies exist */
+    unsigned rest[SECTION_SIZES]; /* calls since the last comparison of the two */
 };
 
 /** The number of shares; below 2: the order is that of the loop. */
 int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *sections, size_t memory_limit);
 
-/** How many threads execute the shares: `threads`, or one where they take too little time. */
+/** The number of threads that execute the shares: `threads`, or one if they take too little time.
+ */
 int redcc_sections_threads(struct sections *it, redcc_int trip, int threads);
 
-/** They took so long. */
+/** Records the time that `threads` threads took. */
 void redcc_sections_timed(struct sections *it, redcc_int trip, int threads, double seconds);
 
 /** The plan for call->threads threads and call->parameter shares; NULL: no memory. */

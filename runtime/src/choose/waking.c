@@ -11,20 +11,20 @@
 #include <stdatomic.h>
 
 /* Smoothed measurements over all loops; 0: none yet. If other programs use the cores, new threads
- * wait for their turn. If the program's own regions have started the threads, a loop's first region
- * takes a quarter of the time to start them. */
+ * wait for a time slice. If the program's own regions have started the threads, a loop's first
+ * region takes a quarter of the time to start them. */
 static _Atomic double wake, start;
-static const double first_wake = LEARN_LOOK / 40, turn = 10 * LEARN_LOOK,
-                    first_region = LEARN_LOOK / 4;
+static const double first_wake = LEARN_SAMPLE / 40, time_slice = 10 * LEARN_SAMPLE,
+                    first_region = LEARN_SAMPLE / 4;
 
 double redcc_wake_seconds(void) {
     const double measured = atomic_load_explicit(&wake, memory_order_relaxed);
     return measured > 0 ? measured : first_wake;
 }
 
-/* A query takes 4 microseconds, but 15 to 400 after a loop whose data filled the caches, so its
- * result is reused for a while: not for long, since another program may have run only for a
- * moment. */
+/* The number of running threads is queried at most once in this time. A query takes 4 microseconds,
+ * but 15 to 400 after a loop whose data filled the caches. The result is not reused for longer,
+ * since another program may have run only for a moment. */
 static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
@@ -32,8 +32,9 @@ double redcc_start_seconds(int missing, bool wanted) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
     if (missing == 0)
         return first_region;
-    const double usual = measured > 0 ? missing * measured : LEARN_LOOK * (1 + (missing - 1) / 8.0);
-    const double likely = usual < turn && wanted ? turn : usual;
+    const double usual =
+        measured > 0 ? missing * measured : LEARN_SAMPLE * (1 + (missing - 1) / 8.0);
+    const double likely = usual < time_slice && wanted ? time_slice : usual;
     return likely > first_region ? likely : first_region;
 }
 
@@ -75,7 +76,8 @@ void redcc_note_waking(double seconds, int started) {
         return;
     }
     const double most =
-        5 * first_wake; /* more means a busy machine: loops are compared all the same */
+        5 * first_wake; /* more shows a busy machine, on which loops are compared nevertheless */
     const double now = seconds < most ? seconds : most, before = redcc_wake_seconds();
-    atomic_store_explicit(&wake, before + (now - before) / (2 * LEARN_SURE), memory_order_relaxed);
+    atomic_store_explicit(&wake, before + (now - before) / (2 * LEARN_STABLE),
+                          memory_order_relaxed);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The time to wake threads, and to start missing ones: measured over all loops of the process,
- *  estimated before. Thread-safe. */
+/** The times to wake threads and to start missing ones, measured over all loops of the process.
+ * Before the first measurement they are estimates. Thread-safe. */
 #ifndef REDCC_CHOOSE_WAKING_H
 #define REDCC_CHOOSE_WAKING_H
 

@@ -5,7 +5,7 @@
 
 #include "redcc/prefetch.h"
 
-static int turn(redcc_ahead *it) {
+static int next_run(redcc_ahead *it) {
     for (; it->run != it->run_end; it->run++) {
         it->k = it->origin + it->run->begin;
         it->end = it->k + it->run->count_and_check / 2;
@@ -41,4 +41,4 @@ static void prefetch_lines(const char *address, redcc_size bytes) {
 }
 
 const redcc_ahead_calls redcc_ahead_library = {
-    .begin = begin, .turn = turn, .rows = copy_rows, .prefetch = prefetch_lines};
+    .begin = begin, .next_run = next_run, .rows = copy_rows, .prefetch = prefetch_lines};

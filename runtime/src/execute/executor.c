@@ -168,8 +168,8 @@ static void begin_running(redcc_worker *worker) {
     if (is_hooked(plan))
         begin_hooks(runner);
     redcc_copies_fill(plan, runner->thread);
-    if (plan->method->copies == COPY_TEAM) { /* several threads filled the memory that each will
-                                              * write to */
+    /* other threads filled a part of the memory that this thread writes to */
+    if (plan->method->copies == COPY_TEAM) {
         const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
     }
@@ -394,7 +394,7 @@ static bool advance_to_chunk(redcc_worker *worker) {
 }
 
 /* Hands out runs of the classified iterations or, if there are none, a request to classify the next
- * ones. Discards errno of the slices. */
+ * ones. Discards the errno that slices set. */
 static int hand_out_selected(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct selection *selection = &runner->selection;
@@ -420,7 +420,8 @@ static int hand_out_selected(redcc_worker *worker) {
     return redcc_selection_ask(selection, worker) ? REDCC_SELECT : 0;
 }
 
-/* Hands out the next tile. The run of its rows is set only for errno. */
+/* Hands out the next tile. A run with its rows is set only so that errno is stored with an
+ * iteration. */
 static int hand_out_tile(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const redcc_tile *tile =

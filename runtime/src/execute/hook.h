@@ -7,7 +7,7 @@
  * (redcc_hooks_settle).
  *
  * Compensated sums: from the given address to the end of its unit, elements are set to the neutral
- * element before the update, so that they hold the contribution after it, for any form of update.
+ * element before the update. After it they hold the contribution, whatever the form of the update.
  * Locks: the unit's lock is held during the update.
  */
 #ifndef REDCC_HOOK_H

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-/** One thread's slices. A part is a timing slice. count 0: no trial. */
+/** One thread's timing slices, which are called parts. count == 0: no trial. */
 struct parts {
     unsigned count;
     unsigned number; /* index of the current slice */

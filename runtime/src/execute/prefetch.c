@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/prefetch.h"
 
-/* The second-level caches of current cores have 0.25 to 2 MiB. Accesses to these overlap with other
- * operations, so that prefetches do not help. */
+/* Bytes of arrays below which prefetches do not help. The second-level caches of current cores have
+ * 0.25 to 2 MiB, and accesses to them overlap with other operations. */
 enum { LEAST_BYTES = 1 << 20 };
 
-/* For light loops with random updates, prefetches gained with 10 MB of arrays and lost with 5
- * (script/bench lanes, SIDE=650 and 467). The shared cache of that machine, 32 MiB, also holds the
- * data that are read. */
+/* For light loops with random updates, prefetches were faster with 10 MB of arrays and slower with
+ * 5 (script/bench lanes, SIDE=650 and 467). The shared cache of that machine, 32 MiB, also holds
+ * the data that are read. */
 enum { LEAST_BYTES_LIGHT = 8 << 20 };
 
 /* Average iterations of a run: longer runs mean regular accesses. */

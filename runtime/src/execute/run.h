@@ -16,7 +16,7 @@
 
 enum { REDCC_RUNS = 128 };
 
-/** The variants that an execution may have, and results so far. */
+/** The variants from which an execution chooses, and their results so far. */
 struct variant_choice {
     const struct variants *known;
     bool is_open;  /* trials decide between prefetches and none */
@@ -39,7 +39,7 @@ struct run {
         blocks_claimed; /* number of stealable blocks, or bands of tiles, taken by threads */
     /* Seconds. */
     double ready;    /* when the plan was ready */
-    double executed; /* with validation: when the loop was done; 0: it is not checked */
+    double executed; /* with validation: when the loop was done; 0: the loop is not validated */
 };
 
 /** The state of a thread's execution. */
@@ -57,10 +57,10 @@ struct runner {
     const struct plan *plan; /* the plan that is executed */
     int thread;
     int threads;
-    struct float_control float_control; /* saves the thread's own while the caller's is set */
+    struct float_control float_control; /* the thread's own state, while it uses the caller's */
     enum step step;
     uint32_t schedule; /* the plan's schedule being executed */
-    uint32_t stage;    /* of execution */
+    uint32_t stage;    /* the current stage of execution */
     struct hooks hooks;
     struct run_reader runs;             /* the current chunk's remaining runs */
     redcc_iterations piece[REDCC_RUNS]; /* the runs handed out, if they had to be unpacked, marked

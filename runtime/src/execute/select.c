@@ -47,8 +47,8 @@ static int part_of(const struct selection *selection, redcc_int iteration, bool 
     }
 }
 
-/* Does another thread store the operands that the iteration adds to series? Each iteration that
- * touches nothing belongs to one thread. */
+/* Does another thread store the operands that the iteration adds to series? No for an iteration
+ * that touches nothing, which only one thread executes. */
 static bool follows(const struct selection *selection, redcc_int iteration) {
     const unsigned class = selection->class[iteration];
     return class != 0 && !(class & REDCC_CLASS_LEADS);

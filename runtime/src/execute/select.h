@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Executes by owners, without an inspection that assigns iterations to threads. Each thread scans
+ * Execution by owners without an inspection that assigns iterations to threads: each thread scans
  * all iterations, block by block. The iterations of a block are first classified by whether they
  * touch an element that the thread owns (REDCC_SELECT); the matching ones form the runs that it
  * executes.
@@ -20,9 +20,10 @@ struct selection {
     redcc_int idle_begin; /* the thread executes the iterations in [idle_begin, idle_end) */
     redcc_int idle_end;   /* that touch nothing */
     redcc_int executed;   /* number of iterations so far */
-    bool asked;           /* classes for worker->first, ... were requested, and not evaluated yet */
-    redcc_int taken;      /* number of classified iterations already handed out */
-    bool follows;         /* the last runs handed out had this flag (redcc_variant) */
+    bool asked;      /* the classes of iterations from worker->first on were requested and are not
+                        evaluated yet */
+    redcc_int taken; /* number of classified iterations already handed out */
+    bool follows;    /* the flag of the last runs handed out (redcc_variant) */
     unsigned char class[REDCC_SELECTED];
 };
 

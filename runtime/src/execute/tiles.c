@@ -14,8 +14,8 @@ static uint32_t flag_of(const struct plan *plan, uint32_t band) {
     return TILE_FLAG_WORDS * (1 + band % ((uint32_t)plan->threads + 1));
 }
 
-/* The value of the band's flag after `done` blocks. It grows with the bands that share the flag,
- * and with the plan's rounds, modulo 2^32: a flag is raised in each round. */
+/* The value of the band's flag after `done` blocks, modulo 2^32. It grows over the bands that share
+ * the flag and over the executions of the plan, because flags are not reset. */
 static unsigned value_of(const struct plan *plan, const struct tile_grid *grid, uint32_t band,
                          uint32_t done) {
     return (plan->round * grid->bands + band) * (grid->bands + 1) + done;

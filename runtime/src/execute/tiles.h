@@ -32,7 +32,7 @@ struct tile_walk {
     uint32_t block;  /* block of its next tile */
     redcc_tile tile; /* the tile handed out */
     bool has_band;
-    bool is_handed; /* the tile before `block` was handed out; it is done at the next call */
+    bool is_handed; /* the tile before `block` was handed out; the next call marks it as done */
 };
 
 void redcc_tiles_begin(struct tile_walk *walk, struct tile_grid grid);

@@ -9,7 +9,7 @@
 
 #include <assert.h>
 #include <float.h>
-#include <math.h> /* HUGE_VAL; no functions: the library links only to libc */
+#include <math.h> /* for HUGE_VAL; no function is used, since the library does not link to libm */
 #include <stdio.h>
 #include <string.h>
 
@@ -21,8 +21,8 @@ static size_t bytes_of(const struct plan *plan, uint32_t group) {
 
 static void give_back(struct validation *validation) {
     for (uint32_t i = 0; validation->held && i < validation->count; i++)
-        redcc_memory_give(validation->held[i].memory);
-    redcc_memory_give(validation->held);
+        redcc_memory_free(validation->held[i].memory);
+    redcc_memory_free(validation->held);
     *validation = (struct validation){0};
 }
 
@@ -32,7 +32,7 @@ static void give_up(struct validation *validation) {
 }
 
 static void begin(struct validation *validation, uint32_t count, const char *method) {
-    validation->held = redcc_memory_take_zeroed(count, sizeof *validation->held);
+    validation->held = redcc_memory_alloc_zeroed(count, sizeof *validation->held);
     validation->began = validation->held != NULL;
     validation->gave_up = !validation->began;
     validation->method = method;
@@ -41,13 +41,13 @@ static void begin(struct validation *validation, uint32_t count, const char *met
 
 /* Extends the saved range to `bytes` bytes at `place`. */
 static bool hold(struct held *held, char *place, size_t bytes) {
-    char *memory = redcc_memory_take(bytes);
+    char *memory = redcc_memory_alloc(bytes);
     if (!memory)
         return false;
     memcpy(memory, place, bytes);
-    if (held->memory) /* the previously saved range has been written since */
+    if (held->memory) /* the loop has written this range since it was saved */
         memcpy(memory + (held->place - place), held->memory, held->bytes);
-    redcc_memory_give(held->memory);
+    redcc_memory_free(held->memory);
     held->memory = memory;
     held->place = place;
     held->bytes = bytes;

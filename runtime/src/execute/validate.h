@@ -51,19 +51,19 @@ struct held {
 struct validation {
     bool began;
     bool gave_up;       /* no memory */
-    const char *method; /* that executed the loop */
+    const char *method; /* the method that executed the loop */
     uint32_t count;
-    struct held *held; /* [count] by array, or by a plan's group */
+    struct held *held; /* [count] for each array or, with a plan, each group */
 };
 
-/** Copies the contents of the plan's groups, for arrays at `bases`. There is no validation if out
- * of memory, or if an array is scattered, which is counted in *validated. Called by one thread,
- * while no thread writes. */
+/** Copies the contents of the plan's groups, for arrays at `bases`. There is no validation if
+ * memory is lacking or an array is scattered; the latter is counted in *validated. Called by one
+ * thread, while no thread writes. */
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
                             void *const *bases, struct validated *validated);
 
-/** Without a plan, before bytes `written` of one of `count` arrays are written in the sequential
- * order: copies those that are not copied yet. Otherwise as redcc_validation_begin. */
+/** Without a plan: called before the bytes `written` of one of `count` arrays are written; copies
+ * those that are not copied yet. Otherwise the same as redcc_validation_begin. */
 void redcc_validation_grow(struct validation *validation, uint32_t count, uint32_t array,
                            struct range written);
 

@@ -10,30 +10,29 @@ enum { LEAST_PART = 512 };
 enum { LEAST_ROUNDS = 2 };
 
 static bool is_trial(const struct variants *it, bool open) {
-    return open && it->executions >= it->rest.until;
+    return open && it->executions >= it->back_off.until;
 }
 
 unsigned redcc_variant_parts(const struct variants *it, bool open, redcc_int iterations) {
     assert(iterations >= 0);
     if (!is_trial(it, open))
         return 0;
-    const int lacking = VARIANT_PARTS - it->turns.timed;
+    const int lacking = VARIANT_PARTS - it->pairs.timed;
     assert(lacking > 0); /* the trial is not over */
     const redcc_int possible = iterations / LEAST_PART;
     return possible < 1 ? 1 : possible < lacking ? (unsigned)possible : (unsigned)lacking;
 }
 
 bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
-    return open &&
-           (is_trial(it, open) ? redcc_turn_of(it->turns.timed + (int)part) == 0 : it->best);
+    return open && (is_trial(it, open) ? redcc_arm_of(it->pairs.timed + (int)part) == 0 : it->best);
 }
 
 /* Ends a trial. The next one follows after four times as many executions. */
 static void end_trial(struct variants *it, bool best) {
-    it->turns = (struct turns){0};
+    it->pairs = (struct paired_timing){0};
     it->best = best;
-    it->rest.length = redcc_longer(it->rest.length);
-    it->rest.until = it->executions + 4 * it->rest.length;
+    it->back_off.length = redcc_longer(it->back_off.length);
+    it->back_off.until = it->executions + 4 * it->back_off.length;
 }
 
 void redcc_variant_note(struct variants *it, bool open, unsigned parts, const double *seconds) {
@@ -43,11 +42,11 @@ void redcc_variant_note(struct variants *it, bool open, unsigned parts, const do
     it->executions++;
     if (!tries)
         return;
-    assert(it->turns.timed + (int)parts <= VARIANT_PARTS);
+    assert(it->pairs.timed + (int)parts <= VARIANT_PARTS);
     for (unsigned part = 0; part < parts; part++)
-        redcc_turns_note(&it->turns, seconds[part]);
-    const bool is_enough = it->turns.timed >= LEAST_ROUNDS * VARIANTS;
-    const int best = is_enough ? redcc_turns_winner(&it->turns) : -1;
+        redcc_paired_note(&it->pairs, seconds[part]);
+    const bool is_enough = it->pairs.timed >= LEAST_ROUNDS * VARIANTS;
+    const int best = is_enough ? redcc_paired_winner(&it->pairs) : -1;
     if (best >= 0)
         end_trial(it, best == 0);
 }

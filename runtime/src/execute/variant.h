@@ -1,31 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Chooses between executing a loop with prefetches or without. Both give the same bits. In a trial,
- * timing slices alternate between the two (learn/turns.h); then the faster variant is used until
- * the next trial. A long execution is divided into enough slices for a trial.
+ * timing slices alternate between the two (learn/paired_timing.h); then the faster variant is used
+ * until the next trial. A long execution is divided into enough slices for a trial.
  */
 #ifndef REDCC_EXECUTE_VARIANT_H
 #define REDCC_EXECUTE_VARIANT_H
 
 #include "learn/back_off.h"
-#include "learn/turns.h"
+#include "learn/paired_timing.h"
 #include "redcc/runtime.h"
 
 #include <stdbool.h>
 
 /** A round has one slice of each variant. A long execution has several rounds. */
 enum {
-    VARIANTS = TURN_ARMS,
+    VARIANTS = PAIRED_ARMS,
     VARIANT_ROUNDS = 2 * LEARN_PAIRS,
     VARIANT_PARTS = VARIANT_ROUNDS * VARIANTS
 };
 
 /** Results over a loop's executions. Initially zero. */
 struct variants {
-    struct turns turns;   /* of the current trial */
-    bool best;            /* the last trial's winner: with prefetches? */
-    long executions;      /* number of executions that were long enough to compare variants */
-    struct back_off rest; /* counts executions until the next trial */
+    struct paired_timing pairs; /* of the current trial */
+    bool best;                  /* the last trial's winner: with prefetches? */
+    long executions;            /* number of executions that were long enough to compare variants */
+    struct back_off back_off;   /* counts executions until the next trial */
 };
 
 /** The number of timing slices of an execution in which each thread executes `iterations` on

@@ -18,7 +18,8 @@
 
 #include <assert.h>
 
-static const redcc_int never_settled = -((redcc_int)1 << 62); /* records all, probes none */
+/* no iteration is settled: all are recorded, none is probed */
+static const redcc_int never_settled = -((redcc_int)1 << 62);
 
 /* Begins a run from the first iteration, with nothing touched or read. */
 static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
@@ -40,11 +41,11 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
     const uint32_t arrays = inspection->partition.array_count;
     const uint32_t sources = inspection->call->request.loop->source_count;
     struct dry_run *run = &inspector->dry_run;
-    *run = (struct dry_run){.window = redcc_memory_take(arrays * sizeof *run->window),
-                            .clear = redcc_memory_take(sources * sizeof *run->clear),
+    *run = (struct dry_run){.window = redcc_memory_alloc(arrays * sizeof *run->window),
+                            .clear = redcc_memory_alloc(sources * sizeof *run->clear),
                             .has_margins = true,
                             .seconds = -redcc_seconds()};
-    inspector->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *inspector->entries);
+    inspector->entries = redcc_memory_alloc(REDCC_ENTRIES * sizeof *inspector->entries);
     inspector->failed = !run->window || !run->clear || !inspector->entries;
     if (!inspector->failed)
         begin_run(inspection, inspector);
@@ -225,9 +226,9 @@ double redcc_dry_run_done(const struct inspection *inspection) {
 
 enum reason redcc_dry_run_finish(struct inspection *inspection) {
     struct inspector *inspector = inspection->inspector[0];
-    redcc_memory_give(inspector->dry_run.window);
-    redcc_memory_give(inspector->dry_run.clear);
-    redcc_memory_give(inspector->entries);
+    redcc_memory_free(inspector->dry_run.window);
+    redcc_memory_free(inspector->dry_run.clear);
+    redcc_memory_free(inspector->entries);
     inspector->dry_run.window = inspector->dry_run.clear = NULL;
     inspector->entries = NULL;
     inspector->dry_run.seconds += redcc_seconds();

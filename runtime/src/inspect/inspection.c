@@ -55,9 +55,9 @@ bool redcc_inspection_begin(struct inspection *inspection, bool is_direct) {
     inspection->stealable = cuts_blocks ? REDCC_STEALABLE : 0;
     inspection->route = ROUTE_OWNERS;
     inspection->no_copies = inspection->no_graph = false;
-    inspection->samples = redcc_memory_take(threads * sizeof *inspection->samples);
-    inspection->summaries = redcc_memory_take(threads * sizeof *inspection->summaries);
-    inspection->seen = redcc_memory_take(threads * sizeof *inspection->seen);
+    inspection->samples = redcc_memory_alloc(threads * sizeof *inspection->samples);
+    inspection->summaries = redcc_memory_alloc(threads * sizeof *inspection->summaries);
+    inspection->seen = redcc_memory_alloc(threads * sizeof *inspection->seen);
     inspection->whole = (struct partition){0};
     if (!begin_partition(inspection, is_direct))
         return false;
@@ -70,22 +70,22 @@ void redcc_inspection_end(struct inspection *inspection) {
         struct inspector *inspector = inspection->inspector[thread];
         redcc_sample_end(&inspector->sample);
         redcc_sweep_end(&inspector->sweep);
-        redcc_memory_give(inspector->entries);
-        redcc_memory_give(inspector->seen);
-        redcc_memory_give(inspector->executed);
+        redcc_memory_free(inspector->entries);
+        redcc_memory_free(inspector->seen);
+        redcc_memory_free(inspector->executed);
         inspector->entries = NULL;
         inspector->seen = NULL;
         inspector->executed = NULL;
     }
     redcc_divide_end(&inspection->divide);
     redcc_levels_end(&inspection->levels);
-    redcc_memory_give(inspection->whole.cut); /* the partition owns its other memory */
+    redcc_memory_free(inspection->whole.cut); /* the partition owns its other memory */
     inspection->whole = (struct partition){0};
     if (inspection->partition.share == 0)
         redcc_partition_end(&inspection->partition);
-    redcc_memory_give(inspection->samples);
-    redcc_memory_give(inspection->summaries);
-    redcc_memory_give(inspection->seen);
+    redcc_memory_free(inspection->samples);
+    redcc_memory_free(inspection->summaries);
+    redcc_memory_free(inspection->seen);
     inspection->samples = NULL;
     inspection->summaries = NULL;
     inspection->seen = NULL;

@@ -46,7 +46,7 @@ struct slice_timing {
     int passes;
     redcc_int iterations; /* per pass */
     double began;
-    double least; /* seconds of the shortest pass; 0: none is complete */
+    double least; /* seconds of the shortest pass; 0: no pass is complete */
 };
 
 /** One thread's part of the inspection. Only this thread writes it; others read it after a barrier.
@@ -70,14 +70,14 @@ struct inspector {
     struct sample sample;
     struct sweep sweep;
     redcc_extent *sources; /* [source_count] recorded by redcc_read */
-    redcc_owner *nowhere;  /* [array_count] an empty window: all touches are recorded */
+    redcc_owner *nowhere;  /* [array_count] empty windows, with which all touches are recorded */
 };
 
 /** What an inspection may take. */
 struct pace {
     double usual;    /* seconds of an iteration of the sequential loop; 0: unknown */
-    double began;    /* the stage with the deadline, on the clock of redcc_seconds */
-    double deadline; /* on the same clock; 0: none */
+    double began;    /* when the stage with the deadline began, on the clock of redcc_seconds */
+    double deadline; /* when it must end; 0: no deadline */
 };
 
 /** An inspection, with memory that is freed as a whole. */
@@ -88,12 +88,12 @@ struct inspection {
     struct range *touched; /* [array_count] ranges touched by all threads; owned by the loop */
     struct range *sources; /* [source_count] ranges read; owned by the loop */
     uint32_t stealable;    /* blocks to be cut for each thread (partition.stealable) */
-    enum route route;      /* as decided so far */
+    enum route route;      /* the route decided so far */
     struct pace pace;
     bool no_copies;         /* the ranges of all iterations rule out private copies */
     bool no_graph;          /* owners cannot be cut from the access graph */
     bool is_exact;          /* unit numbers cover exactly the range touched by all iterations */
-    struct touching each;   /* per iteration, according to the sample */
+    struct touching each;   /* averages per iteration, according to the sample */
     struct overlap overlap; /* REASON_OVERLAP: the two that overlap */
     struct partition partition;
     struct partition whole;           /* a partition with one owner: only for extents */
@@ -104,9 +104,9 @@ struct inspection {
     struct levels levels;
 };
 
-/** Begins an inspection. is_direct: threads will find their iterations during execution, by the
- * kept owners of an earlier one if there are any. Otherwise auto may cut the arrays for stealable
- * blocks. False: out of memory. Call redcc_inspection_end in either case. */
+/** Begins an inspection. is_direct: threads will find their iterations during execution, by owners
+ * that an earlier execution kept, if any. Otherwise auto may cut the arrays for stealable blocks.
+ * False: out of memory. Call redcc_inspection_end in either case. */
 bool redcc_inspection_begin(struct inspection *inspection, bool is_direct);
 
 /** Sets the number of owners for which the sample cuts the arrays. */
@@ -118,7 +118,8 @@ void redcc_inspection_end(struct inspection *inspection);
 /** Has the inspection taken longer than auto allows? */
 bool redcc_inspection_is_late(const struct inspection *inspection);
 
-/** Will it, at the pace of this fraction of the stage, 0 to 1? Says so after a 16th of the time. */
+/** Will the inspection miss its deadline if it continues at its pace? `done`: the completed
+ * fraction of the stage, 0 to 1. False in the first 16th of the time. */
 bool redcc_inspection_will_be_late(const struct inspection *inspection, double done);
 
 /** With a deadline, the clock is first read after a few iterations, since they may be heavy, then
@@ -131,7 +132,8 @@ static inline redcc_int redcc_next_before_deadline(redcc_int block) {
 /** Has some thread run out of memory? */
 bool redcc_inspection_failed(const struct inspection *inspection);
 
-/** The iterations that a thread inspects: a consecutive share, [begin, end). */
+/** The iterations that a thread inspects are a consecutive share, from redcc_own_begin to before
+ * redcc_own_end. */
 redcc_int redcc_own_begin(const struct inspection *inspection, const struct inspector *inspector);
 redcc_int redcc_own_end(const struct inspection *inspection, const struct inspector *inspector);
 
@@ -168,7 +170,8 @@ bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *ins
 /** The fraction of the iterations that the dry run has recorded. */
 double redcc_dry_run_done(const struct inspection *inspection);
 
-/** Ends the run; returns OVERLAP (and which), DEADLINE, NO_MEMORY or NONE. */
+/** Ends the run. Returns REASON_OVERLAP (inspection->overlap has the two), REASON_DEADLINE,
+ * REASON_NO_MEMORY or REASON_NONE. */
 enum reason redcc_dry_run_finish(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */

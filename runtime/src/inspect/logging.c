@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The access log, of a sweep that stores all touches; and its uses: owners cut from the access
- *  graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h). Units are
- *  numbered before the sweep, over a range slightly larger than that of the sample. If a touch lies
- *  outside, the sweep is repeated with the extents found. */
+/** The access log: a sweep that stores all touches. From the log, owners are cut
+ * (ownership/graph/divide.h) or iterations are assigned to levels (ownership/graph/levels.h). Units
+ * are numbered before the sweep, over a range slightly larger than that of the sample. If a touch
+ * lies outside, the sweep is repeated with the extents found. */
 #include "inspect/inspection.h"
 
 #include "base/memory.h"
@@ -53,7 +53,7 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
     struct divide *divide = &inspection->divide;
     const uint32_t arrays = inspection->partition.array_count;
     const int threads = inspection->call->threads;
-    struct range *range = redcc_memory_take(arrays * sizeof *range);
+    struct range *range = redcc_memory_alloc(arrays * sizeof *range);
     inspection->is_exact = is_exact;
     redcc_divide_end(divide);
     if (!range)
@@ -65,7 +65,7 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
                                            touches_an_iteration(inspection, false));
     const enum divide_result result =
         redcc_divide_begin(divide, &inspection->partition, range, threads, trip, touches);
-    redcc_memory_give(range);
+    redcc_memory_free(range);
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->pace.deadline;
     if (inspection->route == ROUTE_LEVELS) /* the method was named, so the memory is unlimited */

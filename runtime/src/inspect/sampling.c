@@ -21,14 +21,15 @@
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations per owner, of all threads together; */
-    SAMPLED_FOR_A_LOOK = 128,   /* minimum number of iterations, if one thread makes an estimate */
-    SAMPLED_OF = 16,         /* one iteration in this number is sampled, within the limits: a larger
-                              * sample of a short loop would cost as much as the loop */
-    LOOKED_AT_OF = 128,      /* the same for an estimate: a few iterations of a short loop may be
-                              * heavy */
-    LOOKED_AT_LEAST = 16,    /* minimum number of iterations for an estimate */
-    SAMPLED_MOST = 8192,     /* maximum number of iterations */
-    SAMPLED_TOUCHES = 32768, /* touches kept, with few owners */
+    /* minimum number of iterations if one thread takes a sample only for an estimate */
+    SAMPLED_FOR_A_LOOK = 128,
+    SAMPLED_OF = 16, /* one iteration in this many is sampled, within the limits: a larger sample of
+                        a short loop would cost as much as the loop */
+    LOOKED_AT_OF = 128, /* the same for an estimate; smaller, because iterations of a short loop may
+                           be heavy */
+    LOOKED_AT_LEAST = 16,                       /* minimum number of iterations for an estimate */
+    SAMPLED_MOST = 8192,                        /* maximum number of iterations */
+    SAMPLED_TOUCHES = 32768,                    /* touches kept, with few owners */
     SAMPLED_TOUCHES_AN_OWNER = 2048,            /* touches kept per owner, with many owners */
     SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* maximum number of touches kept */
     ROWS_OF_A_TOUCH = 64                        /* maximum weight of a touch, in rows */
@@ -41,8 +42,8 @@ static bool is_for_tiles(const struct inspection *inspection) {
            redcc_can_be_tiled(request->trip);
 }
 
-/* At most `most` iterations: heavy ones have many touches, of which fewer iterations say as much.
- */
+/* The number of iterations, between few / 2 and `most`, that fit in the sample's time. Heavy
+ * iterations have many touches, so fewer of them give as much information. */
 static redcc_int in_time(const struct inspection *inspection, redcc_int few, redcc_int most) {
     const double usual = inspection->pace.usual;
     if (usual * (double)most <= SAMPLED_SECONDS || inspection->call->order != REDCC_ORDER_SERIAL)
@@ -100,9 +101,9 @@ static size_t sample_room(const struct inspection *inspection, const struct insp
 
 static bool begin_sample(const struct inspection *inspection, struct inspector *inspector) {
     const struct partition *partition = &inspection->partition;
-    inspector->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *inspector->entries);
-    inspector->seen = redcc_memory_take(partition->array_count * sizeof *inspector->seen);
-    inspector->executed = redcc_memory_take_zeroed(partition->room, sizeof *inspector->executed);
+    inspector->entries = redcc_memory_alloc(REDCC_ENTRIES * sizeof *inspector->entries);
+    inspector->seen = redcc_memory_alloc(partition->array_count * sizeof *inspector->seen);
+    inspector->executed = redcc_memory_alloc_zeroed(partition->room, sizeof *inspector->executed);
     if (!redcc_sample_begin(&inspector->sample, sample_room(inspection, inspector),
                             (uint64_t)sampled_before(inspection, inspector)) ||
         !inspector->entries || !inspector->seen || !inspector->executed)
@@ -116,7 +117,8 @@ static bool begin_sample(const struct inspection *inspection, struct inspector *
 void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector) {
     inspector->failed = !begin_sample(inspection, inspector);
     inspector->timing = (struct slice_timing){0};
-    inspector->next = redcc_own_begin(inspection, inspector); /* nothing is swept */
+    /* its own share, of which nothing is swept yet */
+    inspector->next = redcc_own_begin(inspection, inspector);
     inspector->at = sample_stride(inspection) * sampled_before(inspection, inspector);
 }
 

@@ -46,7 +46,8 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->late = false;
 }
 
-/* A plan construction may go on to its deadline: an interruption at its beginning says nothing. */
+/* Must the sweep end? A plan construction may take until its deadline, because its pace at the
+ * beginning may be due to an interruption. */
 static bool is_late(const struct inspection *inspection, const struct inspector *inspector) {
     const redcc_int begin = redcc_own_begin(inspection, inspector);
     const redcc_int end = redcc_own_end(inspection, inspector);

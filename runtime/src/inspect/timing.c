@@ -12,8 +12,8 @@ enum {
     PASSES = 3  /* passes over these: the first loads their data, another may be interrupted */
 };
 
-/* Does auto need the time for its estimates? Not with kept owners, or after a dry run, which is
- * timed. */
+/* Do auto's estimates need the time of the slice? No if owners are kept, or after a dry run, which
+ * was timed itself. */
 static bool is_wanted(const struct inspection *inspection) {
     const struct call *call = inspection->call;
     return !call->method && !call->in_bins && inspection->partition.share == 0 &&

@@ -15,7 +15,7 @@ struct choice {
 };
 
 static double credit_of(const struct ledger *it) {
-    return LEARN_SHARE * it->sequential - it->overhead + it->loan;
+    return LEARN_SHARE * it->sequential - it->overhead + it->overdraft;
 }
 
 double redcc_credit(const struct choice_state *state) {
@@ -35,9 +35,9 @@ static double usual_of(const struct choice *c) {
     return redcc_usual(c->size) * (double)c->now->trip;
 }
 
-/* Until bins are known to be faster, an execution by them is a trial, which may stop. */
+/* Until bins are known to be faster, an execution with them is a trial, which may stop early. */
 static bool is_trial(const struct choice *c, enum way way) {
-    const bool compared = c->size->stand == STAND_COMPARING && c->size->comparison.contender == way;
+    const bool compared = c->size->phase == PHASE_COMPARING && c->size->comparison.contender == way;
     return way == WAY_BINS && (compared || c->size->arm[way].timed.count == 0);
 }
 
@@ -48,13 +48,13 @@ static bool is_clear(const struct choice *c, enum way way) {
 /* Seconds that this strategy may lose now, in addition to the risk of one execution. */
 static double room_for(const struct choice *c, enum way way) {
     const double risk = is_trial(c, way) ? LEARN_SHARE : is_clear(c, way) ? 0 : LEARN_RISK;
-    const bool borrows = redcc_is_planned(way) || (way == WAY_DIRECT && c->now->in_tiles);
-    const double lent = borrows ? 0 : c->ledger->loan; /* for a plan construction */
-    return credit_of(c->ledger) - lent - risk * usual_of(c);
+    const bool may_overdraw = redcc_is_planned(way) || (way == WAY_DIRECT && c->now->in_tiles);
+    const double reserved = may_overdraw ? 0 : c->ledger->overdraft; /* for a plan construction */
+    return credit_of(c->ledger) - reserved - risk * usual_of(c);
 }
 
-/* A strategy that is clearly faster repays the debt, while its executions together do: one that was
- * interrupted does not end that. */
+/* A strategy that is clearly faster may run while the credit is negative, because it repays the
+ * debt. All of its executions together must have gained; one slow execution does not end it. */
 static bool may_execute(const struct choice *c, enum way way) {
     const bool repays = c->size->gained > 0 && !is_trial(c, way) && is_clear(c, way);
     return repays || room_for(c, way) >= 0;
@@ -80,18 +80,19 @@ static enum way ready_way(const struct choice *c, double current, bool guessed) 
     return best;
 }
 
-/* Subscripts that were not seen lately, as far as known; and ones that are likely to stay. */
+/* Are the subscripts new, as far as is known; and are they likely to stay? */
 static bool are_new(const struct choice *c) {
-    return !c->now->verified && c->now->steady < LEARN_SURE / 2;
+    return !c->now->verified && c->now->steady < LEARN_STABLE / 2;
 }
 
-static bool are_sure(const struct choice *c) {
-    return c->now->verified || c->now->steady >= LEARN_SURE;
+static bool are_stable(const struct choice *c) {
+    return c->now->verified || c->now->steady >= LEARN_STABLE;
 }
 
-/* Remaining seconds of a plan construction, including starting threads. The time spent so far may
- * leave less than is likely: the result is at least half of the inspection's own cost. A plan for
- * subscripts that are new each time must not count on a slice that is cheaper than the body. */
+/* Remaining seconds of a plan construction, including starting threads. At least half of the
+ * inspection's cost is assumed to remain, even if the time spent so far suggests less. For a plan
+ * whose subscripts are new in each call, the slice must not be assumed to be cheaper than the body.
+ */
 static double cost_of(const struct choice *c, enum way way) {
     const struct arm *it = &c->size->arm[way];
     const double all = it->learned > 0 ? it->learned : it->set_up;
@@ -100,53 +101,55 @@ static double cost_of(const struct choice *c, enum way way) {
     return left + c->now->start + (counts_body ? usual_of(c) / c->now->threads : 0);
 }
 
-/* The expected number of executions by a plan constructed now: as many as there were (rent or buy),
- * or only this one if the subscripts are new. If changed subscripts ended earlier plans: until
- * these are as old as those of the last one were or, if they are older, as long again. */
+/* The expected number of executions by a plan constructed now: as many as there were so far (rent
+ * or buy), or only this one if the subscripts are new. If changed subscripts ended earlier plans,
+ * the present ones are expected to last as long as those of the last plan or, if they have lasted
+ * longer already, as long again. */
 static double horizon_of(const struct choice *c) {
     const struct set_ups *it = &c->size->set_ups;
     if (it->lifetime == 0)
         return are_new(c) && c->now->steady >= 0 ? 1 : (double)c->size->calls;
-    const long since = (c->size->calls - it->begun) / (2 * LEARN_SURE),
+    const long since = (c->size->calls - it->begun) / (2 * LEARN_STABLE),
                age = c->now->steady > 0 ? c->now->steady : 0;
     const long life = it->lifetime > since ? it->lifetime : since;
     return (double)(life > age ? life - age : age);
 }
 
-/* Rent or buy: was the loop sequential for so many times what this takes? */
+/* Rent or buy: has the loop run sequentially for the required multiple of `seconds`? */
 static bool has_waited_for(const struct choice *c, double seconds) {
     return seconds * redcc_factor(&c->size->set_ups) <= c->size->set_ups.since;
 }
 
-/* Does the credit cover it, has it waited long enough, and does it pay? */
+/* Does the credit cover the plan construction, has it waited long enough, and does it pay? */
 static bool is_affordable(const struct choice *c, enum way way) {
     const double all = c->now->spent + cost_of(c, way);
     return all <= room_for(c, way) && has_waited_for(c, all);
 }
 
-/* One overdraft at a time, and none after a plan construction that did not earn its cost. */
-static bool may_borrow(const struct choice *c) {
-    return c->size->stand == STAND_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
-           (c->ledger->loan > 0 || credit_of(c->ledger) >= 0);
+/* Only one overdraft at a time, and none after a plan construction that did not earn its cost. */
+static bool can_overdraw(const struct choice *c) {
+    return c->size->phase == PHASE_SAVING && redcc_misses(&c->size->set_ups) == 0 &&
+           (c->ledger->overdraft > 0 || credit_of(c->ledger) >= 0);
 }
 
-/* Do two executions repay the plan construction, or half the number of executions that its
- * subscripts have lasted? If these may change, the first one must. If samples may have missed a
- * change, the plan may serve only once: that may lose a share of the time so far. */
-static bool is_worth_loan(const struct choice *c, enum way way) {
+/* Do two executions repay the plan construction, or half as many as its subscripts have lasted? If
+ * the subscripts may change, the first execution must repay it. If samples may have missed a
+ * change, the plan may be used only once; then the loss must be within a share of the time so far.
+ */
+static bool is_worth_overdraft(const struct choice *c, enum way way) {
     const double usual = usual_of(c), set_up = cost_of(c, way);
     const double gained = usual - redcc_expected(c->size, way) * (double)c->now->trip;
-    const double soon = most_of(LEARN_SURE, c->now->steady) / 2;
-    const double repaid = are_sure(c) ? least_of(soon, horizon_of(c)) : LEARN_BETTER;
+    const double soon = most_of(LEARN_STABLE, c->now->steady) / 2;
+    const double repaid = are_stable(c) ? least_of(soon, horizon_of(c)) : LEARN_BETTER;
     const double misled = set_up - c->now->start - gained;
-    return is_clear(c, way) && set_up <= LEARN_LOAN * usual && set_up <= repaid * gained &&
+    return is_clear(c, way) && set_up <= LEARN_OVERDRAFT * usual && set_up <= repaid * gained &&
            (c->now->verified || misled <= LEARN_SHARE * c->ledger->sequential);
 }
 
 typedef bool allows(const struct choice *, enum way);
 
-/* The cheapest plan over `executions` executions, including its construction, of those that are
- * allowed and better than `current` seconds per iteration. */
+/* Of the allowed plans that take less than `current` seconds per iteration, the one that is
+ * cheapest over `executions` executions, including its construction. */
 static enum way best_plan(const struct choice *c, double current, double executions,
                           allows *is_allowed) {
     enum way best = WAY_SEQUENTIAL;
@@ -166,19 +169,19 @@ static enum way affordable_way(const struct choice *c, double current) {
     return best_plan(c, current, horizon_of(c), is_affordable);
 }
 
-/* Can the loop be executed by owners at once, for any subscripts? */
+/* Can the loop be executed by owners without a plan, with any subscripts? */
 static bool goes_without_plan(const struct choice *c) {
     return c->now->kept[WAY_DIRECT] == KEPT_FITS && !c->size->arm[WAY_DIRECT].ruled_out;
 }
 
-/* Seconds that a look takes. A dry run of a loop that needs no plan is taken for a 16th of an
- * execution until one was made, 0.05 in loops over blocks: a deadline ends those that take longer.
- */
+/* Seconds that a sample takes. Until the first dry run was timed, a loop that needs no plan assumes
+ * a 16th of an execution for it (0.05 in loops over blocks); a deadline ends a dry run that takes
+ * longer. */
 static double look_of(const struct choice *c) {
     const double usual = usual_of(c);
     const double dry =
         c->now->dry_run ? (goes_without_plan(c) ? 2 * LEARN_SHARE * usual : usual) : 0;
-    return c->size->look > 0 ? c->size->look : least_of(LEARN_LOOK, LEARN_CLEAR * usual) + dry;
+    return c->size->look > 0 ? c->size->look : least_of(LEARN_SAMPLE, LEARN_CLEAR * usual) + dry;
 }
 
 /* ---- decisions ------------------------------------------------------------------------------- */
@@ -200,24 +203,26 @@ static struct decision reuse(const struct choice *c, enum way way, enum rule rul
 }
 
 /* The spent part of an overdraft remains a debt. */
-static void lend(const struct choice *c, double seconds) {
-    c->ledger->loan = most_of(c->ledger->loan, seconds);
+static void allow_overdraft(const struct choice *c, double seconds) {
+    c->ledger->overdraft = most_of(c->ledger->overdraft, seconds);
 }
 
 /* A plan construction within an overdraft or the credit, for a strategy better than `current`
- * seconds per iteration, if there is one. The overdraft is twice its cost and a fraction of an
- * execution, for threads that do not get a core at once. */
+ * seconds per iteration, if there is one. The overdraft covers twice the cost of the construction.
+ * It also covers a fraction of an execution, since threads may not get a core at once. */
 static struct decision set_up(const struct choice *c, double current) {
     const double usual = usual_of(c);
-    enum way way = may_borrow(c) ? best_plan(c, redcc_usual(c->size), LEARN_FACTOR, is_worth_loan)
-                                 : WAY_SEQUENTIAL;
-    const bool is_lent = way != WAY_SEQUENTIAL;
-    way = is_lent ? way : affordable_way(c, current);
+    enum way way = can_overdraw(c)
+                       ? best_plan(c, redcc_usual(c->size), LEARN_FACTOR, is_worth_overdraft)
+                       : WAY_SEQUENTIAL;
+    const bool may_overdraw = way != WAY_SEQUENTIAL;
+    way = may_overdraw ? way : affordable_way(c, current);
     if (way == WAY_SEQUENTIAL)
         return sequentially(c, RULE_SAVING);
-    const double most = 2 * cost_of(c, way) + (is_lent ? LEARN_RISK * usual : 0);
-    if (is_lent)
-        lend(c, least_of(c->now->spent + most, c->now->awaited + LEARN_LOAN * usual));
+    const double most = 2 * cost_of(c, way) + (may_overdraw ? LEARN_RISK * usual : 0);
+    if (may_overdraw)
+        allow_overdraft(c,
+                        least_of(c->now->spent + most, c->now->awaited + LEARN_OVERDRAFT * usual));
     c->size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
                              .way = way,
@@ -225,26 +230,28 @@ static struct decision set_up(const struct choice *c, double current) {
                              .rule = RULE_SET_UP};
 }
 
-/* By all threads, so that a plan construction can follow at once, if the subscripts are likely to
- * stay and the credit covers starting the threads; an overdraft covers it if it is small compared
- * with an execution. Otherwise by one thread, which waits for no other: most light loops are not
- * worth more than the sample. */
+/* Takes a sample. All threads take part, so that a plan construction can follow at once, if the
+ * subscripts are likely to stay and the credit covers starting the threads. An overdraft covers
+ * this if it is small compared with an execution. Otherwise one thread takes the sample and waits
+ * for no other: most light loops turn out not to be worth more. */
 static struct decision look(const struct choice *c) {
     const double cost = look_of(c), credit = credit_of(c->ledger);
     const bool at_once = goes_without_plan(c) || c->now->begun;
-    const bool is_lent = (c->now->verified || at_once) && credit < cost + c->now->start &&
-                         may_borrow(c) && cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
-    if ((credit < cost && !(is_lent && at_once)) || !(c->now->begun || has_waited_for(c, cost)))
+    const bool may_overdraw = (c->now->verified || at_once) && credit < cost + c->now->start &&
+                              can_overdraw(c) &&
+                              cost + c->now->start <= LEARN_RISK / 2 * usual_of(c);
+    if ((credit < cost && !(may_overdraw && at_once)) ||
+        !(c->now->begun || has_waited_for(c, cost)))
         return sequentially(c, RULE_SAVING);
-    if (is_lent)
-        lend(c, at_once ? cost + c->now->start : c->now->start);
-    const bool alone = !(are_sure(c) || at_once) || credit_of(c->ledger) < cost + c->now->start;
-    c->size->rule = RULE_LOOKING;
+    if (may_overdraw)
+        allow_overdraft(c, at_once ? cost + c->now->start : c->now->start);
+    const bool alone = !(are_stable(c) || at_once) || credit_of(c->ledger) < cost + c->now->start;
+    c->size->rule = RULE_SAMPLING;
     return (struct decision){
         .action = ACTION_INSPECT,
         .alone = alone,
         .deadline = least_of(2 * cost, credit_of(c->ledger) - (alone ? 0 : c->now->start)),
-        .rule = RULE_LOOKING};
+        .rule = RULE_SAMPLING};
 }
 
 static struct decision take_up(const struct choice *c, enum way way) {
@@ -253,27 +260,28 @@ static struct decision take_up(const struct choice *c, enum way way) {
         return reuse(c, way, RULE_COMPARING);
     }
     c->size->way = way;
-    c->size->stand = STAND_PARALLEL;
+    c->size->phase = PHASE_PARALLEL;
     return reuse(c, way, RULE_FASTER);
 }
 
-/* By a plan, if one is to be constructed. */
+/* Constructs a plan, if that is worth it. */
 static struct decision decide_set_up(const struct choice *c) {
-    if (redcc_misses(&c->size->set_ups) >= LEARN_SURE / 2 && c->now->steady >= 0 &&
-        c->now->steady < LEARN_SURE / 2)
+    if (redcc_misses(&c->size->set_ups) >= LEARN_STABLE / 2 && c->now->steady >= 0 &&
+        c->now->steady < LEARN_STABLE / 2)
         return sequentially(c, RULE_CHANGING);
     return set_up(c, redcc_usual(c->size));
 }
 
 bool redcc_goes_at_once(const struct situation *now) {
     return now->bins_only && !now->whole && now->threads > 1 &&
-           now->trip >= (long long)LEARN_LOOKED_AT * LEARN_LOOKED_AT;
+           now->trip >= (long long)LEARN_SAMPLED * LEARN_SAMPLED;
 }
 
-/* Is there no inspection, does it begin with a dry run, which may take as long as the loop, or are
- * iterations so heavy that an inspection may take longer than a trial of bins may lose? They have
- * inner loops, and the inspection records all rows that those touch, but for tiles only where they
- * begin and end. The first execution may be a trial that times the sequential loop as well. */
+/* Are bins tried before any inspection? So if the loop has no inspection; if its inspection begins
+ * with a dry run, which may take as long as the loop; or if iterations are so heavy that an
+ * inspection may take longer than a trial of bins may lose. Heavy iterations have inner loops, and
+ * the inspection records all rows that these touch (for tiles only the first and the last). The
+ * first execution may be a trial that times the sequential loop as well. */
 static bool tries_first(const struct choice *c) {
     const struct arm *bins = &c->size->arm[WAY_BINS];
     const double usual = redcc_usual(c->size);
@@ -282,7 +290,7 @@ static bool tries_first(const struct choice *c) {
         return false;
     return usual == 0
                ? redcc_goes_at_once(c->now)
-               : c->now->bins_only || c->now->dry_run || usual * LEARN_LOOKED_AT > LEARN_LOOK;
+               : c->now->bins_only || c->now->dry_run || usual * LEARN_SAMPLED > LEARN_SAMPLE;
 }
 
 static struct decision try_first(const struct choice *c) {
@@ -292,24 +300,27 @@ static struct decision try_first(const struct choice *c) {
     return may ? take_up(c, WAY_BINS) : sequentially(c, RULE_SAVING);
 }
 
-/* Tiles compute each pair once, whatever the subscripts are: no sample says more. If they failed,
- * or a guard forbade them, one is taken after the back-off. */
+/* Are tiles tried without a sample? They compute each pair once, whatever the subscripts are, so a
+ * sample would show nothing more. If they failed or a guard forbade them, a sample is taken after
+ * the back-off. */
 static bool goes_in_tiles(const struct choice *c) {
     return c->now->in_tiles && c->now->threads > 1 && !c->now->dry_run &&
-           c->size->rest.length == 0 && goes_without_plan(c);
+           c->size->back_off.length == 0 && goes_without_plan(c);
 }
 
-/* An overdraft covers the start of the threads if the first execution is expected to repay it. That
- * one is slow: the overdraft also covers a fraction of it, or all if the loop is not new. */
+/* An overdraft covers starting the threads if the first execution is expected to repay it. A first
+ * execution is slow, so the overdraft also covers a fraction of it or, if the loop is not new, all
+ * of it. */
 static struct decision try_tiles(const struct choice *c) {
     const double usual = redcc_usual(c->size), each = LEARN_CONTENDED / c->now->threads * usual;
     const double gained = (usual - each) * (double)c->now->trip;
-    const bool is_new = c->ledger->sequential < (LEARN_SURE - 1) * usual_of(c);
-    const bool is_lent = may_borrow(c) && c->now->start <= LEARN_BETTER * gained;
+    const bool is_new = c->ledger->sequential < (LEARN_STABLE - 1) * usual_of(c);
+    const bool may_overdraw = can_overdraw(c) && c->now->start <= LEARN_BETTER * gained;
     c->size->arm[WAY_DIRECT] = (struct arm){.possible = true, .execution = each};
     c->size->looked_at = usual;
-    if (is_lent && is_clear(c, WAY_DIRECT))
-        lend(c, is_new ? c->now->start + LEARN_RISK * usual_of(c) : LEARN_LOAN * usual_of(c));
+    if (may_overdraw && is_clear(c, WAY_DIRECT))
+        allow_overdraft(c, is_new ? c->now->start + LEARN_RISK * usual_of(c)
+                                  : LEARN_OVERDRAFT * usual_of(c));
     return fits(c, WAY_DIRECT) ? take_up(c, WAY_DIRECT) : sequentially(c, RULE_SAVING);
 }
 
@@ -335,8 +346,8 @@ static struct decision decide_saving(const struct choice *c) {
 /* The plan in use is for other subscripts: its overdraft is still owed, but no more of it may be
  * spent. */
 static struct decision leave_plan(const struct choice *c) {
-    c->size->stand = STAND_SAVING;
-    c->ledger->loan = 0;
+    c->size->phase = PHASE_SAVING;
+    c->ledger->overdraft = 0;
     return decide_saving(c);
 }
 
@@ -345,26 +356,27 @@ static struct decision decide_comparing(const struct choice *c) {
     if (c->now->kept[it->contender] != KEPT_FITS ||
         (it->incumbent != WAY_SEQUENTIAL && c->now->kept[it->incumbent] != KEPT_FITS))
         return leave_plan(c);
-    const enum way turn = redcc_turn(it);
-    if (turn == WAY_SEQUENTIAL)
+    const enum way next = redcc_arm_to_run(it);
+    if (next == WAY_SEQUENTIAL)
         return sequentially(c, RULE_COMPARING);
-    return may_execute(c, turn) ? reuse(c, turn, RULE_COMPARING) : sequentially(c, RULE_SAVING);
+    return may_execute(c, next) ? reuse(c, next, RULE_COMPARING) : sequentially(c, RULE_SAVING);
 }
 
-/* Was the sequential loop not timed for so long that timing it costs half of the share? Each time
- * that the plan was the faster way it is half as much, three times. A first execution finds no page
- * of the arrays in place, and says less than the others. */
+/* Must the sequential loop be timed again? It must when so much time has passed that timing it
+ * costs half of the share. Each of the first three checks in which the plan was faster halves that
+ * fraction. If only the first execution was timed, a check is due four times as early, since page
+ * faults make that one slow. */
 static bool is_check_due(const struct choice *c) {
     const double more = redcc_usual(c->size) - redcc_expected(c->size, c->size->way);
     const double half = 2 / LEARN_SHARE;
     const double after =
-        c->size->sequential.count > 1 ? half * (double)(1 << c->size->checks) : half / LEARN_SURE;
+        c->size->sequential.count > 1 ? half * (double)(1 << c->size->checks) : half / LEARN_STABLE;
     return c->size->unchecked > after * more * (double)c->now->trip;
 }
 
-/* A strategy that was tried before any sample was taken is not the best one for that. The execution
- * after a sample is sequential: what it does not gain is part of the cost, which a share of the
- * time so far must cover. */
+/* Is a sample taken while a strategy is in use that was tried before any sample? It need not be the
+ * best one. The execution after a sample is sequential; the gain that it loses is part of the cost,
+ * which a share of the time so far must cover. */
 static bool looks_for_more(const struct choice *c, double current) {
     const double lost = (redcc_usual(c->size) - current) * (double)c->now->trip;
     const double cost = look_of(c) + most_of(lost, 0);
@@ -383,7 +395,7 @@ static struct decision decide_parallel(const struct choice *c) {
         redcc_compare(c->size, c->size->way, WAY_SEQUENTIAL);
         if (is_trial(c, c->size->way))
             return reuse(c, c->size->way, RULE_COMPARING);
-        redcc_turns_note(&c->size->comparison.turns, current);
+        redcc_paired_note(&c->size->comparison.pairs, current);
         return sequentially(c, RULE_COMPARING);
     }
     if (looks_for_more(c, current))
@@ -412,10 +424,10 @@ static enum way fastest_known(const struct choice *c) {
     return best;
 }
 
-/* The reason for a back-off may no longer hold. */
-static void end_rest(const struct choice *c) {
+/* Ends a back-off, since its reason may no longer hold. */
+static void end_back_off(const struct choice *c) {
     const bool was_slower = c->size->rule == RULE_SLOWER;
-    c->size->stand = STAND_SAVING;
+    c->size->phase = PHASE_SAVING;
     const enum way again = was_slower ? fastest_known(c) : WAY_SEQUENTIAL;
     if (again != WAY_SEQUENTIAL) {
         redcc_compare(c->size, again, WAY_SEQUENTIAL);
@@ -426,14 +438,14 @@ static void end_rest(const struct choice *c) {
         c->size->arm[way] = (struct arm){.learned = c->size->arm[way].learned};
 }
 
-static bool is_resting(const struct size_state *size) {
-    return (size->stand == STAND_SHORT || size->stand == STAND_RESTING) &&
-           size->calls < size->rest.until;
+static bool is_backing_off(const struct size_state *size) {
+    return (size->phase == PHASE_SHORT || size->phase == PHASE_BACK_OFF) &&
+           size->calls < size->back_off.until;
 }
 
-static struct decision at_rest(const struct size_state *size) {
+static struct decision during_back_off(const struct size_state *size) {
     return (struct decision){
-        .action = ACTION_SEQUENTIAL, .timed = size->stand == STAND_RESTING, .rule = size->rule};
+        .action = ACTION_SEQUENTIAL, .timed = size->phase == PHASE_BACK_OFF, .rule = size->rule};
 }
 
 static bool is_short(const struct choice *c) {
@@ -443,19 +455,19 @@ static bool is_short(const struct choice *c) {
 static struct decision decide(const struct choice *c) {
     if (c->size->sequential.count == 0)
         return tries_first(c) ? try_first(c) : sequentially(c, RULE_FIRST);
-    if (c->size->stand == STAND_SHORT && c->size->calls == c->size->rest.until) {
-        c->size->stand = STAND_SAVING;
+    if (c->size->phase == PHASE_SHORT && c->size->calls == c->size->back_off.until) {
+        c->size->phase = PHASE_SAVING;
         return sequentially(c, RULE_SHORT);
     }
-    if (c->size->stand == STAND_RESTING)
-        end_rest(c);
-    if (c->size->stand == STAND_SAVING && is_short(c)) {
-        redcc_wait_for(&c->size->rest, c->size->calls, redcc_longer(c->size->rest.length));
-        c->size->stand = STAND_SHORT;
+    if (c->size->phase == PHASE_BACK_OFF)
+        end_back_off(c);
+    if (c->size->phase == PHASE_SAVING && is_short(c)) {
+        redcc_wait_for(&c->size->back_off, c->size->calls, redcc_longer(c->size->back_off.length));
+        c->size->phase = PHASE_SHORT;
         return sequentially(c, RULE_SHORT);
     }
-    return c->size->stand == STAND_COMPARING  ? decide_comparing(c)
-           : c->size->stand == STAND_PARALLEL ? decide_parallel(c)
+    return c->size->phase == PHASE_COMPARING  ? decide_comparing(c)
+           : c->size->phase == PHASE_PARALLEL ? decide_parallel(c)
                                               : decide_saving(c);
 }
 
@@ -469,21 +481,22 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
                          struct decision *decision) {
     assert(threads >= 1);
     struct size_state *size = size_of(state, trip);
-    if (!is_resting(size) || size->threads != threads || size->calls + 2 >= size->rest.until)
+    if (!is_backing_off(size) || size->threads != threads ||
+        size->calls + 2 >= size->back_off.until)
         return false;
     size->calls++;
-    *decision = at_rest(size);
+    *decision = during_back_off(size);
     return true;
 }
 
-/* With another number of threads the size counts as new. */
+/* With another number of threads, the state of the size is reset. */
 static struct decision take_call(const struct choice *c) {
     if (c->size->threads > 0 && c->size->threads != c->now->threads)
         *c->size = (struct size_state){0};
     c->size->threads = c->now->threads;
     c->size->steady = c->now->steady > 0 ? c->now->steady : 0;
     c->size->calls++;
-    return is_resting(c->size) ? at_rest(c->size) : decide(c);
+    return is_backing_off(c->size) ? during_back_off(c->size) : decide(c);
 }
 
 struct decision redcc_decide(struct choice_state *state, const struct situation *now) {
@@ -496,7 +509,7 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
     struct ledger ledger = state->ledger;
     const bool as_before = size.threads == 0 || size.threads == now->threads;
     if (size.sequential.count > 0 &&
-        (size.stand != STAND_SAVING || size.set_ups.begun > 0 || !as_before))
+        (size.phase != PHASE_SAVING || size.set_ups.begun > 0 || !as_before))
         return REACH_TEAM;
     const struct decision decision = take_call(&(struct choice){&ledger, &size, now});
     return decision.action == ACTION_SEQUENTIAL ? REACH_NOTHING
@@ -504,7 +517,7 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
                                                 : REACH_TEAM;
 }
 
-/* Is none expected to be, which would be worth a construction? */
+/* Is no plan that is worth its construction expected to be faster than `than`? */
 static bool no_plan_is_faster(const struct choice *c, enum way than) {
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
         if (c->size->arm[way].possible &&
@@ -538,9 +551,9 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
     here.spent = spent;
     redcc_note_arms(state, now->trip, arm, spent);
     const double current =
-        size->stand == STAND_PARALLEL ? redcc_expected(size, size->way) : redcc_usual(size);
+        size->phase == PHASE_PARALLEL ? redcc_expected(size, size->way) : redcc_usual(size);
     const struct choice c = {&state->ledger, size, &here};
-    const bool may_be_direct = size->stand == STAND_SAVING && goes_without_plan(&c) &&
+    const bool may_be_direct = size->phase == PHASE_SAVING && goes_without_plan(&c) &&
                                size->arm[WAY_DIRECT].possible && is_clear(&c, WAY_DIRECT);
     if (may_be_direct && here.tiled && no_plan_is_faster(&c, WAY_DIRECT))
         return reuse(&c, WAY_DIRECT, RULE_COMPARING);

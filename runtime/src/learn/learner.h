@@ -17,8 +17,8 @@
 
 #include "base/way.h"
 #include "learn/back_off.h"
+#include "learn/paired_timing.h"
 #include "learn/rule.h"
-#include "learn/turns.h"
 
 #include <stdbool.h>
 
@@ -31,7 +31,7 @@ struct timings {
 /** Estimates and measurements of a strategy. */
 struct arm {
     bool possible;
-    bool ruled_out;   /**< it was tried and failed: not feasible until the loop's back-off ends */
+    bool ruled_out;   /**< its trial failed: not available until the loop's back-off ends */
     bool guessed;     /**< `execution` is a lower bound: only a trial can determine it */
     double set_up;    /**< seconds of an inspection and a plan, including the sample; estimated */
     double learned;   /**< measured seconds, or a lower bound; 0: none was constructed */
@@ -65,10 +65,10 @@ struct situation {
     bool dry_run;   /**< an inspection begins with a dry run, perhaps as long as the loop */
     bool bins_only; /**< the loop cannot be inspected */
     bool whole;     /**< bins must push all iterations before they apply any (REDCC_WHOLE) */
-    bool begun;     /**< this is the rest of the first execution, of which some iterations were
-                     * timed in order: what pays in it need not wait for others */
-    bool tiled;     /**< it is a loop over pairs, whose inspection is short, */
-    bool in_tiles;  /**< and may be cut into tiles: WAY_DIRECT needs no estimate */
+    bool begun; /**< this is the rest of the first execution, some iterations of which were timed in
+                   order: a strategy that pays in it alone is not delayed */
+    bool tiled; /**< it is a loop over pairs, whose inspection is short, */
+    bool in_tiles; /**< and it may be cut into tiles, so that WAY_DIRECT needs no estimate */
 };
 
 enum action {
@@ -80,7 +80,7 @@ enum action {
 struct decision {
     enum action action;
     enum way way;
-    bool alone;      /**< INSPECT: by one thread, for redcc_note_arms; no thread is started */
+    bool alone;      /**< INSPECT: one thread takes the sample, for redcc_note_arms */
     bool timed;      /**< SEQUENTIAL: report its time to redcc_observe */
     double deadline; /**< INSPECT: time limit of a dry run, in seconds; of redcc_pick_way: of the
                       * plan construction */
@@ -108,28 +108,29 @@ struct outcome {
     enum result result;
     enum way way;
     long long trip;
-    double seconds; /**< of the execution; of UNATTRACTIVE, STOPPED, CHANGED, REFUSED: lost */
-    double set_up;  /**< seconds, of PARALLEL with a new plan */
+    double seconds; /**< the execution's time; for UNATTRACTIVE, STOPPED, CHANGED and REFUSED the
+                       lost time */
+    double set_up;  /**< PARALLEL with a new plan: seconds that its construction took */
     double done;    /**< STOPPED: the completed fraction of the plan construction, 0 to 1 */
-    double usual; /**< of a trial: seconds per iteration of the sequential loop, timed within it; 0:
-                   * not timed */
+    double usual; /**< trial: seconds per iteration of the sequential loop, timed within the trial;
+                     0: not timed */
     long untimed; /**< SEQUENTIAL: untimed executions before it, assumed to take the same time */
 };
 
-/** The state of a loop, at trip counts of one size. */
-enum stand {
-    STAND_SAVING,    /**< sequential, until the credit permits a trial */
-    STAND_COMPARING, /**< two strategies alternate */
-    STAND_PARALLEL,  /**< a strategy is faster than the sequential loop */
-    STAND_SHORT,     /**< too short to wake threads: exponential back-off, not timed */
-    STAND_RESTING    /**< sequential for some calls: exponential back-off */
+/** The phase of a loop at trip counts of one size. */
+enum phase {
+    PHASE_SAVING,    /**< sequential, until the credit permits a trial */
+    PHASE_COMPARING, /**< two strategies alternate */
+    PHASE_PARALLEL,  /**< a strategy is faster than the sequential loop */
+    PHASE_SHORT,     /**< too short to wake threads: exponential back-off, not timed */
+    PHASE_BACK_OFF   /**< sequential for some calls: exponential back-off */
 };
 
 /** Two strategies alternate, the contender first. */
 struct comparison {
     enum way contender, incumbent;
-    bool proven; /**< the contender is in use: less than all pairs are no proof against it */
-    struct turns turns;
+    bool proven; /**< the contender is in use, and loses only after all pairs */
+    struct paired_timing pairs;
 };
 
 /** Plan constructions at one size. */
@@ -138,26 +139,27 @@ struct set_ups {
     double factor;   /* multiple of its estimated cost that `since` must reach for another; 0: the
                       * initial one */
     double invested; /* seconds that the last one took */
-    double earned;   /* and its plan has saved */
-    int misses;      /* consecutive ones whose plans were abandoned before they had earned their
-                      * cost */
-    long begun;      /* the call that made the last one */
-    long uses;       /* executions by its plan */
-    long met;        /* consecutive calls before that one with its subscripts */
-    long lifetime;   /* calls with the subscripts of the preceding plan, before others ended it; 0:
-                      * none */
+    double earned;   /* seconds that its plan has saved */
+    int misses;    /* consecutive constructions whose plans were abandoned before they had saved as
+                      much as they cost */
+    long begun;    /* the call that made the last one */
+    long uses;     /* executions by its plan */
+    long met;      /* consecutive calls before that one that had the same subscripts */
+    long lifetime; /* calls that the subscripts of the preceding plan lasted; 0: no plan ended by a
+                      change */
 };
 
 struct size_state {
-    enum stand stand;
+    enum phase phase;
     enum rule rule;
-    enum way way; /* PARALLEL; RESTING after a comparison: the contender */
+    enum way way; /* PARALLEL: the strategy in use; BACK_OFF after a comparison: the contender */
     int threads;
-    int steady;       /* of the last call (situation.steady), at least 0 */
-    bool looked;      /* the arms are known */
+    int steady;       /* situation.steady of the last call, at least 0 */
+    bool looked;      /* a sample was taken, so that the arms are known */
     double look;      /* seconds that a sample took; 0: none was taken */
-    double looked_at; /* seconds per iteration of the sequential loop, as known then */
-    double gained; /* seconds, by strategies: in the last execution, and in debt since it began */
+    double looked_at; /* seconds per iteration of the sequential loop at the time of that sample */
+    double gained;    /* seconds gained by strategies: in the last execution or, while the credit is
+                         negative, since it became so */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
     int checks;       /* consecutive checks in which a plan was faster */
     long calls;
@@ -165,15 +167,15 @@ struct size_state {
     struct arm arm[WAY_COUNT];
     struct comparison comparison;
     struct set_ups set_ups;
-    struct back_off rest; /* until a call by its number */
+    struct back_off back_off; /* counts calls */
 };
 
 /** Seconds of all sizes. */
 struct ledger {
     double sequential; /* that the sequential loop has taken, or would have */
-    double overhead;   /* taken beyond that; negative: gained */
-    double loan;       /* overdraft: may be lost beyond the credit, until it is repaid or its plan
-                        * fails */
+    double overhead;   /* seconds taken in addition; negative: gained */
+    double overdraft;  /* seconds that may be lost beyond the credit, until they are repaid or the
+                          plan fails */
 };
 
 enum { REDCC_SIZES = 40 };
@@ -199,8 +201,8 @@ enum reach {
 /** May the first execution be a trial of bins, which times the sequential loop as well? */
 bool redcc_goes_at_once(const struct situation *now);
 
-/** For a loop that is saving and has no plan; otherwise it is REACH_TEAM. `start` of *now is a
- *  lower bound; `kept` is ignored except for strategies without plans. */
+/** The actions that a loop in PHASE_SAVING without a plan can afford; for other loops REACH_TEAM.
+ * In *now, `start` is a lower bound, and `kept` is ignored except for strategies without plans. */
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now);
 
 /** The action in a call. */
@@ -231,11 +233,11 @@ double redcc_credit(const struct choice_state *state);
 /** The state at trip counts of that size. */
 const struct size_state *redcc_size_of(const struct choice_state *state, long long trip);
 
-/** Seconds per iteration: the median of the last three executions, since one that was interrupted
- *  says nothing; or the lower of two. 0: unknown. */
+/** Seconds per iteration: the median of the last three executions, so that one interruption has no
+ * effect; the lower of two; 0: unknown. */
 double redcc_typical(const struct timings *timings);
 
-/** That of the sequential loop. */
+/** The same for the sequential loop. */
 double redcc_usual(const struct size_state *size);
 
 /** Seconds per iteration by that strategy. Estimates are relative to the sequential loop, whose
@@ -252,7 +254,7 @@ int redcc_misses(const struct set_ups *set_ups);
 double redcc_factor(const struct set_ups *set_ups);
 
 /** The strategy to execute next. */
-enum way redcc_turn(const struct comparison *comparison);
+enum way redcc_arm_to_run(const struct comparison *comparison);
 
 /** Begins to compare two strategies. */
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent);

@@ -27,7 +27,8 @@ static void note_time(struct timings *it, double each) {
     it->recent[it->count++ % 3] = each;
 }
 
-/* Gains must not be overestimated. 0: unknown. */
+/* The least of the last times of the sequential loop, since gains must not be overestimated. 0:
+ * unknown. */
 static double least_of_last(const struct size_state *size) {
     double low = size->sequential.recent[0];
     for (int i = 1; i < 3 && i < size->sequential.count; i++)
@@ -43,7 +44,7 @@ int redcc_misses(const struct set_ups *it) {
     return missed(it) ? it->misses + 1 : 0;
 }
 
-/* Doubled by each one that did not pay, halved by each that did. */
+/* Each plan construction that did not pay doubles it, each that paid halves it. */
 double redcc_factor(const struct set_ups *it) {
     const double now = it->factor > 0 ? it->factor : LEARN_FACTOR;
     if (it->invested == 0)
@@ -66,24 +67,25 @@ bool redcc_is_better(const struct size_state *size, enum way way, double current
 
 void redcc_compare(struct size_state *size, enum way contender, enum way incumbent) {
     assert(contender != incumbent && contender < WAY_COUNT && incumbent < WAY_COUNT);
-    const bool proven = size->stand == STAND_PARALLEL && size->way == contender;
+    const bool proven = size->phase == PHASE_PARALLEL && size->way == contender;
     size->comparison = (struct comparison){contender, incumbent, proven, {0}};
-    size->stand = STAND_COMPARING;
+    size->phase = PHASE_COMPARING;
     size->rule = RULE_COMPARING;
 }
 
-static void rest(struct size_state *size, enum rule rule) {
-    redcc_back_off(&size->rest, size->calls);
-    size->stand = STAND_RESTING;
+static void back_off(struct size_state *size, enum rule rule) {
+    redcc_back_off(&size->back_off, size->calls);
+    size->phase = PHASE_BACK_OFF;
     size->rule = rule;
 }
 
-static void stop_resting(struct size_state *size, enum stand stand) {
-    size->rest.length = 0;
-    size->stand = stand;
+static void leave_back_off(struct size_state *size, enum phase phase) {
+    size->back_off.length = 0;
+    size->phase = phase;
 }
 
-/* The strategy was tried and failed. Is there another that may be better? */
+/* After the strategy failed in a trial: is there another one that may be better than the sequential
+ * loop? */
 static bool another_may_do(struct size_state *size, enum way failed) {
     size->arm[failed].possible = false;
     size->arm[failed].ruled_out = true;
@@ -93,12 +95,12 @@ static bool another_may_do(struct size_state *size, enum way failed) {
     return false;
 }
 
-/* A strategy without a plan loses none with it. */
+/* A strategy without a plan loses no plan by this. */
 static void return_to_sequential(struct size_state *size, enum way way) {
     if (!redcc_is_planned(way) && another_may_do(size, way))
-        stop_resting(size, STAND_SAVING);
+        leave_back_off(size, PHASE_SAVING);
     else
-        rest(size, RULE_SLOWER);
+        back_off(size, RULE_SLOWER);
 }
 
 /* A comparison is over: was the contender faster? */
@@ -106,47 +108,47 @@ static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
     struct arm *arm = &size->arm[it->contender];
     if (arm->timed.count == 0)
-        note_time(&arm->timed, it->turns.least[0]);
+        note_time(&arm->timed, it->pairs.least[0]);
     size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
     size->unchecked = 0;
     if (contender_won || it->incumbent != WAY_SEQUENTIAL) {
-        stop_resting(size, STAND_PARALLEL);
+        leave_back_off(size, PHASE_PARALLEL);
         size->rule = RULE_FASTER;
         return;
     }
     size->checks = 0;
     if (it->proven)
-        rest(size, RULE_SLOWER);
+        back_off(size, RULE_SLOWER);
     else
         return_to_sequential(size, it->contender);
 }
 
-/* One pair is enough to keep a strategy that is in use, since only the sequential loop costs
- * anything then; it is left only after all of them. */
+/* Is the comparison decided? One pair is enough to keep a strategy that is in use; all pairs are
+ * needed to abandon it. */
 static bool is_settled(const struct comparison *it) {
-    const int winner = redcc_turns_winner(&it->turns);
-    return it->turns.timed % TURN_ARMS == 0 &&
+    const int winner = redcc_paired_winner(&it->pairs);
+    return it->pairs.timed % PAIRED_ARMS == 0 &&
            (winner == 0 ||
-            (winner == 1 && !(it->proven && it->turns.timed < TURN_ARMS * LEARN_PAIRS)));
+            (winner == 1 && !(it->proven && it->pairs.timed < PAIRED_ARMS * LEARN_PAIRS)));
 }
 
-enum way redcc_turn(const struct comparison *it) {
-    return redcc_turn_of(it->turns.timed) == 0 ? it->contender : it->incumbent;
+enum way redcc_arm_to_run(const struct comparison *it) {
+    return redcc_arm_of(it->pairs.timed) == 0 ? it->contender : it->incumbent;
 }
 
 /* usual: seconds per iteration of the sequential loop, as known in this execution. */
 static void count_in_comparison(struct size_state *size, enum way way, double each, double usual) {
     struct comparison *it = &size->comparison;
-    if (way != redcc_turn(it))
-        return; /* sequential for lack of credit */
-    redcc_turns_note(&it->turns, each);
-    if (it->turns.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
+    if (way != redcc_arm_to_run(it))
+        return; /* it ran sequentially for lack of credit */
+    redcc_paired_note(&it->pairs, each);
+    if (it->pairs.timed == 1 && it->incumbent == WAY_SEQUENTIAL && each < LEARN_CLEAR * usual)
         settle(size, true);
     else if (is_settled(it))
-        settle(size, redcc_turns_winner(&it->turns) == 0);
+        settle(size, redcc_paired_winner(&it->pairs) == 0);
 }
 
-/* Two timings of a loop differ by more than noise: the machine's load has changed. */
+/* Do two timings differ by more than noise? Then the machine's load has changed. */
 static bool is_another(double before, double now) {
     return now * (1 + 2 * LEARN_NOISE) < before || now > (1 + 2 * LEARN_NOISE) * before;
 }
@@ -160,8 +162,9 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
     state->ledger.sequential += all;
     size->set_ups.since += all;
     size->calls += outcome->untimed;
-    const bool comparing = size->stand == STAND_COMPARING;
-    const bool is_check = comparing && it->turns.timed == 1 && redcc_turn(it) == WAY_SEQUENTIAL;
+    const bool comparing = size->phase == PHASE_COMPARING;
+    const bool is_check =
+        comparing && it->pairs.timed == 1 && redcc_arm_to_run(it) == WAY_SEQUENTIAL;
     if (is_check && is_another(redcc_usual(size), each))
         timings->count = 0;
     note_time(timings, each);
@@ -192,16 +195,17 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
     size->checks = 0;
 }
 
-/* The first execution by a new strategy starts threads and touches pages: it is only compared if it
+/* The first execution by a new strategy starts threads and touches pages: it is compared only if it
  * is clearly faster in spite of that. */
 static void begin_trial(struct size_state *size, enum way way, double each, double usual) {
-    const bool rival = size->stand == STAND_PARALLEL && size->way != way;
+    const bool rival = size->phase == PHASE_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
     if (!rival && each < LEARN_CLEAR * usual)
         count_in_comparison(size, way, each, usual);
 }
 
-/* An execution other than by the sequential loop. Returns the seconds that one would have taken. */
+/* Records an execution by a strategy. Returns the seconds that the sequential loop would have
+ * taken. */
 static double enter_in_ledger(struct choice_state *state, struct size_state *size,
                               const struct outcome *outcome) {
     const double each = outcome->usual > 0 ? outcome->usual : least_of_last(size);
@@ -212,7 +216,7 @@ static double enter_in_ledger(struct choice_state *state, struct size_state *siz
     return sequential;
 }
 
-/* A trial has timed the sequential loop, too. */
+/* Records a time of the sequential loop that a trial has measured. */
 static void note_usual(struct size_state *size, double usual) {
     if (usual > 0)
         note_time(&size->sequential, usual);
@@ -226,7 +230,7 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
     const bool is_first =
         outcome->set_up > 0 || (!redcc_is_planned(outcome->way) && arm->timed.count == 0);
     if (outcome->set_up > 0) {
-        if (size->stand == STAND_SAVING && set_ups->uses > 0)
+        if (size->phase == PHASE_SAVING && set_ups->uses > 0)
             set_ups->lifetime = set_ups->met + set_ups->uses;
         count_set_up(size, outcome->way, outcome->set_up);
     }
@@ -241,11 +245,11 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
     const double usual = outcome->usual > 0 ? outcome->usual : redcc_usual(size);
     if (is_first)
         begin_trial(size, outcome->way, each, usual);
-    else if (size->stand == STAND_COMPARING) {
+    else if (size->phase == PHASE_COMPARING) {
         count_in_comparison(size, outcome->way, each, usual);
-        if (outcome->usual > 0 && size->stand == STAND_COMPARING)
+        if (outcome->usual > 0 && size->phase == PHASE_COMPARING)
             count_in_comparison(size, WAY_SEQUENTIAL, outcome->usual, usual);
-    } else if (size->stand == STAND_PARALLEL)
+    } else if (size->phase == PHASE_PARALLEL)
         size->unchecked += outcome->seconds;
 }
 
@@ -271,35 +275,37 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
     }
     count_set_up(size, outcome->way, outcome->seconds);
     size->arm[outcome->way].learned = expected;
-    if (size->stand != STAND_PARALLEL)
-        size->stand = STAND_SAVING;
+    if (size->phase != PHASE_PARALLEL)
+        size->phase = PHASE_SAVING;
 }
 
-/* A guard that says so at once may forbid the way in use now and then: that is within the share. */
+/* Is the cost of a refusal within the share? Then a guard may forbid the strategy in use now and
+ * then. */
 static bool is_little(const struct size_state *size, const struct outcome *outcome) {
     return outcome->seconds <= LEARN_SHARE * redcc_usual(size) * (double)outcome->trip;
 }
 
-/* By its sample, or by a guard, a way is not to be had; refused, SEQUENTIAL: none is. */
+/* A strategy was ruled out by its sample or by a guard; REFUSED with way SEQUENTIAL rules out all.
+ */
 static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
     const bool refused = outcome->result == RESULT_REFUSED;
-    if (size->stand == STAND_PARALLEL && size->way == outcome->way && is_little(size, outcome))
+    if (size->phase == PHASE_PARALLEL && size->way == outcome->way && is_little(size, outcome))
         return;
     const bool another =
         another_may_do(size, outcome->way) && (!refused || outcome->way != WAY_SEQUENTIAL);
-    if (size->stand == STAND_PARALLEL && size->way != outcome->way) {
-        size->looked = true; /* what could be known */
+    if (size->phase == PHASE_PARALLEL && size->way != outcome->way) {
+        size->looked = true; /* no further sample is needed */
         return;
     }
     if (another)
-        size->stand = STAND_SAVING;
+        size->phase = PHASE_SAVING;
     else
-        rest(size, refused ? RULE_REFUSED : RULE_UNATTRACTIVE);
+        back_off(size, refused ? RULE_REFUSED : RULE_UNATTRACTIVE);
 }
 
 static void observe_loss(struct size_state *size, const struct outcome *outcome) {
     if (outcome->result == RESULT_CHANGED) {
-        size->stand = STAND_SAVING;
+        size->phase = PHASE_SAVING;
         size->rule = RULE_CHANGED;
     } else if (outcome->result == RESULT_STOPPED) {
         observe_stop(size, outcome);
@@ -327,6 +333,6 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         failed = true;
     }
     /* An overdraft is repaid, or its purpose has failed: no more of it may be spent. */
-    if (failed || size->stand == STAND_RESTING || redcc_credit(state) >= state->ledger.loan)
-        state->ledger.loan = 0;
+    if (failed || size->phase == PHASE_BACK_OFF || redcc_credit(state) >= state->ledger.overdraft)
+        state->ledger.overdraft = 0;
 }

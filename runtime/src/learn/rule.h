@@ -18,7 +18,7 @@
       "a trial may pay, but the budget does not cover it, and no overdraft is "                    \
       "allowed",                                                                                   \
       "the original loop, while the budget accumulates")                                           \
-    X(RULE_LOOKING, "looking", "the budget allows a sample; the possible gain is unknown",         \
+    X(RULE_SAMPLING, "looking", "the budget allows a sample; the possible gain is unknown",        \
       "a sample, and its consequences")                                                            \
     X(RULE_SET_UP, "set-up",                                                                       \
       "a method is expected to repay its plan construction, covered by budget or "                 \
@@ -45,7 +45,7 @@
       "the original loop; tried again after a back-off")
 
 enum rule {
-    RULE_NONE, /* REDCC_METHOD names a method */
+    RULE_NONE, /* used if REDCC_METHOD names a method */
 #define REDCC_RULE(id, slug, known, done) id,
     REDCC_RULE_LIST(REDCC_RULE)
 #undef REDCC_RULE

@@ -55,7 +55,7 @@ static uint64_t along_curve(uint32_t *x, int dimensions) {
 
 static uint32_t cell(double value, double least, double width) {
     const double cells = 1u << BITS, at = width > 0 ? (value - least) / width * cells : 0;
-    if (!(at > 0)) /* also if NaN */
+    if (!(at > 0)) /* true also for NaN */
         return 0;
     return at < cells ? (uint32_t)at : (1u << BITS) - 1;
 }
@@ -83,7 +83,7 @@ static double width_of(int count, int dimensions, const double *coordinate, doub
 int redcc_reorder_points(int count, int dimensions, const double *point, int *new_of_old) {
     if (count < 0 || dimensions < 2 || dimensions > MOST_DIMENSIONS)
         return -1;
-    struct stop *stop = redcc_memory_take((size_t)count * sizeof *stop);
+    struct stop *stop = redcc_memory_alloc((size_t)count * sizeof *stop);
     double least[MOST_DIMENSIONS], width = 0;
     if (!stop)
         return -1;
@@ -101,6 +101,6 @@ int redcc_reorder_points(int count, int dimensions, const double *point, int *ne
     qsort(stop, (size_t)count, sizeof *stop, by_place);
     for (int i = 0; i < count; i++)
         new_of_old[stop[i].point] = i;
-    redcc_memory_give(stop);
+    redcc_memory_free(stop);
     return 0;
 }

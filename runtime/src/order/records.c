@@ -27,7 +27,7 @@ static int by_rows(const void *a, const void *b) {
 int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_old) {
     if (trip < 0 || touches < 0)
         return -1;
-    struct iteration *list = redcc_memory_take((size_t)trip * sizeof *list);
+    struct iteration *list = redcc_memory_alloc((size_t)trip * sizeof *list);
     if (!list)
         return -1;
     for (int t = 0; t < trip; t++) {
@@ -45,20 +45,20 @@ int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_
     qsort(list, (size_t)trip, sizeof *list, by_rows);
     for (int t = 0; t < trip; t++)
         new_of_old[list[t].number] = t;
-    redcc_memory_give(list);
+    redcc_memory_free(list);
     return 0;
 }
 
-/* 0 if new_of_old is a permutation; otherwise, or if out of memory, -1. */
+/* Returns 0 if new_of_old is a permutation; -1 if it is not, or if out of memory. */
 static int check_permutation(int count, const int *new_of_old) {
-    char *taken = redcc_memory_take_zeroed((size_t)count, 1);
+    char *taken = redcc_memory_alloc_zeroed((size_t)count, 1);
     int wrong = !taken;
     for (int i = 0; !wrong && i < count; i++) {
         wrong = new_of_old[i] < 0 || new_of_old[i] >= count || taken[new_of_old[i]];
         if (!wrong)
             taken[new_of_old[i]] = 1;
     }
-    redcc_memory_give(taken);
+    redcc_memory_free(taken);
     return wrong ? -1 : 0;
 }
 
@@ -68,7 +68,7 @@ int redcc_reorder_records(void *record, int count, size_t bytes, const int *new_
     if (count == 0 || bytes == 0)
         return 0;
     char *copy =
-        bytes <= SIZE_MAX / (size_t)count ? redcc_memory_take((size_t)count * bytes) : NULL;
+        bytes <= SIZE_MAX / (size_t)count ? redcc_memory_alloc((size_t)count * bytes) : NULL;
     if (!copy)
         return -1;
     memcpy(copy, record, (size_t)count * bytes);
@@ -76,6 +76,6 @@ int redcc_reorder_records(void *record, int count, size_t bytes, const int *new_
         const size_t new = (size_t)new_of_old[i] * bytes, old = (size_t)i *bytes;
         memcpy((char *)record + (back ? old : new), copy + (back ? new : old), bytes);
     }
-    redcc_memory_give(copy);
+    redcc_memory_free(copy);
     return 0;
 }

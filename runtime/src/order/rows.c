@@ -27,8 +27,8 @@ struct search {
 
 static bool rows_begin(struct rows *rows, int trip) {
     const size_t all = (size_t)trip * (size_t)rows->touches;
-    rows->start = redcc_memory_take_zeroed((size_t)rows->count + 2, sizeof *rows->start);
-    rows->iteration = redcc_memory_take(all * sizeof *rows->iteration);
+    rows->start = redcc_memory_alloc_zeroed((size_t)rows->count + 2, sizeof *rows->start);
+    rows->iteration = redcc_memory_alloc(all * sizeof *rows->iteration);
     if (!rows->start || !rows->iteration)
         return false;
     for (size_t i = 0; i < all; i++)
@@ -106,9 +106,9 @@ int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new
     struct rows graph = {.count = rows, .touches = touches, .row = row};
     struct search search = {.number = 0};
     const size_t count = (size_t)rows;
-    search.order = redcc_memory_take(count * sizeof *search.order);
-    search.mark = redcc_memory_take_zeroed(count, sizeof *search.mark);
-    search.level = redcc_memory_take(count * sizeof *search.level);
+    search.order = redcc_memory_alloc(count * sizeof *search.order);
+    search.mark = redcc_memory_alloc_zeroed(count, sizeof *search.mark);
+    search.level = redcc_memory_alloc(count * sizeof *search.level);
     const bool enough = rows_begin(&graph, trip) && search.order && search.mark && search.level;
     int done = 0;
     for (int r = 0; enough && r < rows; r++)
@@ -117,10 +117,10 @@ int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new
     assert(!enough || done == rows); /* each row is in one component */
     for (int i = 0; enough && i < rows; i++)
         new_of_old[search.order[i]] = rows - 1 - i;
-    redcc_memory_give(graph.start);
-    redcc_memory_give(graph.iteration);
-    redcc_memory_give(search.order);
-    redcc_memory_give(search.mark);
-    redcc_memory_give(search.level);
+    redcc_memory_free(graph.start);
+    redcc_memory_free(graph.iteration);
+    redcc_memory_free(search.order);
+    redcc_memory_free(search.mark);
+    redcc_memory_free(search.level);
     return enough ? 0 : -1;
 }

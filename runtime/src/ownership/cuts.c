@@ -229,20 +229,20 @@ bool redcc_choose_cuts(struct partition *partition, const struct sample *const *
         iterations += (size_t)sample[thread]->iterations + 1;
     }
     struct work work = {.partition = partition, .sample = sample, .threads = threads};
-    work.points_of = redcc_memory_take(partition->array_count * sizeof *work.points_of);
-    work.point = redcc_memory_take(points * sizeof *work.point);
-    work.spare = redcc_memory_take(points * sizeof *work.spare);
-    work.label_of = redcc_memory_take(iterations * sizeof *work.label_of);
-    work.label_of_point = redcc_memory_take(points * sizeof *work.label_of_point);
+    work.points_of = redcc_memory_alloc(partition->array_count * sizeof *work.points_of);
+    work.point = redcc_memory_alloc(points * sizeof *work.point);
+    work.spare = redcc_memory_alloc(points * sizeof *work.spare);
+    work.label_of = redcc_memory_alloc(iterations * sizeof *work.label_of);
+    work.label_of_point = redcc_memory_alloc(points * sizeof *work.label_of_point);
     const bool enough =
         work.points_of && work.point && work.spare && work.label_of && work.label_of_point;
     if (enough)
         cut_all(&work, iterations);
     assert(!enough || are_cut(partition));
-    redcc_memory_give(work.points_of);
-    redcc_memory_give(work.point);
-    redcc_memory_give(work.spare);
-    redcc_memory_give(work.label_of);
-    redcc_memory_give(work.label_of_point);
+    redcc_memory_free(work.points_of);
+    redcc_memory_free(work.point);
+    redcc_memory_free(work.spare);
+    redcc_memory_free(work.label_of);
+    redcc_memory_free(work.label_of_point);
     return enough;
 }

@@ -90,7 +90,7 @@ static void count_touches(const struct partition *partition, const struct sample
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate) {
     const size_t owners = partition->owners, shares = owners / (1 + partition->stealable);
-    struct part *part = redcc_memory_take_zeroed(owners + shares, sizeof *part);
+    struct part *part = redcc_memory_alloc_zeroed(owners + shares, sizeof *part);
     assert(threads >= 1 && shares >= 1 && owners % shares == 0);
     if (!part)
         return false;
@@ -116,6 +116,6 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
                                            .leading_rows = all.leading_rows / iterations,
                                            .further_rows = all.further_rows / iterations},
                                   .changes = (double)changes / iterations};
-    redcc_memory_give(part);
+    redcc_memory_free(part);
     return true;
 }

@@ -16,8 +16,8 @@ struct touching {
 struct estimate {
     double share;    /* fraction of the iterations that the most loaded share executes (a share:
                       * an owner with its stealable blocks) */
-    double direct;   /* the same if threads find their iterations during execution, for which
-                      * owners by votes are possible */
+    double direct;   /* the same if threads find their iterations during execution; their owners may
+                        be chosen by votes */
     double overhead; /* fraction of the iterations that are replicated because of stealable
                       * blocks */
     struct touching each; /* averages per iteration */

@@ -20,12 +20,12 @@ struct overlap {
 
 /** May the source overlap an array? False if the translator proved that it does not. */
 static inline bool redcc_source_meets_arrays(const redcc_loop *loop, uint32_t source) {
-    return !(loop->sources[source].flags & REDCC_MEETS_NO_ARRAY);
+    return !(loop->sources[source].flags & REDCC_OVERLAPS_NO_ARRAY);
 }
 
 /** Must the source be compared with scalars? All flags greater than REDCC_IS_SUBSCRIPT imply this.
  */
-static inline bool redcc_meets_scalars(const redcc_loop *loop, uint32_t source) {
+static inline bool redcc_may_overlap_scalars(const redcc_loop *loop, uint32_t source) {
     return loop->sources[source].flags > REDCC_IS_SUBSCRIPT;
 }
 
@@ -33,13 +33,14 @@ static inline bool redcc_meets_scalars(const redcc_loop *loop, uint32_t source) 
  *  iteration's own element? False: `kept` is neither, or the translator proved that they do not. */
 static inline bool redcc_may_meet_scalar(const redcc_loop *loop, uint32_t source, uint32_t kept) {
     const int a = loop->sources[source].flags, b = loop->sources[kept].flags;
-    const bool are_behind_one = a >= REDCC_BEHIND(1) && a / REDCC_BEHIND(1) == b / REDCC_BEHIND(1);
-    return source != kept && redcc_meets_scalars(loop, source) && (b & REDCC_IS_SCALAR) &&
+    const bool are_behind_one =
+        a >= REDCC_SCALAR_BASE(1) && a / REDCC_SCALAR_BASE(1) == b / REDCC_SCALAR_BASE(1);
+    return source != kept && redcc_may_overlap_scalars(loop, source) && (b & REDCC_IS_SCALAR) &&
            !are_behind_one;
 }
 
-/** Are the ranges of a source and of the scalar `kept` disjoint, or proved to be? False: *overlap
- * is this pair. */
+/** Are the ranges of a source and of the scalar `kept` disjoint, either proved or by their
+ * addresses? If not, *overlap is set to this pair. */
 static inline bool redcc_are_disjoint(const redcc_loop *loop, uint32_t source, struct range read,
                                       uint32_t kept, struct range scalar, struct overlap *overlap) {
     if (!redcc_may_meet_scalar(loop, source, kept) || !redcc_ranges_overlap(read, scalar))
@@ -52,7 +53,7 @@ static inline bool redcc_are_disjoint(const redcc_loop *loop, uint32_t source, s
 static inline bool redcc_range_is_disjoint_from_scalars(const redcc_loop *loop,
                                                         const struct range *read, uint32_t source,
                                                         struct overlap *overlap) {
-    const bool may_meet = redcc_meets_scalars(loop, source);
+    const bool may_meet = redcc_may_overlap_scalars(loop, source);
     for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
         if (!redcc_are_disjoint(loop, source, read[source], s, read[s], overlap))
             return false;
@@ -64,7 +65,7 @@ static inline bool redcc_known_are_disjoint_from_scalars(const redcc_loop *loop,
                                                          const redcc_extent *known,
                                                          struct overlap *overlap) {
     for (uint32_t r = 0; r < loop->source_count; r++) {
-        const bool may_meet = redcc_meets_scalars(loop, r);
+        const bool may_meet = redcc_may_overlap_scalars(loop, r);
         for (uint32_t s = 0; may_meet && s < loop->source_count; s++)
             if (!redcc_are_disjoint(loop, r, redcc_range_of(known[r]), s, redcc_range_of(known[s]),
                                     overlap))

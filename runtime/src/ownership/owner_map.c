@@ -54,7 +54,7 @@ static uint32_t number_all(struct owner_map *map, const struct partition *partit
     const size_t each = votes / TOUCHES_A_BLOCK / partition->array_count;
     const uint64_t most = each > LEAST_BLOCKS ? each : LEAST_BLOCKS;
     uint32_t count = 0;
-    map->of = redcc_memory_take_zeroed(partition->array_count, sizeof *map->of);
+    map->of = redcc_memory_alloc_zeroed(partition->array_count, sizeof *map->of);
     for (uint32_t group = 0; map->of && group < partition->array_count; group++) {
         if (!redcc_leads_group(partition, group) || redcc_range_empty(touched[group]))
             continue;
@@ -124,7 +124,8 @@ static void elect(unsigned char *owner, const struct poll *poll, const struct gr
                   uint64_t price) {
     const size_t owners = poll->owners;
     for (size_t o = 0; o < owners; o++)
-        poll->most[o] = price; /* so that no value becomes negative */
+        /* the votes for owner o start at `price`, so that no value becomes negative */
+        poll->most[o] = price;
     for (size_t block = it->begin; block < it->begin + it->count; block++) {
         const uint32_t best = best_of(poll);
         const uint64_t changed = poll->most[best] - price;
@@ -142,16 +143,16 @@ static void elect(unsigned char *owner, const struct poll *poll, const struct gr
 }
 
 static bool begin_poll(struct poll *poll, size_t blocks) {
-    poll->votes = redcc_memory_take_zeroed(blocks * poll->owners, sizeof *poll->votes);
-    poll->from = redcc_memory_take(blocks * poll->owners);
-    poll->most = redcc_memory_take(poll->owners * sizeof *poll->most);
+    poll->votes = redcc_memory_alloc_zeroed(blocks * poll->owners, sizeof *poll->votes);
+    poll->from = redcc_memory_alloc(blocks * poll->owners);
+    poll->most = redcc_memory_alloc(poll->owners * sizeof *poll->most);
     return poll->votes && poll->from && poll->most;
 }
 
 static void end_poll(struct poll *poll) {
-    redcc_memory_give(poll->votes);
-    redcc_memory_give(poll->from);
-    redcc_memory_give(poll->most);
+    redcc_memory_free(poll->votes);
+    redcc_memory_free(poll->from);
+    redcc_memory_free(poll->most);
 }
 
 void redcc_owner_map_vote(struct partition *partition, const struct range *touched,
@@ -166,7 +167,7 @@ void redcc_owner_map_vote(struct partition *partition, const struct range *touch
     const uint32_t count = all > 0 && poll.owners <= REDCC_OWNERS_MOST
                                ? number_all(map, partition, touched, all, poll.owners)
                                : 0;
-    map->owner = count > 0 && begin_poll(&poll, count) ? redcc_memory_take(count) : NULL;
+    map->owner = count > 0 && begin_poll(&poll, count) ? redcc_memory_alloc(count) : NULL;
     if (map->owner)
         cast_votes(partition, samples, threads, all, &poll);
     for (uint32_t group = 0; map->owner && group < partition->array_count; group++)
@@ -203,7 +204,7 @@ static void copy_owners(const struct partition *partition, struct owner_map *wid
 void redcc_owner_map_extend(struct partition *partition, const struct range *touched) {
     assert(partition->map.owner && partition->map.of);
     const uint32_t groups = partition->array_count;
-    struct owner_map wider = {.of = redcc_memory_take(groups * sizeof *wider.of)};
+    struct owner_map wider = {.of = redcc_memory_alloc(groups * sizeof *wider.of)};
     uint32_t count = 0;
     bool fits = wider.of != NULL;
     for (uint32_t group = 0; fits && group < groups; group++) {
@@ -212,7 +213,7 @@ void redcc_owner_map_extend(struct partition *partition, const struct range *tou
         wider.of[group].begin = count;
         count += wider.of[group].count;
     }
-    wider.owner = fits && count > 0 ? redcc_memory_take(count) : NULL;
+    wider.owner = fits && count > 0 ? redcc_memory_alloc(count) : NULL;
     if (wider.owner)
         copy_owners(partition, &wider);
     else

@@ -11,9 +11,9 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
     assert(count > 0 && owners >= 1);
     *partition = (struct partition){
         .arrays = loop->arrays, .array_count = count, .room = owners, .owners = owners};
-    partition->base = redcc_memory_take(count * sizeof *partition->base);
-    partition->group_of = redcc_memory_take(count * sizeof *partition->group_of);
-    partition->cut = redcc_memory_take_zeroed((size_t)count * (owners + 1), sizeof(uintptr_t));
+    partition->base = redcc_memory_alloc(count * sizeof *partition->base);
+    partition->group_of = redcc_memory_alloc(count * sizeof *partition->group_of);
+    partition->cut = redcc_memory_alloc_zeroed((size_t)count * (owners + 1), sizeof(uintptr_t));
     if (!partition->base || !partition->group_of || !partition->cut)
         return false;
     for (uint32_t array = 0; array < count; array++) {
@@ -45,7 +45,7 @@ void redcc_partition_in_one(struct partition *partition) {
 }
 
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition) {
-    uintptr_t *cut = redcc_memory_take((size_t)partition->array_count * 2 * sizeof *cut);
+    uintptr_t *cut = redcc_memory_alloc((size_t)partition->array_count * 2 * sizeof *cut);
     *whole = *partition;
     whole->cut = cut;
     whole->map = (struct owner_map){0};
@@ -87,16 +87,16 @@ void redcc_partition_add_stealable(struct partition *partition) {
 }
 
 void redcc_owner_map_end(struct owner_map *map) {
-    redcc_memory_give(map->owner);
-    redcc_memory_give(map->of);
+    redcc_memory_free(map->owner);
+    redcc_memory_free(map->of);
     *map = (struct owner_map){0};
 }
 
 void redcc_partition_end(struct partition *partition) {
     redcc_owner_map_end(&partition->map);
-    redcc_memory_give(partition->base);
-    redcc_memory_give(partition->group_of);
-    redcc_memory_give(partition->cut);
+    redcc_memory_free(partition->base);
+    redcc_memory_free(partition->group_of);
+    redcc_memory_free(partition->cut);
     *partition = (struct partition){0};
 }
 

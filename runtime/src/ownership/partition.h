@@ -20,7 +20,7 @@ static inline bool redcc_is_scattered(const void *base) {
 /** Stealable blocks per share, if any. */
 enum { REDCC_STEALABLE = 2 };
 
-enum { REDCC_OWNERS_MOST = 256 }; /* maximum number for a map */
+enum { REDCC_OWNERS_MOST = 256 }; /* maximum number of owners for a map */
 
 /** The part of a map for the units of one group. */
 struct group_map {
@@ -38,11 +38,11 @@ struct owner_map {
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;
-    uint32_t room; /* memory is allocated for this number of owners */
+    uint32_t room; /* the number of owners for which memory is allocated */
     uint32_t owners;
-    uint32_t stealable; /* in every group of 1 + stealable consecutive owners the first has most,
-                         * and the others are stealable blocks: small parts for threads that finish
-                         * early */
+    /* of every 1 + stealable consecutive owners, the first has the largest part, and the others are
+     * stealable blocks: small parts for threads that finish early */
+    uint32_t stealable;
     uintptr_t *base;    /* [array_count] the arrays' first elements */
     uint32_t *group_of; /* [array_count] its group, identified by one of the group's arrays: the one
                          * with the largest unit */
@@ -50,13 +50,13 @@ struct partition {
                          * beginning of owner o; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */
     uint32_t leader;    /* the group that determines the cuts of the others */
-    struct owner_map map; /* if present, it defines the owners (shares) instead of the cuts */
+    struct owner_map map; /* if present, it defines the owners instead of the cuts */
     double share; /* if owners are kept for later executions: fraction of the iterations that the
                    * most loaded owner executed in the first one; otherwise 0 */
 };
 
-/** The part of `amount` for all owners below `owner`: in each share the first owner gets 84 %, its
- *  stealable blocks 10 and 6 %. Without stealable blocks all owners get the same. */
+/** The part of `amount` that all owners below `owner` get together. In each share the first owner
+ * gets 84 %, its stealable blocks 10 and 6 %. Without stealable blocks all owners get the same. */
 static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, uint32_t owner,
                                           uint64_t amount) {
     static const uint64_t per_thousand[1 + REDCC_STEALABLE] = {0, 840, 940};
@@ -77,8 +77,8 @@ void redcc_partition_move(struct partition *partition, void *const *bases);
  * owners, after partition->owners is set. */
 void redcc_partition_in_one(struct partition *partition);
 
-/** Makes *whole a partition with one owner. It borrows all memory except `cut`, which must be freed
- *  separately. False: out of memory. */
+/** Makes *whole a partition with one owner. It borrows all memory except `cut`, which must be
+ * freed separately. False: out of memory. */
 bool redcc_partition_see_whole(struct partition *whole, const struct partition *partition);
 
 /** Merges owners[o * (1 + stealable)] and its stealable blocks into one owner, number o. */

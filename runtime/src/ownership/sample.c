@@ -8,12 +8,12 @@
 bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first) {
     assert(capacity > 0);
     *sample = (struct sample){.capacity = capacity, .keep_each = 1, .first = first};
-    sample->item = redcc_memory_take(capacity * sizeof *sample->item);
+    sample->item = redcc_memory_alloc(capacity * sizeof *sample->item);
     return sample->item != NULL;
 }
 
 void redcc_sample_end(struct sample *sample) {
-    redcc_memory_give(sample->item);
+    redcc_memory_free(sample->item);
     *sample = (struct sample){0};
 }
 

@@ -53,10 +53,10 @@ static bool room_for_slot(struct sets *sets) {
     const uint32_t kept = sets->count - (1 + sets->owners);
     if (kept < sets->slots / 2)
         return true;
-    uint32_t *slot = redcc_memory_take_zeroed((size_t)sets->slots * 2, sizeof *slot);
+    uint32_t *slot = redcc_memory_alloc_zeroed((size_t)sets->slots * 2, sizeof *slot);
     if (!slot)
         return false;
-    redcc_memory_give(sets->slot);
+    redcc_memory_free(sets->slot);
     sets->slot = slot;
     sets->slots *= 2;
     for (uint32_t set = 1 + sets->owners; set < sets->count; set++)
@@ -68,9 +68,9 @@ bool redcc_sets_begin(struct sets *sets, uint32_t owners) {
     assert(owners >= 1);
     *sets = (struct sets){.owners = owners, .capacity = owners + 64, .slots = 128};
     sets->member_capacity = (size_t)owners + 256;
-    sets->start = redcc_memory_take(((size_t)sets->capacity + 1) * sizeof *sets->start);
-    sets->member = redcc_memory_take(sets->member_capacity * sizeof *sets->member);
-    sets->slot = redcc_memory_take_zeroed(sets->slots, sizeof *sets->slot);
+    sets->start = redcc_memory_alloc(((size_t)sets->capacity + 1) * sizeof *sets->start);
+    sets->member = redcc_memory_alloc(sets->member_capacity * sizeof *sets->member);
+    sets->slot = redcc_memory_alloc_zeroed(sets->slots, sizeof *sets->slot);
     if (!sets->start || !sets->member || !sets->slot)
         return false;
     sets->start[0] = sets->start[1] = 0;
@@ -83,9 +83,9 @@ bool redcc_sets_begin(struct sets *sets, uint32_t owners) {
 }
 
 void redcc_sets_end(struct sets *sets) {
-    redcc_memory_give(sets->start);
-    redcc_memory_give(sets->member);
-    redcc_memory_give(sets->slot);
+    redcc_memory_free(sets->start);
+    redcc_memory_free(sets->member);
+    redcc_memory_free(sets->slot);
     *sets = (struct sets){0};
 }
 

@@ -8,15 +8,15 @@
 bool redcc_summary_begin(struct summary *summary, uint32_t owners) {
     assert(owners >= 1);
     *summary = (struct summary){.span_capacity = 512, .block_capacity = 4};
-    summary->span = redcc_memory_take(summary->span_capacity * sizeof *summary->span);
-    summary->block = redcc_memory_take(summary->block_capacity * sizeof *summary->block);
+    summary->span = redcc_memory_alloc(summary->span_capacity * sizeof *summary->span);
+    summary->block = redcc_memory_alloc(summary->block_capacity * sizeof *summary->block);
     return redcc_sets_begin(&summary->sets, owners) && summary->span && summary->block;
 }
 
 void redcc_summary_end(struct summary *summary) {
     redcc_sets_end(&summary->sets);
-    redcc_memory_give(summary->span);
-    redcc_memory_give(summary->block);
+    redcc_memory_free(summary->span);
+    redcc_memory_free(summary->block);
     *summary = (struct summary){0};
 }
 

@@ -9,18 +9,18 @@ bool redcc_sweep_begin(struct sweep *sweep, const struct partition *partition, s
     const uint32_t owners = partition->owners;
     assert(owners >= 1 && seen);
     *sweep = (struct sweep){.partition = partition, .seen = seen};
-    sweep->window = redcc_memory_take_zeroed(partition->array_count, sizeof *sweep->window);
-    sweep->stamp = redcc_memory_take_zeroed(owners, sizeof *sweep->stamp);
-    sweep->list = redcc_memory_take(owners * sizeof *sweep->list);
+    sweep->window = redcc_memory_alloc_zeroed(partition->array_count, sizeof *sweep->window);
+    sweep->stamp = redcc_memory_alloc_zeroed(owners, sizeof *sweep->stamp);
+    sweep->list = redcc_memory_alloc(owners * sizeof *sweep->list);
     return redcc_summary_begin(&sweep->summary, owners) && sweep->window && sweep->stamp &&
            sweep->list;
 }
 
 void redcc_sweep_end(struct sweep *sweep) {
     redcc_summary_end(&sweep->summary);
-    redcc_memory_give(sweep->window);
-    redcc_memory_give(sweep->stamp);
-    redcc_memory_give(sweep->list);
+    redcc_memory_free(sweep->window);
+    redcc_memory_free(sweep->stamp);
+    redcc_memory_free(sweep->list);
     *sweep = (struct sweep){0};
 }
 

@@ -39,7 +39,7 @@ static bool advance(struct walk *walk) {
 
 enum expected { CHECKED_NEVER, CHECKED_MAYBE, CHECKED_ALWAYS };
 
-/* Are the next iterations of the walk [begin, begin + count)? */
+/* Are [begin, begin + count) the next iterations of the walk? */
 static bool comes_next(struct walk *walk, redcc_int begin, redcc_int count,
                        enum expected expected) {
     while (count > 0) {
@@ -65,7 +65,7 @@ static bool contains(const struct sets *sets, uint32_t set, uint32_t owner) {
     return false;
 }
 
-/* Are the next iterations of the walk those of the summary that the owner must execute? */
+/* Does the walk continue with the iterations of the summary that the owner must execute? */
 static bool owner_follows(struct walk *walk, const struct summary *summary, uint32_t owner,
                           bool takes_idle) {
     for (size_t b = 0; b < summary->block_count; b++) {

@@ -36,12 +36,12 @@ bool redcc_copies_begin(struct plan *plan, const redcc_array *arrays) {
     *copies = (struct copies){.count = count, .array_count = plan->array_count, .arrays = arrays};
     if (count == 0)
         return true;
-    copies->copy = redcc_memory_take_zeroed((size_t)count, sizeof *copies->copy);
+    copies->copy = redcc_memory_alloc_zeroed((size_t)count, sizeof *copies->copy);
     bool enough = copies->copy != NULL;
     for (int c = 0; enough && c < count; c++) {
         struct copy *copy = &copies->copy[c];
-        copy->memory = redcc_memory_take_zeroed(plan->array_count, sizeof *copy->memory);
-        copy->held = redcc_memory_take_zeroed(plan->array_count, sizeof *copy->held);
+        copy->memory = redcc_memory_alloc_zeroed(plan->array_count, sizeof *copy->memory);
+        copy->held = redcc_memory_alloc_zeroed(plan->array_count, sizeof *copy->held);
         enough = copy->memory && copy->held;
     }
     return enough;
@@ -51,11 +51,11 @@ void redcc_copies_end(struct copies *copies) {
     for (int c = 0; copies->copy && c < copies->count; c++) {
         struct copy *copy = &copies->copy[c];
         for (uint32_t group = 0; copy->memory && group < copies->array_count; group++)
-            redcc_memory_give(copy->memory[group]);
-        redcc_memory_give(copy->memory);
-        redcc_memory_give(copy->held);
+            redcc_memory_free(copy->memory[group]);
+        redcc_memory_free(copy->memory);
+        redcc_memory_free(copy->held);
     }
-    redcc_memory_give(copies->copy);
+    redcc_memory_free(copies->copy);
     *copies = (struct copies){0};
 }
 
@@ -149,7 +149,7 @@ static bool take_copy(struct plan *plan, struct copy *copy, const struct range *
             continue;
         assert(plan->touched[group].first <= held.first && held.end <= plan->touched[group].end);
         copy->held[group] = held;
-        copy->memory[group] = redcc_memory_take((size_t)(held.end - held.first));
+        copy->memory[group] = redcc_memory_alloc((size_t)(held.end - held.first));
         if (!copy->memory[group])
             return false;
     }
@@ -168,7 +168,8 @@ bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
     return true;
 }
 
-/* Part number `part` of `count` elements divided into `parts`: [*first, *end). */
+/* Sets [*first, *end) to part number `part` when `count` elements are divided into `parts` parts.
+ */
 static void share(size_t count, int part, int parts, size_t *first, size_t *end) {
     *first = (size_t)redcc_share((redcc_int)count, parts, part);
     *end = (size_t)redcc_share((redcc_int)count, parts, part + 1);
@@ -251,7 +252,7 @@ void redcc_copies_merge(const struct plan *plan, int thread, void *const *bases)
         if (plan->group_of[group] != group || touched.first >= touched.end)
             continue;
         const struct element_rule *rule = rule_of(&plan->copies.arrays[group]);
-        assert(rule); /* checked by redcc_copies_possible */
+        assert(rule); /* ensured by redcc_copies_possible */
         size_t first, end;
         share((size_t)(touched.end - touched.first) / rule->size, thread, plan->threads, &first,
               &end);

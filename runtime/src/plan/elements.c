@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* gcc at -O2 vectorises few loops, so it is requested for these. */
+/* gcc at -O2 vectorises few loops, so vectorisation is requested for these. */
 #if defined(__clang__)
 #define VECTORISED
 #else

@@ -65,8 +65,9 @@ static redcc_int length_of_team(const struct plan *plan, int team, struct place 
     return length;
 }
 
-/* Simulates a thread's chunks up to the first that waits for a lowered flag. up [flags]: 1 + the
- * time at which a flag was raised; 0: not yet. Returns whether it advanced. */
+/* Simulates a thread's chunks up to the first one that waits for a flag not raised yet. up [flags]:
+ * 1 + the time at which a flag was raised; 0: not raised yet. Returns whether the thread advanced.
+ */
 static bool advance(const struct schedule *schedule, struct place *place, redcc_int *up) {
     const size_t before = place->chunk;
     for (; place->chunk < schedule->chunk_count; place->chunk++) {
@@ -100,10 +101,10 @@ static redcc_int length_by_flags(const struct plan *plan, struct place *place, r
 redcc_int redcc_plan_length(const struct plan *plan) {
     assert(plan->threads >= 1);
     redcc_int length = 0;
-    struct place *place = redcc_memory_take_zeroed((size_t)plan->threads, sizeof *place);
+    struct place *place = redcc_memory_alloc_zeroed((size_t)plan->threads, sizeof *place);
     redcc_int *up = NULL;
     if (plan->flags)
-        up = redcc_memory_take_zeroed(plan->method->flags(plan->owners), sizeof *up);
+        up = redcc_memory_alloc_zeroed(plan->method->flags(plan->owners), sizeof *up);
     if (!place || (plan->flags && !up))
         length = most_iterations(plan, 0, plan->threads);
     else if (plan->flags)
@@ -115,7 +116,7 @@ redcc_int redcc_plan_length(const struct plan *plan) {
             const redcc_int own = length_of_team(plan, team, place);
             length = own > length ? own : length;
         }
-    redcc_memory_give(place);
-    redcc_memory_give(up);
+    redcc_memory_free(place);
+    redcc_memory_free(up);
     return length;
 }

@@ -25,7 +25,7 @@ struct evidence {
                                            * touches */
     int threads;
     redcc_int trip;
-    const struct levels *levels; /* if the method has in_levels */
+    const struct levels *levels; /* set if the method has in_levels */
     bool every_iteration;        /* iterations that touch nothing must be executed, too */
 };
 
@@ -36,11 +36,12 @@ enum copy_kind {
     COPY_TEAM,    /* each team except the first, which writes in place, has a copy of everything */
     COPY_SHARE,   /* each of `parameter` equal shares of the iterations has a copy of everything */
     COPY_LATER /* the same, but the first share writes in place. All memory between touched elements
-                * must belong to the arrays. A single thread has one copy for all later shares */
+                  must belong to the arrays. A single thread uses one copy for all shares after the
+                  first */
 };
 
 struct method {
-    const char *name;      /* the literature's name; value of REDCC_METHOD */
+    const char *name;      /* the name in the literature, and in REDCC_METHOD */
     const char *alias;     /* OPTIONAL; an older name that REDCC_METHOD also accepts */
     const char *parameter; /* the parameter after a colon, as "a|b" or "N"; NULL: none */
 

@@ -52,7 +52,7 @@ void redcc_runs_pack(struct schedule *schedule) {
         words += pack_chunk(schedule, &schedule->chunk[c], NULL);
     if (words * sizeof *schedule->packed > schedule->run_count * sizeof *schedule->run / 2)
         return;
-    uint16_t *packed = redcc_memory_take(words * sizeof *packed);
+    uint16_t *packed = redcc_memory_alloc(words * sizeof *packed);
     if (!packed)
         return;
     for (size_t c = 0; c < schedule->chunk_count; c++) {
@@ -61,7 +61,7 @@ void redcc_runs_pack(struct schedule *schedule) {
         chunk->run_begin = at;
         chunk->run_end = at += more;
     }
-    redcc_memory_give(schedule->run);
+    redcc_memory_free(schedule->run);
     schedule->run = NULL;
     schedule->run_capacity = 0;
     schedule->packed = packed;
@@ -99,7 +99,8 @@ static bool all_are_short(const uint16_t *word) {
     uint64_t counts;
     memcpy(&counts, word, sizeof counts);
     counts &= each * (COUNTS - 1);
-    return ((counts - each) & each << 15) == 0; /* only 0 - 1 sets the top bit */
+    /* a field gets its top bit only if its count is 0 */
+    return ((counts - each) & each << 15) == 0;
 }
 
 typedef uint16_t four_words __attribute__((vector_size(8)));

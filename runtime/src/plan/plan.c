@@ -17,17 +17,17 @@ int redcc_team_of(int threads, int teams, int thread) {
     return team;
 }
 
-static bool take_tables(struct plan *plan, const redcc_array *arrays_of_loop) {
+static bool alloc_tables(struct plan *plan, const redcc_array *arrays_of_loop) {
     const size_t arrays = plan->array_count;
-    plan->group_of = redcc_memory_take(arrays * sizeof *plan->group_of);
-    plan->shift = redcc_memory_take(arrays * sizeof *plan->shift);
-    plan->touched = redcc_memory_take_zeroed(arrays, sizeof *plan->touched);
-    plan->bound = redcc_memory_take_zeroed(arrays * (plan->owners + 1), sizeof *plan->bound);
-    plan->schedule = redcc_memory_take_zeroed(plan->schedules, sizeof *plan->schedule);
+    plan->group_of = redcc_memory_alloc(arrays * sizeof *plan->group_of);
+    plan->shift = redcc_memory_alloc(arrays * sizeof *plan->shift);
+    plan->touched = redcc_memory_alloc_zeroed(arrays, sizeof *plan->touched);
+    plan->bound = redcc_memory_alloc_zeroed(arrays * (plan->owners + 1), sizeof *plan->bound);
+    plan->schedule = redcc_memory_alloc_zeroed(plan->schedules, sizeof *plan->schedule);
     plan->teams.stages =
-        redcc_memory_take_zeroed((size_t)plan->teams.count, sizeof *plan->teams.stages);
+        redcc_memory_alloc_zeroed((size_t)plan->teams.count, sizeof *plan->teams.stages);
     plan->teams.barrier =
-        redcc_memory_take_zeroed((size_t)plan->teams.count, sizeof *plan->teams.barrier);
+        redcc_memory_alloc_zeroed((size_t)plan->teams.count, sizeof *plan->teams.barrier);
     const bool flagged = plan->method->flags != NULL;
     if (flagged)
         plan->flags = redcc_flags_new(plan->method->flags(plan->owners));
@@ -65,7 +65,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
                             const struct partition *partition, const struct range *touched,
                             bool compensated) {
     assert(threads >= 1 && trip >= 0 && partition->owners >= 1 && method->prepare);
-    struct plan *plan = redcc_memory_take_zeroed(1, sizeof *plan);
+    struct plan *plan = redcc_memory_alloc_zeroed(1, sizeof *plan);
     if (!plan)
         return NULL;
     plan->method = method;
@@ -77,7 +77,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
     plan->owners = partition->owners;
     plan->schedules = method->steals ? plan->owners : (uint32_t)threads;
     plan->round = 1;
-    if (!take_tables(plan, partition->arrays)) {
+    if (!alloc_tables(plan, partition->arrays)) {
         redcc_plan_free(plan);
         return NULL;
     }
@@ -91,7 +91,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
 
 bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
                          struct divide *divide) {
-    plan->map.of = redcc_memory_take_zeroed(plan->array_count, sizeof *plan->map.of);
+    plan->map.of = redcc_memory_alloc_zeroed(plan->array_count, sizeof *plan->map.of);
     if (!plan->map.of)
         return false;
     for (uint32_t group = 0; group < plan->array_count; group++) {
@@ -136,16 +136,16 @@ void redcc_plan_free(struct plan *plan) {
         redcc_schedule_end(&plan->schedule[s]);
     redcc_copies_end(&plan->copies);
     redcc_rounding_free(plan);
-    redcc_memory_give(plan->group_of);
-    redcc_memory_give(plan->shift);
-    redcc_memory_give(plan->touched);
-    redcc_memory_give(plan->bound);
+    redcc_memory_free(plan->group_of);
+    redcc_memory_free(plan->shift);
+    redcc_memory_free(plan->touched);
+    redcc_memory_free(plan->bound);
     redcc_owner_map_end(&plan->map);
-    redcc_memory_give(plan->schedule);
-    redcc_memory_give(plan->teams.stages);
-    redcc_memory_give(plan->teams.barrier);
-    redcc_memory_give(plan->flags);
-    redcc_memory_give(plan);
+    redcc_memory_free(plan->schedule);
+    redcc_memory_free(plan->teams.stages);
+    redcc_memory_free(plan->teams.barrier);
+    redcc_memory_free(plan->flags);
+    redcc_memory_free(plan);
 }
 
 /* The lowest stage >= `from` in which some thread of the team has chunks; UINT32_MAX: none. at
@@ -168,7 +168,7 @@ static void number_stages(struct plan *plan, int team) {
     size_t few[AT_ONCE] = {0};
     size_t *at = few;
     if (end - first > AT_ONCE)
-        at = redcc_memory_take_zeroed((size_t)(end - first), sizeof *at);
+        at = redcc_memory_alloc_zeroed((size_t)(end - first), sizeof *at);
     plan->teams.stages[team] = 0;
     for (uint32_t stage; at && (stage = next_stage(plan, first, end, at)) != UINT32_MAX;) {
         for (int thread = first; thread < end; thread++) {
@@ -187,11 +187,11 @@ static void number_stages(struct plan *plan, int team) {
                 plan->teams.stages[team] = schedule->chunk[count - 1].stage + 1;
         }
     if (at != few)
-        redcc_memory_give(at);
+        redcc_memory_free(at);
 }
 
 #ifndef NDEBUG
-/* Do the copies, flags and stages that a schedule refers to exist? */
+/* Do all copies, flags and stages to which the schedule refers exist? */
 static bool names_what_is_there(const struct plan *plan, const struct schedule *schedule) {
     const uint32_t flags = plan->flags ? plan->method->flags(plan->owners) : 0;
     const uint32_t copies = plan->method->copies == COPY_SHARE   ? (uint32_t)plan->copies.count

@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "plan/plan.h"
 
-/* Is the array its group's first, or aligned with it, element by element? */
+/* Are the array's elements aligned with those of the first array of its group? */
 static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
                  uint32_t array) {
     const redcc_array *it = &arrays[array], *lead = &arrays[group];
@@ -31,7 +31,7 @@ static bool is_compensated(const struct plan *plan, const redcc_array *arrays, u
 
 bool redcc_rounding_new(struct plan *plan, const redcc_array *arrays) {
     assert(!plan->rounding);
-    plan->rounding = redcc_memory_take_zeroed(plan->array_count, sizeof *plan->rounding);
+    plan->rounding = redcc_memory_alloc_zeroed(plan->array_count, sizeof *plan->rounding);
     if (!plan->rounding)
         return false;
     for (uint32_t group = 0; group < plan->array_count; group++) {
@@ -42,8 +42,8 @@ bool redcc_rounding_new(struct plan *plan, const redcc_array *arrays) {
         *rounding = (struct rounding){.type = arrays[group].type, .offset = touched.first};
         rounding->count =
             (size_t)(touched.end - touched.first) / redcc_rounding_element(rounding->type);
-        rounding->value = redcc_memory_take(rounding->count * sizeof *rounding->value);
-        rounding->before = redcc_memory_take(rounding->count * sizeof *rounding->before);
+        rounding->value = redcc_memory_alloc(rounding->count * sizeof *rounding->value);
+        rounding->before = redcc_memory_alloc(rounding->count * sizeof *rounding->before);
         if (!rounding->value || !rounding->before)
             return false;
     }
@@ -52,10 +52,10 @@ bool redcc_rounding_new(struct plan *plan, const redcc_array *arrays) {
 
 void redcc_rounding_free(struct plan *plan) {
     for (uint32_t group = 0; plan->rounding && group < plan->array_count; group++) {
-        redcc_memory_give(plan->rounding[group].value);
-        redcc_memory_give(plan->rounding[group].before);
+        redcc_memory_free(plan->rounding[group].value);
+        redcc_memory_free(plan->rounding[group].before);
     }
-    redcc_memory_give(plan->rounding);
+    redcc_memory_free(plan->rounding);
     plan->rounding = NULL;
 }
 

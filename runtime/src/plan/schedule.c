@@ -157,9 +157,9 @@ void redcc_schedule_finish(struct schedule *schedule) {
 }
 
 void redcc_schedule_end(struct schedule *schedule) {
-    redcc_memory_give(schedule->chunk);
-    redcc_memory_give(schedule->run);
-    redcc_memory_give(schedule->packed);
-    redcc_memory_give(schedule->wait);
+    redcc_memory_free(schedule->chunk);
+    redcc_memory_free(schedule->run);
+    redcc_memory_free(schedule->packed);
+    redcc_memory_free(schedule->wait);
     *schedule = (struct schedule){0};
 }

@@ -11,8 +11,8 @@ bool redcc_is_small(struct reading reading) {
     return redcc_range_bytes(reading.range) <= SMALL;
 }
 
-/* The thread's share: its first byte, and *count, its size. All shares except the last are whole
- * stripes. */
+/* The first byte of the thread's share; *count: the bytes of the share. All shares except the last
+ * are whole stripes. */
 static const char *share_of(struct reading reading, const struct hasher *hasher, size_t *count) {
     const size_t bytes = redcc_range_bytes(reading.range);
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);

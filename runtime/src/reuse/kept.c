@@ -11,8 +11,8 @@
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
 
-/* Sets sources [source_count] to the sources' ranges. False if the ranges of other sources are
- * known than in the call for which the plan was built. */
+/* Sets sources [source_count] to the sources' ranges. False if the call for which the plan was
+ * built knew the ranges of other sources than this one. */
 static bool sources_fit(const struct kept_plan *kept, const struct request *request,
                         struct range *sources) {
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
@@ -85,7 +85,7 @@ static void ask_tracking(struct reuse *reuse) {
         tracking->is_untouched = false;
         tracking->begun = 0;
         if ((loop->sources[s].flags & REDCC_IS_SUBSCRIPT) && reuse->call->tracks)
-            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->rest, &earned);
+            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->back_off, &earned);
     }
 }
 
@@ -195,7 +195,7 @@ static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known
     return false;
 }
 
-/* Hashes the bytes into *all; false if the time limit was exceeded. */
+/* Adds the hash of the bytes to *all; false if the time limit was exceeded. */
 static bool take_in(struct fingerprint *all, const char *data, size_t bytes, double until) {
     enum { PIECE = 256 * 1024 };
     for (size_t done = 0; done < bytes; done += PIECE) {
@@ -313,9 +313,9 @@ static void drop(struct kept_plan *kept) {
     if (!kept)
         return;
     redcc_plan_free(kept->plan);
-    redcc_memory_give(kept->key);
-    redcc_memory_give(kept->source);
-    redcc_memory_give(kept);
+    redcc_memory_free(kept->key);
+    redcc_memory_free(kept->source);
+    redcc_memory_free(kept);
 }
 
 static void record_sources(struct source_record *records, const struct reuse *reuse) {
@@ -342,12 +342,12 @@ static void record_sources(struct source_record *records, const struct reuse *re
 
 static struct kept_plan *record(const struct reuse *reuse) {
     const struct request *request = &reuse->call->request;
-    struct kept_plan *kept = redcc_memory_take_zeroed(1, sizeof *kept);
+    struct kept_plan *kept = redcc_memory_alloc_zeroed(1, sizeof *kept);
     if (!kept)
         return NULL;
     const size_t key_bytes = request->loop->key_count * sizeof *kept->key;
-    kept->key = redcc_memory_take(key_bytes);
-    kept->source = redcc_memory_take_zeroed(request->loop->source_count, sizeof *kept->source);
+    kept->key = redcc_memory_alloc(key_bytes);
+    kept->source = redcc_memory_alloc_zeroed(request->loop->source_count, sizeof *kept->source);
     if (!kept->key || !kept->source) {
         drop(kept);
         return NULL;

@@ -18,11 +18,11 @@ enum { REDCC_PLANS = 4 };
 
 /** The record of a source. */
 struct source_record {
-    bool known;            /* each call gives its range */
+    bool known;            /* its range is known in each call */
     bool anchored;         /* known[].first is an address to which `extent` is relative */
     struct offsets extent; /* if known: {0, its length} */
     struct fingerprint fingerprint;
-    uint64_t sampled; /* a hash of a few of its words */
+    uint64_t sampled; /* hash of a few of its words */
     struct tracking tracking;
 };
 
@@ -41,7 +41,7 @@ struct kept_plan {
 struct plan_cache {
     struct kept_plan *kept[REDCC_PLANS]; /* NULL: a free slot */
     uint64_t clock;
-    struct back_off rest; /* back-off after write tracking that did not pay (tracking.c) */
+    struct back_off back_off; /* back-off after write tracking that did not pay (tracking.c) */
 };
 
 /** One call's search for a plan; shared by all threads. */
@@ -57,7 +57,7 @@ struct reuse {
     double earned;           /* seconds that auto has saved by the plan, minus its construction */
     uint64_t sampled;        /* a hash of a few words of the subscripts; 0: not sampled */
     bool same;               /* so far the subscripts are unchanged */
-    int changed_source;      /* the source that invalidated a plan in this call; -1: none */
+    int changed_source;      /* the source whose change invalidated a plan in this call; -1: none */
 };
 
 /** A hash of some words of each subscript whose range the call gives, for reuse->sampled; 0: the
@@ -74,8 +74,8 @@ bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, 
  *  overlap guard. Queries write tracking. Sets reuse->found and reuse->sources. */
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
-/** Sets bits for strategies: in *fits for plans that redcc_reuse_find would find, in *changed for
- * plans that only the sample rules out. When the last plan is ruled out, sets
+/** Sets a bit for each strategy: in *fits if redcc_reuse_find would find a plan of it, in *changed
+ * if only the sample rules its plan out. When the last plan is ruled out, sets
  * reuse->changed_source. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 

@@ -7,8 +7,8 @@
 #include <assert.h>
 #include <stdatomic.h>
 
-/* Leaves out of *rest the bytes of `shown`; false if it has none of them, or parts would remain on
- * both sides. */
+/* Removes the bytes of `shown` from *rest. False if *rest has none of them, or if parts would
+ * remain on both sides. */
 static bool leave_out(struct range *rest, struct range shown) {
     if (!redcc_ranges_overlap(*rest, shown))
         return false;

@@ -6,8 +6,7 @@
 #include "reuse/pages/watch.h"
 
 enum {
-    A_COMPARISON =
-        12,         /* tracking a page without use costs this many times as much as comparing it */
+    A_COMPARISON = 12, /* useless tracking of a page, in comparisons of a page */
     A_SOURCE = 165, /* the check whether a source may be tracked costs as much as this many pages */
     LEAST = 256 * 1024 /* bytes; comparing fewer costs little more than the query */
 };
@@ -20,7 +19,7 @@ static double pages_of(struct range pages) {
  * Tracking begins when comparisons have cost as much, so that it loses at most the same amount
  * again (ski rental). */
 static double price(struct range pages, const struct back_off *rest) {
-    const double times = rest->length ? (double)rest->length / (LEARN_REST / 2.0) : 1;
+    const double times = rest->length ? (double)rest->length / (LEARN_BACK_OFF / 2.0) : 1;
     return times * LEARN_PAGE * (pages_of(pages) + (double)A_SOURCE);
 }
 

@@ -41,7 +41,7 @@ static const char *count_text(loop_text *loop, const private_variable *item, con
                               const char *iteration) {
     if (!item->inner.loop)
         return arena_format(loop->arena, "(redcc_word)%s", iteration);
-    return arena_format(loop->arena, "redcc_turns_%s(%s, %s)",
+    return arena_format(loop->arena, "redcc_inner_trips_%s(%s, %s)",
                         item->inner.is_below ? "below" : "above", first, iteration);
 }
 
@@ -60,7 +60,8 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
             !by_header) /* here the loop is known to iterate, and to evaluate the step */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
         if (item->inner.loop && !by_header)
-            writer_line(out, "const redcc_int redcc__turns_%u = %s;", i, turns_text(loop, item));
+            writer_line(out, "const redcc_int redcc__inner_trips_%u = %s;", i,
+                        turns_text(loop, item));
         if (!item->is_stepped || by_header != (item->entry != NULL))
             continue;
         if (by_header)
@@ -78,7 +79,7 @@ const char *stepped_value(loop_text *loop, unsigned number) {
         return "";
     const char *stride =
         item->stride ? arena_format(loop->arena, "redcc__by_%u", number) : stride_text(loop, item);
-    const char *turns = arena_format(loop->arena, "redcc__turns_%u", number);
+    const char *turns = arena_format(loop->arena, "redcc__inner_trips_%u", number);
     return arena_format(loop->arena, " = (__typeof__(%s))(redcc__from_%u + %s * %s)",
                         origin_variable(loop->arena, item->variable), number, stride,
                         count_text(loop, item, turns, "redcc__k"));

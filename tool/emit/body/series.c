@@ -136,7 +136,7 @@ static const char *scalar_text(loop_text *loop, unsigned number) {
 const char *series_condition(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     buffer out = {0};
-    buffer_format(&out, "REDCC_SERIES_AGAIN(%u) && (", count_series(facts));
+    buffer_format(&out, "REDCC_SERIES_REPEATS(%u) && (", count_series(facts));
     for (unsigned i = 0; i < facts->scalar_count; i++)
         if (is_first(facts, i))
             buffer_format(&out, "REDCC_SERIES_BEGIN(redcc__writers[%u], *redcc__own_sum_%u, %s), ",
@@ -186,14 +186,14 @@ void finish_series(loop_text *loop, writer *out) {
 void begin_series(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (is_first(loop->facts, i))
-            writer_line(out, "REDCC_SERIES_%s(redcc__writers[%u]);", loop->tiles ? "GO_ON" : "NEXT",
-                        place_of(loop->facts, i));
+            writer_line(out, "REDCC_SERIES_%s(redcc__writers[%u]);",
+                        loop->tiles ? "RESUME" : "NEXT", place_of(loop->facts, i));
 }
 
 void leave_series(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (is_first(loop->facts, i))
-            writer_line(out, "REDCC_SERIES_STOP(redcc__writers[%u]);", place_of(loop->facts, i));
+            writer_line(out, "REDCC_SERIES_SUSPEND(redcc__writers[%u]);", place_of(loop->facts, i));
 }
 
 void write_series_operand(loop_text *loop, writer *out, unsigned number, const char *value) {

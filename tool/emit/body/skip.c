@@ -89,7 +89,7 @@ static const char *skip_check(loop_text *loop, const inner_skip *skip) {
             return NULL;
         check = arena_format(loop->arena, "%s%s%s", check, i > 0 ? " || " : "", one);
     }
-    return arena_format(loop->arena, "REDCC_TURN(%s) ", check);
+    return arena_format(loop->arena, "REDCC_INNER_ITERATION(%s) ", check);
 }
 
 void skip_inner_iterations(body_copy *copy, const ir_node *node) {

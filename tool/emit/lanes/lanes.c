@@ -179,7 +179,7 @@ static const char *function_text(loop_text *loop, const char *name, bool *is_kep
                 "REDCC_LANES_BODY %s(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
                 "redcc__block, const redcc_int redcc__lower%s) {",
                 name, facts->array_count, loop->outline.body_parameters);
-    writer_line(&front, "    REDCC_TOLD_OF_LANES");
+    writer_line(&front, "    REDCC_LANES_BY_CALLS");
     buffer_text(&front.out, writer_text(a, &text));
     writer_line(&front, "}");
     const char *whole = writer_text(a, &front);

@@ -64,7 +64,7 @@ const char *lane_mask(vectoriser *l, const ir_node *node) {
                             lane_vector(l, node->children[0], type), ir_operator_spelling(node->op),
                             lane_vector(l, node->children[1], type));
     if (lane_is_plain(node) && !lane_mentions_vector(&l->in, node))
-        return arena_format(a, "REDCC_TELL(%s)", lane_masked(l, node, lane_scalar(l, node)));
+        return arena_format(a, "REDCC_MASK(%s)", lane_masked(l, node, lane_scalar(l, node)));
     lane_problem(&l->in, NO_LANES_CONDITION, node);
     return "0";
 }

@@ -189,7 +189,7 @@ static void write_parameters(vectoriser *l, const ir_function *function, const l
         buffer_format(&head, "%s%s __attribute__((__unused__))", head.data ? ", " : "",
                       parameter_text(l, parameter, classes[i]));
     }
-    writer_line(l->out, "REDCC_LIFTED %s %s(%s) {",
+    writer_line(l->out, "REDCC_VECTOR_INLINE %s %s(%s) {",
                 lane_is_real(result) ? lane_words_of(result)->vector : "void", name,
                 head.data ? head.data : "void");
     buffer_free(&head);

@@ -291,7 +291,7 @@ static void log_in_loops(inspector *self, const loop_source *read, unsigned numb
     writer *out = self->printer.out;
     self->loops = read->loops;
     if (read->is_repeated && self->loop->bins)
-        writer_line(out, "REDCC_IF_TOLD(%u)", number);
+        writer_line(out, "REDCC_IF_RECORDED(%u)", number);
     open_loops(self, read, is_span);
     if (is_span) {
         writer_line(out, "const char *const redcc__begin_0 = (const char *)%s;",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What all plots of a study share. Labels are next to their lines, in the same colours.
+# Settings of all plots of a study. Labels are next to their lines, in the same colours.
 set terminal pngcairo size 900,560 font 'sans,12'
 set datafile separator ','
 set datafile missing NaN

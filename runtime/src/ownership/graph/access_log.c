@@ -5,12 +5,12 @@
 
 #include "base/memory.h"
 
-/* Number of an iteration's latest units that are searched for duplicates. */
+/* The number of an iteration's latest units that are searched for duplicates. */
 enum { LOOK_BACK = 16 };
 
 static bool list_begin(struct unit_list *list, size_t capacity) {
     *list = (struct unit_list){.capacity = capacity};
-    list->item = redcc_memory_take(capacity * sizeof *list->item);
+    list->item = redcc_memory_alloc(capacity * sizeof *list->item);
     return list->item != NULL;
 }
 
@@ -30,7 +30,7 @@ bool redcc_unit_list_add(struct unit_list *list, const uint32_t *item, size_t co
 }
 
 void redcc_unit_list_end(struct unit_list *list) {
-    redcc_memory_give(list->item);
+    redcc_memory_free(list->item);
     *list = (struct unit_list){0};
 }
 
@@ -39,7 +39,7 @@ bool redcc_access_log_begin(struct access_log *logged, const struct units *units
                             const size_t expected[2], size_t most) {
     assert(units->array_count == partition->array_count && begin >= 0);
     *logged = (struct access_log){.units = units->count, .begin = begin, .most = most};
-    logged->of = redcc_memory_take(partition->array_count * sizeof *logged->of);
+    logged->of = redcc_memory_alloc(partition->array_count * sizeof *logged->of);
     for (uint32_t array = 0; logged->of && array < partition->array_count; array++) {
         const uint32_t group = partition->group_of[array];
         const bool leads = units->of[group].begin < units->leading;
@@ -52,7 +52,7 @@ bool redcc_access_log_begin(struct access_log *logged, const struct units *units
 }
 
 void redcc_access_log_end(struct access_log *logged) {
-    redcc_memory_give(logged->of);
+    redcc_memory_free(logged->of);
     redcc_unit_list_end(&logged->leading);
     redcc_unit_list_end(&logged->further);
     *logged = (struct access_log){0};

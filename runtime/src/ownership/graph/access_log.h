@@ -50,10 +50,10 @@ struct access_log {
     uint32_t units;          /* their total number */
     struct unit_list leading;
     struct unit_list further; /* unallocated if there is only one group */
-    redcc_int begin;          /* the first iteration */
-    redcc_int iterations;     /* number recorded */
+    redcc_int begin;          /* the first iteration of the thread's share */
+    redcc_int iterations;     /* number of iterations recorded */
     size_t most;              /* maximum number of items in either list */
-    bool too_much;            /* a list would have more than that */
+    bool too_much;            /* a list would have more than `most` items */
     bool beyond;              /* there was a touch outside of all units: the lists are unusable */
     bool failed;              /* out of memory */
 };

@@ -196,9 +196,9 @@ bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stea
     const size_t count = graph->count;
     struct division division = {
         .graph = graph, .part = part, .parts = parts, .stealable = stealable};
-    division.node = redcc_memory_take(count * sizeof *division.node);
-    division.order = redcc_memory_take(count * sizeof *division.order);
-    division.seen = redcc_memory_take_zeroed(count, sizeof *division.seen);
+    division.node = redcc_memory_alloc(count * sizeof *division.node);
+    division.order = redcc_memory_alloc(count * sizeof *division.order);
+    division.seen = redcc_memory_alloc_zeroed(count, sizeof *division.seen);
     const bool enough = division.node && division.order && division.seen;
     if (enough) {
         memset(part, 0, count);
@@ -206,8 +206,8 @@ bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stea
             division.node[node] = node;
         bisect(&division, division.node, graph->count, 0, parts);
     }
-    redcc_memory_give(division.node);
-    redcc_memory_give(division.order);
-    redcc_memory_give(division.seen);
+    redcc_memory_free(division.node);
+    redcc_memory_free(division.order);
+    redcc_memory_free(division.seen);
     return enough;
 }

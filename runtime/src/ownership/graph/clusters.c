@@ -28,19 +28,19 @@ bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t mo
     const size_t bytes = units * sizeof(uint32_t);
     *clusters = (struct clusters){.units = units, .most = most, .count = units, .threads = threads};
     assert(node_of(rank_of(1234567)) == 1234567);
-    clusters->of = redcc_memory_take(bytes);
-    clusters->into = redcc_memory_take(bytes);
-    clusters->size = redcc_memory_take(bytes);
-    clusters->spare = redcc_memory_take(bytes);
-    clusters->share = redcc_memory_take_zeroed((size_t)threads, sizeof *clusters->share);
+    clusters->of = redcc_memory_alloc(bytes);
+    clusters->into = redcc_memory_alloc(bytes);
+    clusters->size = redcc_memory_alloc(bytes);
+    clusters->spare = redcc_memory_alloc(bytes);
+    clusters->share = redcc_memory_alloc_zeroed((size_t)threads, sizeof *clusters->share);
     bool enough =
         clusters->of && clusters->into && clusters->size && clusters->spare && clusters->share;
     for (int thread = 0; enough && thread < threads; thread++) {
         struct cluster_share *share = &clusters->share[thread];
         share->logged = &logged[thread].leading;
-        share->list.item = redcc_memory_take(share->logged->count * sizeof *share->list.item);
-        share->choice = redcc_memory_take(bytes);
-        share->weight = redcc_memory_take(bytes);
+        share->list.item = redcc_memory_alloc(share->logged->count * sizeof *share->list.item);
+        share->choice = redcc_memory_alloc(bytes);
+        share->weight = redcc_memory_alloc(bytes);
         enough = share->list.item && share->choice && share->weight;
     }
     return enough;
@@ -48,15 +48,15 @@ bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t mo
 
 void redcc_clusters_end(struct clusters *clusters) {
     for (int thread = 0; clusters->share && thread < clusters->threads; thread++) {
-        redcc_memory_give(clusters->share[thread].list.item);
-        redcc_memory_give(clusters->share[thread].choice);
-        redcc_memory_give(clusters->share[thread].weight);
+        redcc_memory_free(clusters->share[thread].list.item);
+        redcc_memory_free(clusters->share[thread].choice);
+        redcc_memory_free(clusters->share[thread].weight);
     }
-    redcc_memory_give(clusters->of);
-    redcc_memory_give(clusters->into);
-    redcc_memory_give(clusters->size);
-    redcc_memory_give(clusters->spare);
-    redcc_memory_give(clusters->share);
+    redcc_memory_free(clusters->of);
+    redcc_memory_free(clusters->into);
+    redcc_memory_free(clusters->size);
+    redcc_memory_free(clusters->spare);
+    redcc_memory_free(clusters->share);
     *clusters = (struct clusters){0};
 }
 
@@ -135,7 +135,7 @@ static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
     it->clusters->into[node] = cluster;
 }
 
-/* Settles the node, after the nodes on the path of choices from it. */
+/* Settles the nodes on the path of choices from this node, then the node itself. */
 static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
     enum { PATH = 64 };
     uint32_t path[PATH], length = 0, cluster = NOTHING;

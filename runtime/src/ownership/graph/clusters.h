@@ -6,16 +6,16 @@
  * log, without a graph of the units.
  *
  * In each round every node (a unit, later a cluster) chooses the node of lowest rank among itself
- * and all nodes that iterations connect it to; ranks come from a hash. A node that chooses itself
- * is the root of the tree of nodes that lead to it, and trees are the nodes of the next round
- * (Boruvka's hooking). A round reduces a mesh's nodes by a factor of about seven. All threads
- * process their iterations concurrently; the result is independent of the number of threads.
+ * and all nodes that iterations connect it to; ranks come from a hash. The choices form trees: a
+ * node that chooses itself is a root. Each tree becomes one node of the next round (Boruvka's
+ * hooking). A round reduces a mesh's nodes by a factor of about seven. All threads process their
+ * iterations concurrently; the result is independent of the number of threads.
  *
  *     begin    one thread
  *     choose   each thread: its iterations
  *     agree    each thread: some nodes      repeatedly,
  *     join     one thread                   until join finds that there are few enough
- *     retell   each thread: its iterations
+ *     map      each thread: its iterations
  *
  * All threads synchronise between any two steps.
  */
@@ -46,8 +46,8 @@ struct clusters {
     struct cluster_share *share; /* [threads] */
 };
 
-/** Begins with each of `units` units as a cluster; borrows the leading lists of logged [threads].
- *  False: out of memory. Call redcc_clusters_end in either case. */
+/** Begins with each of `units` units as a cluster; borrows the leading lists of logged
+ * [threads]. False: out of memory. Call redcc_clusters_end in either case. */
 bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
                           const struct access_log *logged, int threads);
 

@@ -39,10 +39,10 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
     divide->most_logged = most_touches(trip) / count;
     if (partition->owners > REDCC_OWNERS_MOST || trip > REDCC_BLOCK)
         return DIVIDE_UNSUITABLE;
-    divide->logged = redcc_memory_take_zeroed(count, sizeof *divide->logged);
-    divide->sweep = redcc_memory_take_zeroed(count, sizeof *divide->sweep);
-    divide->boundary.list = redcc_memory_take_zeroed(count, sizeof *divide->boundary.list);
-    divide->boundary.logged = redcc_memory_take_zeroed(count, sizeof *divide->boundary.logged);
+    divide->logged = redcc_memory_alloc_zeroed(count, sizeof *divide->logged);
+    divide->sweep = redcc_memory_alloc_zeroed(count, sizeof *divide->sweep);
+    divide->boundary.list = redcc_memory_alloc_zeroed(count, sizeof *divide->boundary.list);
+    divide->boundary.logged = redcc_memory_alloc_zeroed(count, sizeof *divide->boundary.logged);
     if (!redcc_units_begin(&divide->units, partition, touched) || !divide->logged ||
         !divide->sweep || !divide->boundary.list || !divide->boundary.logged)
         return DIVIDE_NO_MEMORY;
@@ -59,9 +59,9 @@ void redcc_divide_tidy(struct divide *divide) {
     redcc_clusters_end(&divide->clusters);
     redcc_graph_end(&divide->coarse);
     redcc_graph_end(&divide->boundary.graph);
-    redcc_memory_give(divide->boundary.is_boundary);
-    redcc_memory_give(divide->part);
-    redcc_memory_give((void *)divide->vote);
+    redcc_memory_free(divide->boundary.is_boundary);
+    redcc_memory_free(divide->part);
+    redcc_memory_free((void *)divide->vote);
     divide->boundary.is_boundary = NULL;
     divide->part = NULL;
     divide->vote = NULL;
@@ -72,11 +72,11 @@ void redcc_divide_end(struct divide *divide) {
     for (int thread = 0; divide->sweep && thread < divide->threads; thread++)
         redcc_sweep_end(&divide->sweep[thread]);
     redcc_units_end(&divide->units);
-    redcc_memory_give(divide->logged);
-    redcc_memory_give(divide->sweep);
-    redcc_memory_give(divide->owner);
-    redcc_memory_give(divide->boundary.list);
-    redcc_memory_give((void *)divide->boundary.logged);
+    redcc_memory_free(divide->logged);
+    redcc_memory_free(divide->sweep);
+    redcc_memory_free(divide->owner);
+    redcc_memory_free(divide->boundary.list);
+    redcc_memory_free((void *)divide->boundary.logged);
     *divide = (struct divide){0};
 }
 
@@ -114,9 +114,9 @@ static bool begin_clusters(struct divide *divide) {
     const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
     const uint32_t most = even > CLUSTER_MOST ? CLUSTER_MOST : even > 0 ? even : 1;
     const size_t further = units->count - units->leading;
-    divide->owner = redcc_memory_take(units->count);
-    divide->boundary.is_boundary = redcc_memory_take_zeroed(units->leading, 1);
-    divide->vote = redcc_memory_take(further * sizeof *divide->vote);
+    divide->owner = redcc_memory_alloc(units->count);
+    divide->boundary.is_boundary = redcc_memory_alloc_zeroed(units->leading, 1);
+    divide->vote = redcc_memory_alloc(further * sizeof *divide->vote);
     return divide->owner && divide->boundary.is_boundary && divide->vote &&
            redcc_clusters_begin(&divide->clusters, units->leading, most, divide->logged,
                                 divide->threads);
@@ -166,7 +166,7 @@ static void fill_edges(struct divide *divide, struct graph *graph, int thread) {
 static bool begin_coarse(struct divide *divide) {
     for (int thread = 0; thread < divide->threads; thread++)
         divide->boundary.logged[thread] = &divide->clusters.share[thread].list;
-    divide->part = redcc_memory_take(divide->clusters.count);
+    divide->part = redcc_memory_alloc(divide->clusters.count);
     return divide->part && redcc_graph_begin(&divide->coarse, divide->clusters.count);
 }
 

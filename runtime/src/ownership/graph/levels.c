@@ -105,19 +105,19 @@ static void put_in_stages(const struct levelling *it, struct levels *levels) {
 
 static bool make(struct levelling *it, struct levels *levels, const struct access_log *logged,
                  int threads, bool every) {
-    it->level = redcc_memory_take(it->trip * sizeof *it->level);
-    it->free = redcc_memory_take_zeroed(it->units, sizeof *it->free);
+    it->level = redcc_memory_alloc(it->trip * sizeof *it->level);
+    it->free = redcc_memory_alloc_zeroed(it->units, sizeof *it->free);
     if (!it->level || !it->free)
         return false;
     find_levels(it, logged, threads, every);
-    it->size = redcc_memory_take_zeroed(it->levels, sizeof *it->size);
-    it->stage = redcc_memory_take(it->levels * sizeof *it->stage);
+    it->size = redcc_memory_alloc_zeroed(it->levels, sizeof *it->size);
+    it->stage = redcc_memory_alloc(it->levels * sizeof *it->stage);
     if (!it->size || !it->stage)
         return false;
     levels->levels = it->levels;
     levels->stages = find_stages(it);
-    levels->stage = redcc_memory_take_zeroed((size_t)levels->stages + 1, sizeof *levels->stage);
-    levels->iteration = redcc_memory_take(it->trip * sizeof *levels->iteration);
+    levels->stage = redcc_memory_alloc_zeroed((size_t)levels->stages + 1, sizeof *levels->stage);
+    levels->iteration = redcc_memory_alloc(it->trip * sizeof *levels->iteration);
     if (!levels->stage || !levels->iteration)
         return false;
     put_in_stages(it, levels);
@@ -132,16 +132,16 @@ bool redcc_levels_begin(struct levels *levels, const struct access_log *logged, 
     for (int thread = 0; thread < threads; thread++)
         it.trip += (uint32_t)logged[thread].iterations;
     const bool made = make(&it, levels, logged, threads, every);
-    redcc_memory_give(it.level);
-    redcc_memory_give(it.free);
-    redcc_memory_give(it.size);
-    redcc_memory_give(it.stage);
+    redcc_memory_free(it.level);
+    redcc_memory_free(it.free);
+    redcc_memory_free(it.size);
+    redcc_memory_free(it.stage);
     return made;
 }
 
 void redcc_levels_end(struct levels *levels) {
-    redcc_memory_give(levels->iteration);
-    redcc_memory_give(levels->stage);
+    redcc_memory_free(levels->iteration);
+    redcc_memory_free(levels->stage);
     *levels = (struct levels){0};
 }
 

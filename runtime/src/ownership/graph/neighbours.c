@@ -17,16 +17,16 @@ enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {
     *graph = (struct graph){.count = count};
-    graph->start = redcc_memory_take(((size_t)count + 2) * sizeof *graph->start);
-    graph->weight = redcc_memory_take((size_t)count * sizeof *graph->weight);
+    graph->start = redcc_memory_alloc(((size_t)count + 2) * sizeof *graph->start);
+    graph->weight = redcc_memory_alloc((size_t)count * sizeof *graph->weight);
     return graph->start && graph->weight;
 }
 
 void redcc_graph_end(struct graph *graph) {
-    redcc_memory_give(graph->start);
-    redcc_memory_give(graph->neighbour);
-    redcc_memory_give(graph->strength);
-    redcc_memory_give(graph->weight);
+    redcc_memory_free(graph->start);
+    redcc_memory_free(graph->neighbour);
+    redcc_memory_free(graph->strength);
+    redcc_memory_free(graph->weight);
     *graph = (struct graph){0};
 }
 
@@ -68,7 +68,7 @@ bool redcc_graph_take(struct graph *graph) {
     start[graph->count + 1] = (uint32_t)sum;
     if (sum > UINT32_MAX)
         return false;
-    graph->neighbour = redcc_memory_take((size_t)sum * sizeof *graph->neighbour);
+    graph->neighbour = redcc_memory_alloc((size_t)sum * sizeof *graph->neighbour);
     return graph->neighbour != NULL;
 }
 
@@ -123,8 +123,8 @@ static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, 
 bool redcc_graph_merge(struct graph *graph) {
     assert(graph->neighbour && !graph->strength);
     const uint32_t edges = graph->start[graph->count];
-    uint32_t *place = redcc_memory_take_zeroed(graph->count, sizeof *place);
-    graph->strength = redcc_memory_take(edges * sizeof *graph->strength);
+    uint32_t *place = redcc_memory_alloc_zeroed(graph->count, sizeof *place);
+    graph->strength = redcc_memory_alloc(edges * sizeof *graph->strength);
     const bool enough = place && graph->strength;
     uint32_t begin = 0, count = 0;
     for (uint32_t node = 0; enough && node < graph->count; node++) {
@@ -133,6 +133,6 @@ bool redcc_graph_merge(struct graph *graph) {
         graph->start[node + 1] = count;
         begin = end;
     }
-    redcc_memory_give(place);
+    redcc_memory_free(place);
     return enough;
 }

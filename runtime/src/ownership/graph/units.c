@@ -33,7 +33,7 @@ bool redcc_units_begin(struct units *units, const struct partition *partition,
     const uint32_t arrays = partition->array_count, leader = partition->leader;
     assert(leader < arrays && redcc_leads_group(partition, leader));
     *units = (struct units){.array_count = arrays};
-    units->of = redcc_memory_take_zeroed(arrays, sizeof *units->of);
+    units->of = redcc_memory_alloc_zeroed(arrays, sizeof *units->of);
     if (!units->of)
         return false;
     bool fits = number_group(&units->of[leader], partition, leader, touched[leader], 0);
@@ -51,6 +51,6 @@ bool redcc_units_begin(struct units *units, const struct partition *partition,
 }
 
 void redcc_units_end(struct units *units) {
-    redcc_memory_give(units->of);
+    redcc_memory_free(units->of);
     *units = (struct units){0};
 }

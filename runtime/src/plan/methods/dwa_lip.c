@@ -91,7 +91,7 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
                           .members = (uint32_t)(end - first),
                           .member = (uint32_t)(thread - first)};
     const size_t count = (size_t)rounds(&pairs) * pairs.blocks;
-    pairs.pair = redcc_memory_take_zeroed(count, sizeof *pairs.pair);
+    pairs.pair = redcc_memory_alloc_zeroed(count, sizeof *pairs.pair);
     bool enough = pairs.pair != NULL;
     for (int from = first; enough && from < end; from++)
         enough = redcc_visit_pairs(evidence, from, take_pair, &pairs);
@@ -101,7 +101,7 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
     enough = enough && put_in_stages(&pairs, &plan->schedule[thread]);
     for (size_t p = 0; pairs.pair && p < count; p++)
         redcc_schedule_end(&pairs.pair[p]);
-    redcc_memory_give(pairs.pair);
+    redcc_memory_free(pairs.pair);
     redcc_schedule_finish(&plan->schedule[thread]);
     return enough;
 }

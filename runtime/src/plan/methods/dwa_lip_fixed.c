@@ -94,23 +94,23 @@ static bool put_in_order(struct view *view, struct schedule *schedule) {
     return true;
 }
 
-static bool take_tables(struct view *view) {
+static bool alloc_tables(struct view *view) {
     const size_t blocks = view->blocks;
-    view->filled = redcc_memory_take_zeroed(blocks * blocks, sizeof *view->filled);
-    view->pair = redcc_memory_take_zeroed((view->end - view->first) * blocks, sizeof *view->pair);
-    view->latest = redcc_memory_take_zeroed(blocks, sizeof *view->latest);
-    view->wait = redcc_memory_take(blocks * sizeof *view->wait);
+    view->filled = redcc_memory_alloc_zeroed(blocks * blocks, sizeof *view->filled);
+    view->pair = redcc_memory_alloc_zeroed((view->end - view->first) * blocks, sizeof *view->pair);
+    view->latest = redcc_memory_alloc_zeroed(blocks, sizeof *view->latest);
+    view->wait = redcc_memory_alloc(blocks * sizeof *view->wait);
     return view->filled && view->pair && view->latest && view->wait;
 }
 
-static void give_tables(struct view *view) {
+static void free_tables(struct view *view) {
     const size_t pairs = (size_t)(view->end - view->first) * view->blocks;
     for (size_t p = 0; view->pair && p < pairs; p++)
         redcc_schedule_end(&view->pair[p]);
-    redcc_memory_give(view->filled);
-    redcc_memory_give(view->pair);
-    redcc_memory_give(view->latest);
-    redcc_memory_give(view->wait);
+    redcc_memory_free(view->filled);
+    redcc_memory_free(view->pair);
+    redcc_memory_free(view->latest);
+    redcc_memory_free(view->wait);
 }
 
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
@@ -118,7 +118,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
     struct view view = {.blocks = plan->owners,
                         .first = redcc_part_first(plan->owners, plan->threads, thread),
                         .end = redcc_part_first(plan->owners, plan->threads, thread + 1)};
-    bool enough = take_tables(&view);
+    bool enough = alloc_tables(&view);
     for (int from = 0; enough && from < evidence->threads; from++)
         enough = redcc_visit_pairs(evidence, from, take_pair, &view);
     enough = enough && put_in_order(&view, schedule);
@@ -126,7 +126,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
         redcc_last_touches_nothing(evidence))
         enough = redcc_schedule_begin_task(schedule, NULL, 0) &&
                  redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false);
-    give_tables(&view);
+    free_tables(&view);
     redcc_schedule_finish(schedule);
     return enough;
 }

@@ -17,7 +17,7 @@ enum { SKIP, PLAIN, CHECKED };
 /* For each set of owners, the form in which `owner` executes its iterations: [sets->count]. NULL:
  * out of memory. */
 static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
-    unsigned char *part = redcc_memory_take_zeroed(sets->count, 1);
+    unsigned char *part = redcc_memory_alloc_zeroed(sets->count, 1);
     if (!part)
         return NULL;
     for (uint32_t set = 1; set < sets->count; set++)
@@ -66,7 +66,7 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
                                        redcc_span_count(summary, block, s), part[span.set] - PLAIN);
         }
     }
-    redcc_memory_give(part);
+    redcc_memory_free(part);
     return enough;
 }
 

@@ -12,7 +12,8 @@ struct watched {
     uint64_t last_use;
 };
 
-/* Never waited for: in a child of a process with several threads it may be held forever. */
+/* No thread waits for this lock: in a child of a process with several threads it may be held
+ * forever. */
 static struct spin lock;
 static struct watched watched[WATCHED];
 static uint64_t versions; /* the last version assigned */
@@ -35,9 +36,9 @@ static uint64_t version_of(struct watched *it) {
     return it->version;
 }
 
-/* Detects touched ranges before new pages are protected: protecting removes the record of writes,
- * and registering a mapping makes remapped addresses valid again. Ranges that overlap the new one
- * lose their versions. */
+/* Updates the versions of all ranges before new pages are protected. Protecting pages clears the
+ * record of writes, and registering a mapping makes remapped addresses valid again. Ranges that
+ * overlap the new one lose their versions. */
 static void settle_others(struct range pages) {
     for (int i = 0; i < WATCHED; i++) {
         if (redcc_ranges_overlap(watched[i].pages, pages))

@@ -42,9 +42,8 @@ struct opened {
 static struct opened faults;  /* the userfault descriptor, to protect pages */
 static struct opened pagemap; /* to scan them */
 
-/* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking never
- * started.
- */
+/* A byte that is 1 in this process, and that the system clears in a child. NULL: tracking was never
+ * started. */
 static volatile char *own_mark;
 
 static bool look_at(struct opened *opened) {
@@ -180,7 +179,7 @@ static bool try_out(void) {
     return passed;
 }
 
-/* Makes the marked page, if there is none. A child finds it cleared, and uses it again. */
+/* Makes the page with that byte, if there is none. A child finds it cleared, and uses it again. */
 static bool make_mark(void) {
     if (!own_mark)
         own_mark = redcc_wiped_page();
