@@ -154,21 +154,21 @@ reason check_text(const loop_analysis *j) {
  * case without a switch there belongs to one around the loop, which jumps into it. */
 static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                          unsigned switches) {
-    const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
     switch (node->kind) {
     case IR_BREAK:
         if (!loops_and_switches)
-            return analysis_reason(j, REASON_BREAK, node, counter);
+            return analysis_reason(j, REASON_BREAK, node, "break");
         break;
     case IR_RETURN:
-        return analysis_reason(j, REASON_RETURN, node, counter);
+        return analysis_reason(j, REASON_RETURN, node, "return");
     case IR_GOTO:
+        return analysis_reason(j, REASON_GOTO, node, "goto");
     case IR_LABEL:
-        return analysis_reason(j, REASON_GOTO, node, counter);
+        return analysis_reason(j, REASON_GOTO, node, "label");
     case IR_CASE:
     case IR_DEFAULT:
         if (!switches)
-            return analysis_reason(j, REASON_GOTO, node, counter);
+            return analysis_reason(j, REASON_GOTO, node, "case of a switch around it");
         break;
     default:
         break;
