@@ -80,6 +80,26 @@ static void array_read(const int *s) {
 #endif
 }
 
+/* The element is kept in a variable while others of its array are updated. */
+static void array_read_and_kept(const int *s) {
+#ifdef BEFORE
+    for (int t = ROWS / 2; t < ROWS; t++) { // BEFORE: array-read
+        double kept = h[t];
+        for (int i = 0; i < 3; i++) {
+            kept += e[t + i];
+            h[s[t - i]] -= e[t + i];
+        }
+        h[t] = kept;
+    }
+#else
+    for (int t = ROWS / 2; t < ROWS; t++) // EXPECT: transformed
+        for (int i = 0; i < 3; i++) {
+            h[t] += e[t + i];
+            h[s[t - i]] -= e[t + i];
+        }
+#endif
+}
+
 static double array_stored(int n, double *restrict h) {
     double x = 1;
 #ifdef BEFORE
@@ -267,6 +287,7 @@ int main(void) {
         update_value_used(N);
         update_in_expression(N);
         array_read(lower);
+        array_read_and_kept(lower);
         x_sum += array_stored(ROWS, rows);
         base_varies(N);
         row_pointers(N, c);

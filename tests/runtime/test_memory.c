@@ -2,9 +2,17 @@
 /* Allocations fail from the first call on, from the second on, ... until all succeed: the results
  * are right each time, and nothing is leaked. Also tests the limit. Run with a named method. */
 #include "base/memory.h"
+#include "base/system.h"
 #include "loop.h"
 #include "problem.h"
 
+#include <errno.h>
+#ifdef __linux__
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#endif
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -72,10 +80,31 @@ static void a_limit_is_kept(void **unused) {
     problem_free(&problem);
 }
 
+/* Short loops ask before each execution, and a system call takes longer than many of them: the
+ * kernel, told to refuse, is not asked again. */
+static void the_system_is_asked_once(void **unused) {
+    (void)unused;
+#ifdef __linux__
+    const uint64_t there = redcc_system_memory();
+    assert_true(there >> 20 > 0);
+    struct sock_filter refuse[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_sysinfo, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+    };
+    const struct sock_fprog program = {sizeof refuse / sizeof *refuse, refuse};
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+        prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+        skip();
+    assert_true(redcc_system_memory() == there);
+#endif
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(failing_memory),
-        cmocka_unit_test(a_limit_is_kept),
+        cmocka_unit_test(failing_memory), cmocka_unit_test(a_limit_is_kept),
+        cmocka_unit_test(the_system_is_asked_once), /* the last: refusing stays */
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -253,6 +253,8 @@ static bool contains_transformed(const loop_search *s, unsigned from, const ir_n
 static void put_verdict(loop_search *s, unsigned from, loop_verdict verdict) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].loop == verdict.loop) {
+            if (verdict.kind == VERDICT_BLOCKS)
+                blocks_note_refusal(s->an, &verdict, &s->verdicts.items[i]);
             if (verdict.kind == VERDICT_BLOCKS ||
                 s->verdicts.items[i].kind == VERDICT_NOT_A_REDUCTION)
                 s->verdicts.items[i] = verdict;

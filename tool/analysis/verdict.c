@@ -387,13 +387,22 @@ static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
                           .facts = finish_facts(j)};
 }
 
+/* The array of a store that is no update: `h[i] = 0`. */
+static const char *name_written(const loop_analysis *j, const ir_node *store) {
+    const ir_node *lvalue = expression_written(store);
+    if (!lvalue)
+        lvalue = store;
+    const location where = location_of(j->an->facts, lvalue, j->loop);
+    return expression_text(j->an->memory, where.base ? where.base : lvalue);
+}
+
 loop_verdict verdict_regular(const analyser *whole, ir_function *function, ir_node *loop,
                              const ir_node *update) {
     assert(ir_contains(loop, update));
     const analyser *an = analyser_for(whole, loop);
     loop_analysis j = {.an = an, .function = function, .loop = loop};
     const array_list arrays = arrays_of_kind(&j, CONFLICT_REGULAR);
-    const char *name = arrays.count ? arrays.items[0].array.name : "?";
+    const char *name = arrays.count ? arrays.items[0].array.name : name_written(&j, update);
     return refused(&j, analysis_reason(&j, REASON_REGULAR_NEST, update, name), CONFLICT_REGULAR);
 }
 

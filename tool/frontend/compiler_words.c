@@ -17,7 +17,17 @@ static const char storage_order[] = "scalar_storage_order";
 /* gcc's -fopenmp defines it, clang's does not. */
 static const char threads[] = "_REENTRANT";
 
-static const char *word_in(file_text file) {
+/* The whole name around `at`. */
+static const char *name_at(converter *c, file_text file, const char *at) {
+    const char *begin = at, *end = at;
+    while (begin > file.text && source_is_name_byte(begin[-1]))
+        begin--;
+    while (end < file.text + file.length && source_is_name_byte(*end))
+        end++;
+    return arena_copy(c->arena, begin, (size_t)(end - begin));
+}
+
+static const char *word_in(converter *c, file_text file) {
     static const char *const words[] = {"__clang",     "__llvm__", "__GNUC",
                                         "__VERSION__", "__has_",   "__GCC"};
     const char *at = file.text, *end = file.text + file.length;
@@ -25,7 +35,7 @@ static const char *word_in(file_text file) {
         for (unsigned i = 0; i < sizeof words / sizeof *words; i++) {
             const size_t length = strlen(words[i]);
             if ((size_t)(end - at) >= length && memcmp(at, words[i], length) == 0)
-                return words[i];
+                return name_at(c, file, at);
         }
         at++;
     }
@@ -119,7 +129,7 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     if (is_of_system(c, file))
         return;
     if (c->unit->text.compiler_word == NULL)
-        c->unit->text.compiler_word = word_in(text);
+        c->unit->text.compiler_word = word_in(c, text);
     c->unit->text.names_optimize |= names_optimize(text);
     c->unit->text.names_target |= names_target(text);
     if (tests_true_or_false(c, file))

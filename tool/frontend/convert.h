@@ -208,6 +208,8 @@ ir_node *convert_statement(converter *c, CXCursor cursor);
 /** An expression, or a statement in a for's header or a statement expression. */
 ir_node *convert_any(converter *c, CXCursor cursor);
 ir_node *convert_literal(converter *c, CXCursor cursor);
+/** An integer that is compared with 1e6 is compared with 1000000. */
+void compare_as_integers(converter *c, ir_node *comparison);
 /** sizeof and the like. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor);
 /** An opaque node with all expressions and statements of the cursor as children; type NULL: a

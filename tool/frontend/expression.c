@@ -223,6 +223,8 @@ static ir_node *convert_binary(converter *c, CXCursor cursor) {
     ir_node *node =
         convert_parts(c, cursor, is_assignment || is_compound ? IR_ASSIGN : IR_BINARY, &parts);
     node->op = op;
+    if (node->kind == IR_BINARY && op >= IR_OP_LESS && op <= IR_OP_NOT_EQUAL)
+        compare_as_integers(c, node);
     return node;
 }
 

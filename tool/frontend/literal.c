@@ -135,6 +135,43 @@ static ir_node *convert_floating(converter *c, CXCursor cursor) {
     return node;
 }
 
+/* The whole number that the floating literal is; false: it is none, or some integer beside it has
+ * no value of its own in the literal's type. */
+static bool whole_value(const ir_node *literal, int64_t *value) {
+    const ir_type *type = literal->type;
+    if (literal->kind != IR_NUMBER || type->kind != IR_FLOATING || type->size > 8)
+        return false;
+    char *end;
+    const double number = strtod(literal->text, &end);
+    const double most = type->size == 4 ? 1 << 24 : (double)(1LL << 53);
+    const char *suffix = type->size == 4 ? "fF" : "";
+    if (!(number > -most && number < most) || end[strspn(end, suffix)] != '\0')
+        return false;
+    *value = (int64_t)number;
+    return number == (double)*value;
+}
+
+/* Has the type the value? */
+static bool type_holds(const ir_type *type, int64_t value) {
+    return ir_type_is_plain_integer(type) && !type->is_const && type->size >= 4 &&
+           (type->is_signed || value >= 0) && (type->size > 4 || value == (int32_t)value);
+}
+
+/* The integer becomes floating for the comparison, which keeps the order: a greater one does not
+ * become less. Those beside the literal keep their values. So integers are compared as well. */
+void compare_as_integers(converter *c, ir_node *comparison) {
+    for (unsigned side = 0; side < 2; side++) {
+        ir_node *literal = comparison->children[side];
+        const ir_type *type = comparison->children[1 - side]->type;
+        int64_t value;
+        if (!whole_value(literal, &value) || !type_holds(type, value))
+            continue;
+        literal->type = type;
+        literal->text = value_text(c, value, type);
+        set_value(literal, value);
+    }
+}
+
 static ir_node *convert_character(converter *c, CXCursor cursor) {
     file_text at = text_at(c, clang_getCursorLocation(cursor));
     ir_node *node = new_number(c, cursor, character_text(c, at));

@@ -70,6 +70,13 @@ static const char *scalar_list(arena *a, const fixed_blocks *blocks) {
     return buffer_take(a, &out);
 }
 
+/* What the loop updates beside them. */
+static const char *lock_words(arena *a, const fixed_blocks *blocks) {
+    return blocks->lock
+               ? arena_format(a, "; what '%s' protects is updated in any order", blocks->lock)
+               : "";
+}
+
 static const char *plan_words(arena *a, const loop_verdict *verdict) {
     const char *plan = verdict_plan(a, verdict).word;
     return strcmp(plan, "never") == 0    ? "is translated, but stays sequential"
@@ -89,8 +96,9 @@ const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
     case VERDICT_BLOCKS:
         return arena_format(a,
                             "loop in '%s' runs by its directive, in fixed blocks: same bits at "
-                            "every thread count: %s",
-                            function, scalar_list(a, verdict->facts->variables.blocks));
+                            "every thread count: %s%s",
+                            function, scalar_list(a, verdict->facts->variables.blocks),
+                            lock_words(a, verdict->facts->variables.blocks));
     case VERDICT_REFUSE:
         return arena_format(a, "loop in '%s' stays %s: %s: %s", function,
                             verdict->facts && verdict->facts->variables.openmp ? "as it is"

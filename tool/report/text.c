@@ -2,6 +2,7 @@
 /** Remarks in the form that clang prints and editors read. */
 #include <string.h>
 
+#include "analysis/base/openmp_loop.h"
 #include "report/facts.h"
 #include "report/plan.h"
 
@@ -126,6 +127,18 @@ static void refused(arena *a, buffer *out, const report_input *input, const loop
     by_pragma(a, out, input, verdict);
 }
 
+static void in_blocks(arena *a, buffer *out, const report_input *input,
+                      const loop_verdict *verdict) {
+    const fixed_blocks *blocks = verdict->facts->variables.blocks;
+    message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
+            " [-Rredcc=reduction]");
+    if (blocks->lock && blocks->unordered)
+        message(out, input, verdict_offset(verdict), "note",
+                arena_format(a, "what '%s' protects keeps no order: %s", blocks->lock,
+                             blocks->unordered),
+                "");
+}
+
 void report_text(arena *a, buffer *out, const report_input *input) {
     for (unsigned i = 0; i < input->analysis->verdict_count; i++) {
         const loop_verdict *verdict = &input->analysis->verdicts[i];
@@ -135,8 +148,7 @@ void report_text(arena *a, buffer *out, const report_input *input) {
         else if (verdict->kind == VERDICT_TRANSFORM)
             transformed(a, out, input, verdict);
         else if (verdict->kind == VERDICT_BLOCKS)
-            message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
-                    " [-Rredcc=reduction]");
+            in_blocks(a, out, input, verdict);
         else if (verdict->kind == VERDICT_REFUSE)
             refused(a, out, input, verdict);
         else

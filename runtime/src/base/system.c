@@ -137,11 +137,16 @@ int redcc_system_node(void) {
     return -1;
 }
 
+/* Asked once: loops need it before each execution, and many are shorter than a system call. */
 uint64_t redcc_system_memory(void) {
+    static atomic_uint mebibytes;
+    unsigned known = atomic_load_explicit(&mebibytes, memory_order_relaxed);
     struct sysinfo info;
-    if (redcc_system(SYS_sysinfo, &info) != 0)
-        return 0;
-    return (uint64_t)info.totalram * info.mem_unit;
+    if (known == 0 && redcc_system(SYS_sysinfo, &info) == 0) {
+        known = (unsigned)((uint64_t)info.totalram * info.mem_unit >> 20);
+        atomic_store_explicit(&mebibytes, known, memory_order_relaxed);
+    }
+    return (uint64_t)known << 20;
 }
 
 void redcc_system_yield(void) {

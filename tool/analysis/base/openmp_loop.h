@@ -40,6 +40,9 @@ typedef struct fixed_blocks {
     bool keeps_counter; /* a clause names the counter, and determines its final value */
     team_facts team;    /* of OPENMP_FOR */
     bool is_balanced;   /* `schedule` suggests that all iterations take the same time */
+    const char *lock;   /* "atomic" or "critical", in the loop: what it protects is updated in any
+                         * order; NULL: none */
+    const char *unordered; /* why that is not updated in the sequential order; NULL: not known */
 } fixed_blocks;
 
 /** NULL: the loop has no OpenMP directives, above it or inside, or they are inactive. */

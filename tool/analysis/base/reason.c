@@ -24,7 +24,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_UPDATE_VALUE_USED] =
         "split the loop: its other updates, and counting alone, may run in parallel",
     [REASON_UPDATE_IN_EXPRESSION] = "make the update a separate statement",
-    [REASON_ARRAY_READ] = "read from a copy made before the loop",
+    [REASON_ARRAY_READ] = "if the old values are meant, read from a copy made before the loop",
     [REASON_ARRAY_STORED] =
         "make the store a separate statement, and move one to a fixed element behind the loop",
     [REASON_BASE_VARIES] =

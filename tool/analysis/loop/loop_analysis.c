@@ -6,6 +6,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
+#include "analysis/memory/update_group.h"
 #include "ir/ir_position.h"
 
 /* vector_grow copies; without items there is no storage to be shared */
@@ -110,6 +111,12 @@ reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *nod
         const ir_function *function = ir_function_named(j->an->unit, name);
         result.advice = reason_advice_on_call(j->an->memory, name, function && function->body);
     }
+    const ir_variable *holder = why == REASON_ARRAY_READ && node ? update_group_holder(node) : NULL;
+    if (holder)
+        result.advice = arena_format(j->an->memory,
+                                     "if nothing else changes this element meanwhile, update it "
+                                     "itself in place of '%s'",
+                                     holder->name);
     return result;
 }
 

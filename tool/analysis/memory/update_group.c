@@ -136,6 +136,38 @@ bool update_group_of(variable_facts *facts, const ir_node *assignment, update_gr
     return find_load(&r, assignment->children[1], assignment->children[0], group);
 }
 
+/* The variable that becomes the element's value here. */
+static const ir_variable *loaded_by(const ir_node *read) {
+    const ir_node *load = read->parent;
+    if (!load)
+        return NULL;
+    if (load->kind == IR_DECLARATOR)
+        return load->variable;
+    return load->kind == IR_ASSIGN && load->op == IR_OP_NONE && load->children[1] == read &&
+                   load->children[0]->kind == IR_VARIABLE
+               ? load->children[0]->variable
+               : NULL;
+}
+
+static bool stores_back(const ir_node *statement, const ir_variable *variable,
+                        const ir_node *element) {
+    const ir_node *store = statement->kind == IR_EXPRESSION ? statement->children[0] : statement;
+    return store->kind == IR_ASSIGN && store->op == IR_OP_NONE &&
+           expression_same(store->children[0], element) &&
+           expression_mentions(store->children[1], variable);
+}
+
+const ir_variable *update_group_holder(const ir_node *read) {
+    const ir_variable *variable = loaded_by(read);
+    const ir_node *block = variable && read->parent->parent ? read->parent->parent->parent : NULL;
+    if (!block || block->kind != IR_BLOCK || !is_plain_scalar(variable))
+        return NULL;
+    for (unsigned i = 0; i < block->child_count; i++)
+        if (block->children[i]->id > read->id && stores_back(block->children[i], variable, read))
+            return variable;
+    return NULL;
+}
+
 bool update_group_has(const update_group *group, const ir_node *node) {
     const ir_node *block = group->first->parent;
     assert(group->last->parent == block && group->first->id <= group->last->id);

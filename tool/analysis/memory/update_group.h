@@ -16,6 +16,10 @@ typedef struct update_group {
 /** Is the assignment the last of such statements? */
 bool update_group_of(variable_facts *facts, const ir_node *assignment, update_group *group);
 
+/** The local variable that is loaded from the element read here, and stored to it by a later
+ *  statement of the block, whatever stands between; NULL: none. */
+const ir_variable *update_group_holder(const ir_node *read);
+
 /** Is the node in one of its statements? */
 bool update_group_has(const update_group *group, const ir_node *node);
 

@@ -189,6 +189,12 @@ static void check_body(search *s, const fixed_blocks *blocks) {
         refuse(s, "%s", "the function, which is not understood");
 }
 
+static const char *lock_in(const ir_unit *unit, ir_range range) {
+    return directives_name(unit, range, "critical") ? "critical"
+           : directives_name(unit, range, "atomic") ? "atomic"
+                                                    : NULL;
+}
+
 /* Sets keeps_counter: does a clause name the counter, which is declared outside of the loop? */
 static void check_names(search *s, fixed_blocks *blocks, const counted_loop *counted) {
     const openmp_directive *read = &blocks->directive;
@@ -210,6 +216,17 @@ static loop_facts *facts_of(const search *s, const counted_loop *counted,
     facts->variables.openmp = openmp_of_loop(s->an->memory, s->an->unit, s->loop);
     facts->variables.blocks = blocks;
     return facts;
+}
+
+void blocks_note_refusal(const analyser *an, const loop_verdict *verdict,
+                         const loop_verdict *before) {
+    if (before->kind != VERDICT_REFUSE)
+        return;
+    fixed_blocks *blocks = ARENA_NEW(an->memory, fixed_blocks);
+    *blocks = *verdict->facts->variables.blocks;
+    blocks->unordered =
+        arena_format(an->memory, "%s: %s", reason_code(before->why.id), before->why.message);
+    verdict->facts->variables.blocks = blocks;
 }
 
 bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
@@ -235,6 +252,7 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
     const counted_loop counted = check_header(&s, blocks);
     check_names(&s, blocks, &counted);
     check_body(&s, blocks);
+    blocks->lock = lock_in(an->unit, loop->range);
     if (!s.why && blocks->directive.construct == OPENMP_FOR)
         s.why =
             team_of_loop(an, function, loop, &blocks->directive, counted.counter, &blocks->team);

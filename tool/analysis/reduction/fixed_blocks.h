@@ -19,4 +19,9 @@
 bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
                     loop_verdict *verdict);
 
+/** Notes why the loop's other updates are not made in the sequential order: `before` is the verdict
+ *  about them. */
+void blocks_note_refusal(const analyser *an, const loop_verdict *verdict,
+                         const loop_verdict *before);
+
 #endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Floating bounds that no integer replaces. */
+// covers: row 8, row 9
+static double h[100];
+
+void not_whole(const int *k) {
+    for (int i = 0; i < 99.5; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+}
+
+/* 16777217 becomes 16777216 as a float, and 16777216 is not less. */
+void as_float(const int *k) {
+    for (int i = 0; i < 16777216.f; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+    for (int i = 0; i <= 16777216.f; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+}
+
+void as_double(const int *k) {
+    for (long i = 0; i <= 9007199254740992.0; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+}
+
+/* As a double the bound is 1. */
+void as_long_double(const int *k) {
+    for (int i = 0; i < 0.99999999999999999999L; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+}
+
+void beyond_the_type(const int *k) {
+    for (int i = 0; i < 3e9; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+    for (unsigned i = 0; i < 5e9; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+}
+
+void no_literal(const int *k, double n) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse trip-count
+        h[k[i]] += 1;
+}
