@@ -192,7 +192,7 @@ gcc -x c-header elsewhere/all.h -o elsewhere/all.h.gch
 for options in "-include elsewhere/all.h" "-Ielsewhere -Winvalid-pch -include all.h"; do
   # shellcheck disable=SC2086
   expect_untranslated gcc -v $options
-  expect_match messages 'a precompiled header, elsewhere/all\.h\.gch'
+  expect_match messages 'the precompiled header elsewhere/all\.h\.gch'
   # shellcheck disable=SC2086
   expect_untranslated gcc $options
   expect_empty messages
