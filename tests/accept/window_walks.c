@@ -113,6 +113,22 @@ static void all_of_it(int n) {
     }
 }
 
+/* The table decides the elements. */
+static void subscripts(int n, int order) {
+    int place[TABLE], *to, *from;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int k;
+        for (to = place, k = 0; k < order; k++)
+            *to++ = (s[t] + k * 5) % (SIDE * 4);
+        for (from = place, k = 0; k < order; k++) {
+            const int at = *from++;
+            h[at] += e[t] * k;
+        }
+        for (from = place, k = 0; k < order; k++, from++)
+            h[*from] -= 0.5;
+    }
+}
+
 int main(void) {
     case_subscripts(s, N, SIDE * 4);
     case_subscripts(c, N, 3);
@@ -130,6 +146,7 @@ int main(void) {
         in_pairs(N, 4 + round);
         to_an_end(N, 5 + round);
         all_of_it(N);
+        subscripts(N, 3 + 2 * round);
     }
     CASE_PRINT(grid);
     CASE_PRINT(line);
