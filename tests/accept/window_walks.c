@@ -124,8 +124,10 @@ static void subscripts(int n, int order) {
             const int at = *from++;
             h[at] += e[t] * k;
         }
-        for (from = place, k = 0; k < order; k++, from++)
+        for (from = place, k = 0; k < order; k++) {
             h[*from] -= 0.5;
+            from++;
+        }
     }
 }
 
