@@ -17,7 +17,10 @@ static table declare_table(kernel *k) {
     const char *name = new_name(k, "w"), *counter = new_name(k, "c"), *low = new_name(k, "low");
     const bool is_integer = chance(k, 40), is_outside = chance(k, 75);
     const char *type = is_integer ? "int" : "double";
-    table w = {.name = name, .counter = counter, .low = low, .is_integer = is_integer,
+    table w = {.name = name,
+               .counter = counter,
+               .low = low,
+               .is_integer = is_integer,
                .is_outside = is_outside};
     put(k, is_outside ? &k->locals : &k->body, "    %s %s[64] = {0};\n", type, name);
     for (int i = 0; i < 2; i++) {

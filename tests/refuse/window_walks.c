@@ -150,7 +150,7 @@ void reader_steps_before(int n, int m) {
     }
 }
 
-void header_and_body_step(int n, int m) {
+void writer_steps_twice(int n, int m) {
     double w[TABLE], *p, *q;
     int k;
     for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
@@ -412,6 +412,63 @@ void step_kept(int n, int m) {
         for (p = w, k = 0; k < m; k++)
             *p++ = e[t];
         kept = p--;
+        for (q = w, k = 0; k < m; k++, q++)
+            h[s[t] + k] += *q;
+    }
+}
+
+void start_of_the_reader_changes(int n, int m) {
+    double w[TABLE], *p, *q;
+    int k;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        int low = s[t];
+        q = w + low;
+        low = c[t];
+        p = w + low;
+        for (k = 0; k < m; k++)
+            *p++ = e[t];
+        for (k = 0; k < m; k++) {
+            const double v = *q++;
+            h[s[t] + k] += v;
+        }
+    }
+}
+
+void begins_at_another_element(int n, int m) {
+    double w[TABLE], *p, *q;
+    int k;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        for (p = &w[0], k = 0; k < m; k++, p++)
+            *p = e[t];
+        for (p = &w[1], k = 0; k < m; k++, p++)
+            h[s[t] + k] += *p;
+    }
+}
+
+void moved_in_its_declaration(int n, int m) {
+    double w[TABLE], *p, *q;
+    int k;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        p = w;
+        for (k = 0; k < m; k++)
+            *p++ = e[t];
+        double *r = w, *other = r++;
+        for (k = 0; k < m; k++) {
+            const double v = *r++;
+            h[s[t] + k] += v + (other == p);
+        }
+        q = w;
+    }
+}
+
+void in_the_callers_table(int n, int m, double *from) {
+    double w[TABLE], *p, *q;
+    int k;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
+        for (p = from, k = 0; k < m; k++, p++)
+            h[s[t] + k] += *p;
+        for (p = w, k = 0; k < m; k++, p++)
+            *p = e[t];
         for (q = w, k = 0; k < m; k++, q++)
             h[s[t] + k] += *q;
     }

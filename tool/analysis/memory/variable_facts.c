@@ -179,8 +179,8 @@ static bool is_null_pointer(const ir_node *value) {
     int64_t number;
     while (value->kind == IR_CAST && value->type->kind == IR_POINTER)
         value = value->children[0];
-    return value->type && value->type->kind == IR_INTEGER &&
-           expression_constant(value, &number) && number == 0;
+    return value->type && value->type->kind == IR_INTEGER && expression_constant(value, &number) &&
+           number == 0;
 }
 
 /* The array's name in w, w + k, w - k, &w[k]; NULL: another value. */

@@ -166,23 +166,22 @@ static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_
     return start && other && add_counter(twins, a, start, b, other);
 }
 
-/* Do both loops step these counters in the same way: by their headers, or by their bodies? */
+/* Do the bodies step these counters in the same way, or not at all? */
 static bool same_steps(const twin_loops *twins, const ir_variable *a, const ir_variable *b) {
     ir_node *const *writer = twins->writer->children, *const *reader = twins->reader->children;
     if (!variable_is_written_in(writer[3], a) && !variable_is_written_in(reader[3], b))
         return true;
     const ir_node *step = step_of_body(writer[3], a), *other = step_of_body(reader[3], b);
-    return step && other && same_tree(twins, step, other) &&
-           !variable_is_written_in(writer[2], a) && !variable_is_written_in(reader[2], b);
+    return step && other && same_tree(twins, step, other);
 }
 
 static bool same_headers(twin_loops *twins, const ir_node *element, const ir_node *read) {
     ir_node *const *a = twins->writer->children, *const *b = twins->reader->children;
     twins->counter_count = 0;
     if (!add_earlier_start(twins, pointer_of(element), pointer_of(read)) ||
-        !same_start(twins, a[0], b[0]) || a[1]->kind == IR_EMPTY || b[1]->kind == IR_EMPTY || !expression_is_plain(a[1]) ||
-        !same_tree(twins, a[1], b[1]) || a[2]->kind == IR_EMPTY || b[2]->kind == IR_EMPTY ||
-        !same_tree(twins, a[2], b[2]))
+        !same_start(twins, a[0], b[0]) || a[1]->kind == IR_EMPTY || b[1]->kind == IR_EMPTY ||
+        !expression_is_plain(a[1]) || !same_tree(twins, a[1], b[1]) || a[2]->kind == IR_EMPTY ||
+        b[2]->kind == IR_EMPTY || !same_tree(twins, a[2], b[2]))
         return false;
     for (unsigned i = 0; i < twins->counter_count; i++)
         if (!same_steps(twins, twins->counters[i].of_writer, twins->counters[i].of_reader))

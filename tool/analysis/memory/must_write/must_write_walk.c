@@ -49,10 +49,10 @@ static const ir_node *step_at_end(const ir_node *body, const ir_variable *variab
         return NULL;
     const ir_node *step = last->children[0], *target = expression_written(step);
     int64_t constant;
-    const bool is_step = ir_is_increment(step) ||
-                         (step->kind == IR_ASSIGN &&
-                          (step->op == IR_OP_ADD || step->op == IR_OP_SUBTRACT) &&
-                          expression_constant(step->children[1], &constant));
+    const bool is_step =
+        ir_is_increment(step) ||
+        (step->kind == IR_ASSIGN && (step->op == IR_OP_ADD || step->op == IR_OP_SUBTRACT) &&
+         expression_constant(step->children[1], &constant));
     if (!is_step || !expression_is_variable(target, variable))
         return NULL;
     for (unsigned i = 0; i + 1 < body->child_count; i++)
