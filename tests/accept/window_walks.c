@@ -131,6 +131,20 @@ static void subscripts(int n, int order) {
     }
 }
 
+/* What pointers have written is read by the table's name, as bounds and as steps. */
+static void read_by_name(int n) {
+    int w[4] = {0}, *p;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        p = w;
+        for (int k = 0; k < 4; k++)
+            *p++ = 1 + c[(t + k) % n];
+        for (int j = 0; j < w[1]; j++)
+            h[s[t] / 2 + j] += e[t];
+        for (int j = 0; j < 9; j += w[2])
+            h[s[t] / 2 + j] -= x[t];
+    }
+}
+
 int main(void) {
     case_subscripts(s, N, SIDE * 4);
     case_subscripts(c, N, 3);
@@ -148,6 +162,7 @@ int main(void) {
         in_pairs(N, 4 + round);
         to_an_end(N, 5 + round);
         all_of_it(N);
+        read_by_name(N);
         subscripts(N, 3 + 2 * round);
     }
     CASE_PRINT(grid);

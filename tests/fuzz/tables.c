@@ -25,8 +25,7 @@ static table declare_table(kernel *k) {
     put(k, is_outside ? &k->locals : &k->body, "    %s %s[64] = {0};\n", type, name);
     for (int i = 0; i < 2; i++) {
         w.pointers[i] = new_name(k, "p");
-        put(k, is_outside || chance(k, 50) ? &k->locals : &k->body, "    %s *%s%s;\n", type,
-            w.pointers[i], is_outside || chance(k, 50) ? " = 0" : "");
+        put(k, is_outside ? &k->locals : &k->body, "    %s *%s = 0;\n", type, w.pointers[i]);
     }
     put(k, &k->locals, "    int %s = 0;\n", counter);
     w.length = new_name(k, "length");

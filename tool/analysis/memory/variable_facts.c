@@ -39,8 +39,22 @@ static bool is_step(const ir_node *write) {
            (write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT));
 }
 
+/* An operand of assembler and the like: it may be an output. Sizes of arrays only read. */
+static void note_hidden_write(variable_facts *all, const ir_node *node, const ir_node *operand) {
+    const ir_variable *variable = expression_object(operand);
+    if (!variable || ir_is_statement_expression(node) || ir_is_lengths(node))
+        return;
+    variable_fact *fact = &all->facts[variable->id];
+    VECTOR_PUSH(all->memory, &fact->writes, node);
+    fact->write_count++;
+    fact->definition = fact->start = NULL;
+    fact->definition_place = node;
+}
+
 static bool note_occurrence(ir_node *node, void *context) {
     variable_facts *all = context;
+    for (unsigned i = 0; node->kind == IR_OPAQUE && i < node->child_count; i++)
+        note_hidden_write(all, node, node->children[i]);
     if (node->kind == IR_VARIABLE && node->variable) {
         variable_fact *fact = &all->facts[node->variable->id];
         VECTOR_PUSH(all->memory, &fact->occurrences, node);
