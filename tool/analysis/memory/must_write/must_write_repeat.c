@@ -36,7 +36,7 @@ typedef struct twin_loops {
 } twin_loops;
 
 static bool is_number_or_pointer(const ir_type *type) {
-    return ir_type_is_plain_integer(type) || type->kind == IR_POINTER;
+    return type && (ir_type_is_plain_integer(type) || type->kind == IR_POINTER);
 }
 
 /* A local integer or pointer that changes by its name only. */
