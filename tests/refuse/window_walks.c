@@ -327,16 +327,19 @@ void past_a_label(int n, int m) {
     double w[TABLE], *p, *q;
     int k;
     for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        int low = 0;
         p = w;
         for (k = 0; k < m; k++)
             *p++ = e[t];
         q = w + c[t];
         switch (c[t]) {
         case 0:
+            low = 2;
             q = w;
         case 1:
+            low = 1;
             for (k = 0; k < m; k++) {
-                const double v = *q++;
+                const double v = *q++ * low;
                 h[s[t] + k] += v;
             }
         }
