@@ -28,6 +28,19 @@ __attribute__((noipa)) static void another_type(int n, const any_int *subscript,
         to[subscript[t] % M] += 1.0f;
 }
 
+/* Only the assembler says that the pointers are elsewhere. */
+static void by_assembler(int n) {
+    static double other[N];
+    double *once = other, own[M] = {0}, *twice = own;
+    twice = own;
+    __asm__("" : "=r"(once) : "0"(&object[3]));
+    __asm__("" : "=r"(twice) : "0"(&object[5]));
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        object[k[t]] += 0.5 * once[0];
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        object[k[t]] += 0.25 * twice[0];
+}
+
 int main(void) {
     case_values(object, N);
     case_subscripts(k, N, M);
@@ -39,6 +52,7 @@ int main(void) {
     case_subscripts(s, 2 * N, M);
     for (int round = 0; round < 3; round++) {
         two_names(N);
+        by_assembler(N);
         another_type(N, s, h);
         another_type(M, (const any_int *)h, h);
         CASE_PRINT(object);

@@ -369,6 +369,8 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
         put_alike(k, loop_along_a_list);
     else if (k->has_walks && chance(k, 80))
         put_alike(k, walk_along_elements);
+    else if (k->has_tables && chance(k, 80))
+        put_alike(k, tables_by_pointers);
     else
         put_statements(k, with_bait);
     buffer_text(&k->body, end);
@@ -448,6 +450,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_parts = seed % 6 == 1;
     k.has_turns = seed % 7 == 6;
     k.has_walks = seed % 9 == 4;
+    k.has_tables = seed % 8 == 3;
     k.has_shapes = seed % 3 == 1;
     k.has_leaving = seed % 6 == 2;
     k.has_recent = strchr("2569", '0' + (int)(seed % 10)) != NULL;

@@ -129,7 +129,8 @@ static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
     return declarator && ir_contains(s->j->loop, declarator);
 }
 
-/* Uses of a variable in memory. Values stored through pointers are not followed. */
+/* Uses of a variable in memory. Values stored through pointers are followed only into arrays whose
+ * pointers the analysis all knows (keep_stores_into). */
 typedef enum use_kind { USE_IN_PLACE, USE_BY_CALL, USE_UNKNOWN } use_kind;
 
 static use_kind use_kind_of(const ir_node *node) {
@@ -194,6 +195,17 @@ static bool is_in_update(const slicer *s, const ir_node *node) {
     return false;
 }
 
+/* Keeps what may store into the array through pointers. As it does not escape, each such pointer's
+ * location is the array, or entirely unknown. */
+static void keep_stores_into(slicer *s, const ir_variable *array) {
+    for (unsigned i = 0; i < s->j->access_count; i++) {
+        const loop_access *a = &s->j->accesses[i];
+        const bool is_unknown = !a->access.lvalue || (!a->where.object && !a->where.pointer);
+        if (a->access.kind != ACCESS_READ && (is_unknown || a->where.object == array))
+            keep_statement(s, expression_place(a->access.node), NULL);
+    }
+}
+
 static void need_part(slicer *s, needed_part part) {
     const ir_variable *variable = part.variable;
     if (!is_of_iteration(s, variable) || note_part(s, part))
@@ -216,7 +228,10 @@ static void need_part(slicer *s, needed_part part) {
         if (!ir_contains(loop, use) || !concerns(part.field, part_of(use)))
             continue;
         const use_kind kind = use_kind_of(use);
-        if (kind == USE_UNKNOWN)
+        if (kind == USE_UNKNOWN && variable->type->kind == IR_ARRAY &&
+            !variable_escapes(s->j->an->facts, variable))
+            keep_stores_into(s, variable);
+        else if (kind == USE_UNKNOWN)
             fail(s, use);
         else if (kind == USE_BY_CALL)
             keep_statement(s, expression_place(use), NULL);

@@ -14,6 +14,7 @@
 
 typedef struct dependence {
     arena *memory;
+    variable_facts *facts;
     VECTOR(const ir_variable *) variables;
     bool has_changed;
     bool has_update; /* an update that depends on the counter */
@@ -92,16 +93,27 @@ static bool address_depends(const dependence *d, const ir_node *lvalue) {
     return depends(d, lvalue);
 }
 
+/* The table w of *p, *p++, p[k] with p in w; NULL: another lvalue. */
+static const ir_variable *array_walked_by(const dependence *d, const ir_node *lvalue) {
+    while (lvalue->kind != IR_VARIABLE && lvalue->child_count)
+        lvalue = lvalue->children[0];
+    const ir_node *array =
+        lvalue->kind == IR_VARIABLE ? variable_walked_array(d->facts, lvalue->variable) : NULL;
+    return array ? array->variable : NULL;
+}
+
 /* `is_dependent`: whether this is executed depends on the counter. */
 static void visit(dependence *d, const ir_node *node, bool is_dependent) {
     const ir_node *target = expression_written(node);
     if (target) {
         bool value_depends = is_dependent || address_depends(d, target) ||
                              (node->kind == IR_ASSIGN && depends(d, node->children[1]));
-        /* A store through a pointer does not change the pointer. */
+        /* A store through a pointer does not change the pointer, but the table that it walks in. */
         ir_variable *root = ir_root_variable(target);
         if (value_depends && root && (target->kind == IR_VARIABLE || !is_pointer(root)))
             add(d, root);
+        else if (value_depends)
+            add(d, array_walked_by(d, target));
         if (target->kind != IR_VARIABLE && (is_dependent || address_depends(d, target)))
             d->has_update = true;
     }
@@ -125,7 +137,7 @@ bool candidate_varies(const analyser *an, const ir_node *loop) {
     counted_result counted = counted_recognise_analysed((ir_node *)loop);
     if (!counted.is_counted)
         return true;
-    dependence d = {.memory = an->memory};
+    dependence d = {.memory = an->memory, .facts = an->facts};
     add(&d, counted.loop.counter);
     do {
         d.has_changed = false;

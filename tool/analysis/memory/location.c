@@ -182,6 +182,9 @@ static location variable_location(const query *q, const ir_node *node, unsigned 
         move_by_unknown(&l);
         return l;
     }
+    const ir_node *array = value ? NULL : variable_walked_array(q->facts, node->variable);
+    if (array)
+        return pointed_location(q, array, depth);
     if (!value)
         return pointer_base(node);
     /* variable_escapes relies on every pointer with one definition being looked through, or

@@ -39,8 +39,22 @@ static bool is_step(const ir_node *write) {
            (write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT));
 }
 
+/* An operand of assembler and the like: it may be an output. Sizes of arrays only read. */
+static void note_hidden_write(variable_facts *all, const ir_node *node, const ir_node *operand) {
+    const ir_variable *variable = expression_object(operand);
+    if (!variable || ir_is_statement_expression(node) || ir_is_lengths(node))
+        return;
+    variable_fact *fact = &all->facts[variable->id];
+    VECTOR_PUSH(all->memory, &fact->writes, node);
+    fact->write_count++;
+    fact->definition = fact->start = NULL;
+    fact->definition_place = node;
+}
+
 static bool note_occurrence(ir_node *node, void *context) {
     variable_facts *all = context;
+    for (unsigned i = 0; node->kind == IR_OPAQUE && i < node->child_count; i++)
+        note_hidden_write(all, node, node->children[i]);
     if (node->kind == IR_VARIABLE && node->variable) {
         variable_fact *fact = &all->facts[node->variable->id];
         VECTOR_PUSH(all->memory, &fact->occurrences, node);
@@ -169,6 +183,55 @@ const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *var
     return fact->start;
 }
 
+static const ir_node *value_set(const ir_node *write) {
+    if (write->kind == IR_DECLARATOR)
+        return write->children[0];
+    return write->kind == IR_ASSIGN && write->op == IR_OP_NONE ? write->children[1] : NULL;
+}
+
+static bool is_null_pointer(const ir_node *value) {
+    int64_t number;
+    while (value->kind == IR_CAST && value->type->kind == IR_POINTER)
+        value = value->children[0];
+    return value->type && value->type->kind == IR_INTEGER && expression_constant(value, &number) &&
+           number == 0;
+}
+
+/* The array's name in w, w + k, w - k, &w[k]; NULL: another value. */
+static const ir_node *array_pointed_into(const ir_node *value) {
+    if (!expression_is_plain(value))
+        return NULL;
+    if (value->kind == IR_UNARY && value->op == IR_OP_ADDRESS &&
+        value->children[0]->kind == IR_INDEX)
+        value = value->children[0]->children[0];
+    while (value->kind == IR_BINARY && (value->op == IR_OP_ADD || value->op == IR_OP_SUBTRACT))
+        value = value->children[0];
+    return value->kind == IR_VARIABLE && value->type->kind == IR_ARRAY ? value : NULL;
+}
+
+const ir_node *variable_walked_array(variable_facts *facts, const ir_variable *pointer) {
+    const variable_fact *fact = variable_fact_of(facts, pointer);
+    const ir_node *array = NULL;
+    if (pointer->storage != IR_LOCAL || pointer->type->kind != IR_POINTER || pointer->address_taken)
+        return NULL;
+    for (unsigned i = 0; i < fact->writes.count; i++) {
+        const ir_node *write = fact->writes.items[i];
+        if (is_step(write))
+            continue;
+        const ir_node *value = value_set(write);
+        if (value && is_null_pointer(value))
+            continue;
+        const ir_node *start = value ? array_pointed_into(value) : NULL;
+        if (!start || (array && array->variable != start->variable))
+            return NULL;
+        array = start;
+    }
+    return array && array->variable->storage == IR_LOCAL &&
+                   ir_type_equal(array->type->target, pointer->type->target)
+               ? array
+               : NULL;
+}
+
 /* ---- uses of a pointer's value -------------------------------------------------------------- */
 
 static bool pointer_value_escapes(variable_facts *all, const ir_node *node, unsigned depth);
@@ -193,12 +256,15 @@ static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_
 
 static bool holder_escapes(variable_facts *all, const ir_variable *holder, unsigned depth) {
     const variable_fact *fact = &all->facts[holder->id];
-    if (depth > 4 || holder->storage != IR_LOCAL || holder->address_taken || fact->write_count != 1)
+    if (depth > 4 || holder->storage != IR_LOCAL || holder->address_taken ||
+        (fact->write_count != 1 && !variable_walked_array(all, holder)))
         return true;
     for (unsigned i = 0; i < fact->occurrences.count; i++) {
         const ir_node *use = fact->occurrences.items[i];
-        bool is_definition = use->parent->kind == IR_ASSIGN && use->parent->children[0] == use;
-        if (!is_definition && pointer_value_escapes(all, use, depth + 1))
+        const bool is_written = expression_written(use->parent) == use;
+        if (is_written ? ir_value_is_used(use->parent) &&
+                             pointer_value_escapes(all, use->parent, depth + 1)
+                       : pointer_value_escapes(all, use, depth + 1))
             return true;
     }
     return false;

@@ -59,6 +59,11 @@ const ir_node *variable_single_definition(variable_facts *facts, const ir_variab
 const ir_node *variable_walk_start(variable_facts *facts, const ir_variable *variable,
                                    const ir_node *scope);
 
+/** The name of the only local array that a local pointer points into, wherever it is used: its
+ * address is not taken, and it is only set to the array's elements or to null, and stepped. NULL:
+ * it is no such pointer. */
+const ir_node *variable_walked_array(variable_facts *facts, const ir_variable *pointer);
+
 /** Is it a restrict pointer whose value is used only for accesses through it and for calls of
  *  functions that do not store it? Then no other pointer reaches its target, if that is written. */
 bool variable_is_restricted(variable_facts *facts, const ir_variable *variable);

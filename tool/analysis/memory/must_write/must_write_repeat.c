@@ -7,10 +7,19 @@
  * Two loops with the same header pass through the same values of their counters, as long as nothing
  * else in it changes between them and their bodies leave the counters alone. A subscript that is
  * the same in both then names the same elements, one after the other. The writer writes all of
- * them, since it has no jumps; the reader reads some. */
+ * them, since it has no jumps; the reader reads some.
+ *
+ *     for (p = w, x = lo; x <= hi; x++) *p++ = weight(x);
+ *     for (q = w, x = lo; x <= hi; x++) h[x] += *q++;
+ *
+ * A pointer is a counter like others: its values are the same if it starts at the same address. A
+ * counter may also be set before its loop, and be stepped by the body instead of the header, if
+ * each iteration does it once, after all other uses (must_write_walk.c). */
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/step_inside.h"
 #include "analysis/memory/must_write/must_write_run.h"
+#include "analysis/memory/must_write/must_write_walk.h"
 
 enum { MOST_COUNTERS = 4 };
 
@@ -18,17 +27,22 @@ typedef struct twin_loops {
     const run *r;
     const ir_node *writer, *reader;
     const ir_node *block; /* of the writer; the reader is in a later statement of it */
-    unsigned first, last; /* the statements from the writer on up to that with the reader */
+    unsigned first, last; /* the statements from the writer on, or from that before which sets one
+                           * of its counters, up to that with the reader */
     unsigned counter_count;
     struct {
         const ir_variable *of_writer, *of_reader;
     } counters[MOST_COUNTERS];
 } twin_loops;
 
-/* A local integer that changes by its name only. */
+static bool is_number_or_pointer(const ir_type *type) {
+    return type && (ir_type_is_plain_integer(type) || type->kind == IR_POINTER);
+}
+
+/* A local integer or pointer that changes by its name only. */
 static bool is_plain(const run *r, const ir_variable *variable) {
     return run_variable_place(r, variable).kind == PLACE_LOCAL &&
-           ir_type_is_plain_integer(variable->type);
+           is_number_or_pointer(variable->type);
 }
 
 static bool is_unchanged(const twin_loops *twins, const ir_variable *variable) {
@@ -45,11 +59,22 @@ static bool same_variable(const twin_loops *twins, const ir_variable *a, const i
     return a == b && is_unchanged(twins, a);
 }
 
-/* Equal trees whose variables are counters of the two loops, or unchanged between them. Nothing in
- * them reads memory. */
+static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *b);
+
+/* &p[i] or &w[i] in both. */
+static bool same_address_of(const twin_loops *twins, const ir_node *a, const ir_node *b) {
+    return a->children[0]->kind == IR_INDEX && b->children[0]->kind == IR_INDEX &&
+           same_tree(twins, a->children[0]->children[0], b->children[0]->children[0]) &&
+           same_tree(twins, a->children[0]->children[1], b->children[0]->children[1]);
+}
+
+/* Equal trees whose variables are counters of the two loops, or unchanged between them; the array's
+ * own name is its address. Nothing in them reads memory. */
 static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *b) {
+    if (expression_is_variable(a, twins->r->object))
+        return expression_is_variable(b, twins->r->object) && a->type->kind == IR_ARRAY;
     if (a->kind != b->kind || a->op != b->op || a->child_count != b->child_count ||
-        !ir_type_is_plain_integer(a->type) || !ir_type_equal(a->type, b->type))
+        !is_number_or_pointer(a->type) || !ir_type_equal(a->type, b->type))
         return false;
     switch (a->kind) {
     case IR_NUMBER:
@@ -57,7 +82,9 @@ static bool same_tree(const twin_loops *twins, const ir_node *a, const ir_node *
     case IR_VARIABLE:
         return same_variable(twins, a->variable, b->variable);
     case IR_UNARY:
-        if (a->op == IR_OP_DEREFERENCE || a->op == IR_OP_ADDRESS)
+        if (a->op == IR_OP_ADDRESS)
+            return same_address_of(twins, a, b);
+        if (a->op == IR_OP_DEREFERENCE)
             return false;
         break;
     case IR_BINARY:
@@ -109,15 +136,55 @@ static bool same_start(twin_loops *twins, const ir_node *a, const ir_node *b) {
     return true;
 }
 
-static bool same_headers(twin_loops *twins) {
+/* The pointer that an element is reached by, in *p, *p++, p[k]; NULL: another element. */
+static const ir_variable *pointer_of(const ir_node *element) {
+    const ir_node *address = element->child_count ? element->children[0] : element;
+    if (is_step_afterwards(address))
+        address = address->children[0];
+    return address->kind == IR_VARIABLE && address->type->kind == IR_POINTER ? address->variable
+                                                                             : NULL;
+}
+
+static bool header_sets(const ir_node *loop, const ir_variable *variable) {
+    return variable_is_written_in(loop->children[0], variable) ||
+           ir_declarator_in(loop->children[0], variable);
+}
+
+/* Pointers that statements before the loops set: p = w; for (...) *p++ = ...; The headers have not
+ * set their counters yet: none may be named there. */
+static bool add_earlier_start(twin_loops *twins, const ir_variable *a, const ir_variable *b) {
+    unsigned number;
+    if (!a || !b || header_sets(twins->writer, a) || header_sets(twins->reader, b) ||
+        (!variable_is_written_in(twins->writer, a) && !variable_is_written_in(twins->reader, b)))
+        return true;
+    const ir_node *start = start_before(twins->writer, a, &number);
+    if (start && number < twins->first)
+        twins->first = number;
+    const ir_node *other = start_before(twins->reader, b, &number);
+    if (other && twins->reader->parent == twins->block && number < twins->first)
+        twins->first = number;
+    return start && other && add_counter(twins, a, start, b, other);
+}
+
+/* Do the bodies step these counters in the same way, or not at all? */
+static bool same_steps(const twin_loops *twins, const ir_variable *a, const ir_variable *b) {
+    ir_node *const *writer = twins->writer->children, *const *reader = twins->reader->children;
+    if (!variable_is_written_in(writer[3], a) && !variable_is_written_in(reader[3], b))
+        return true;
+    const ir_node *step = step_of_body(writer[3], a), *other = step_of_body(reader[3], b);
+    return step && other && same_tree(twins, step, other);
+}
+
+static bool same_headers(twin_loops *twins, const ir_node *element, const ir_node *read) {
     ir_node *const *a = twins->writer->children, *const *b = twins->reader->children;
-    if (!same_start(twins, a[0], b[0]) || a[1]->kind == IR_EMPTY || b[1]->kind == IR_EMPTY ||
+    twins->counter_count = 0;
+    if (!add_earlier_start(twins, pointer_of(element), pointer_of(read)) ||
+        !same_start(twins, a[0], b[0]) || a[1]->kind == IR_EMPTY || b[1]->kind == IR_EMPTY ||
         !expression_is_plain(a[1]) || !same_tree(twins, a[1], b[1]) || a[2]->kind == IR_EMPTY ||
         b[2]->kind == IR_EMPTY || !same_tree(twins, a[2], b[2]))
         return false;
     for (unsigned i = 0; i < twins->counter_count; i++)
-        if (variable_is_written_in(a[3], twins->counters[i].of_writer) ||
-            variable_is_written_in(b[3], twins->counters[i].of_reader))
+        if (!same_steps(twins, twins->counters[i].of_writer, twins->counters[i].of_reader))
             return false;
     return true;
 }
@@ -126,21 +193,35 @@ static bool may_jump(const ir_node *node) {
     return ir_is_jump(node) || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
-/* Is it `object[the reader's subscript] = ...;`, executed in each iteration of the writer? */
-static bool writes_element(const twin_loops *twins, const ir_node *statement, const ir_node *read) {
-    const ir_node *assign = statement->kind == IR_EXPRESSION ? statement->children[0] : statement;
-    if (assign->kind != IR_ASSIGN || assign->op != IR_OP_NONE ||
-        assign->children[0]->kind != IR_INDEX)
+/* w[k], p[k], *p in both; a pointer that is stepped there has still its value of before. */
+static bool same_element(const twin_loops *twins, const ir_node *a, const ir_node *b) {
+    const bool is_indexed = a->kind == IR_INDEX;
+    if (a->kind != b->kind || a->op != b->op || !ir_type_equal(a->type, b->type))
         return false;
-    const ir_node *element = assign->children[0];
-    return expression_is_variable(element->children[0], twins->r->object) &&
-           ir_type_equal(element->type, read->type) &&
-           same_tree(twins, element->children[1], read->children[1]);
+    const ir_node *address = a->children[0], *other = b->children[0];
+    if (is_step_afterwards(address))
+        address = address->children[0];
+    if (is_step_afterwards(other))
+        other = other->children[0];
+    return same_tree(twins, address, other) &&
+           (!is_indexed || same_tree(twins, a->children[1], b->children[1]));
+}
+
+static bool is_element(const ir_node *node) {
+    return node->kind == IR_INDEX || (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
+}
+
+/* Is it `element = ...;`, executed in each iteration of the writer, and is that what is read? */
+static bool writes_element(twin_loops *twins, const ir_node *statement, const ir_node *read) {
+    const ir_node *assign = statement->kind == IR_EXPRESSION ? statement->children[0] : statement;
+    return assign->kind == IR_ASSIGN && assign->op == IR_OP_NONE &&
+           is_element(assign->children[0]) && same_headers(twins, assign->children[0], read) &&
+           same_element(twins, assign->children[0], read);
 }
 
 static bool are_twins(twin_loops *twins, const ir_node *read) {
     const ir_node *body = twins->writer->children[3];
-    if (ir_any(twins->writer, may_jump) || !same_headers(twins))
+    if (ir_any(twins->writer, may_jump))
         return false;
     if (body->kind != IR_BLOCK)
         return writes_element(twins, body, read);
@@ -177,9 +258,7 @@ static bool has_writer(const run *r, const ir_node *reader, const ir_node *read)
 }
 
 bool run_repeats_write(const run *r, const ir_node *read) {
-    if (!r->object || !r->body || read->kind != IR_INDEX ||
-        read->children[0]->type->kind != IR_ARRAY ||
-        !expression_is_variable(read->children[0], r->object) || !ir_type_is_scalar(read->type))
+    if (!r->object || !r->body || !is_element(read) || !ir_type_is_scalar(read->type))
         return false;
     for (const ir_node *at = read; at != r->body; at = at->parent) {
         const ir_node *above = at->parent;
