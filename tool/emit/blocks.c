@@ -156,7 +156,7 @@ static void write_directive(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < blocks->directive.item_count; i++) {
         const openmp_item *item = &blocks->directive.items[i];
         if (item->kind != OPENMP_REDUCTION && item->kind != OPENMP_SCHEDULE &&
-            item->kind != OPENMP_COLLAPSE_ONE && item->kind != OPENMP_NOWAIT)
+            item->kind != OPENMP_COLLAPSE && item->kind != OPENMP_NOWAIT)
             buffer_format(&out->out, " %s(%s)", item->word, item->text);
     }
     if (is_of_team(loop)) {

@@ -6,6 +6,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
+#include "analysis/base/openmp_nest.h"
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/reduction/team_loop.h"
@@ -222,7 +223,7 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
         return false;
     fixed_blocks *blocks = ARENA_NEW(an->memory, fixed_blocks);
     if (!unread)
-        blocks->directive = openmp_read(an->memory, an->unit, above);
+        blocks->directive = openmp_read_above(an->memory, an->unit, above, loop);
     read_items(&s, blocks);
     if (!unread && blocks->scalar_count == 0 && !may_reduce(&blocks->directive, above))
         return false;
