@@ -31,7 +31,7 @@ static bool names(const openmp_directive *read, const ir_variable *variable) {
     return false;
 }
 
-static unsigned depth_of(const openmp_directive *read) {
+unsigned openmp_depth(const openmp_directive *read) {
     for (unsigned i = 0; i < read->item_count; i++)
         if (read->items[i].kind == OPENMP_COLLAPSE)
             return (unsigned)strtoul(read->items[i].text, NULL, 10);
@@ -41,7 +41,7 @@ static unsigned depth_of(const openmp_directive *read) {
 openmp_directive openmp_read_above(arena *a, const ir_unit *unit, const ir_directive *d,
                                    const ir_node *loop) {
     openmp_directive read = openmp_read(a, unit, d);
-    const unsigned depth = read.kept ? 1 : depth_of(&read);
+    const unsigned depth = read.kept ? 1 : openmp_depth(&read);
     VECTOR(openmp_item) items = {0};
     for (unsigned i = 0; i < read.item_count; i++)
         VECTOR_PUSH(a, &items, read.items[i]);

@@ -13,6 +13,9 @@
 openmp_directive openmp_read_above(arena *a, const ir_unit *unit, const ir_directive *d,
                                    const ir_node *loop);
 
+/** The number in the clause `collapse`; 1: there is none. */
+unsigned openmp_depth(const openmp_directive *read);
+
 /** The variable that the loop's header sets first; NULL: the header declares one, or sets none. */
 const ir_variable *openmp_counter(const ir_node *loop);
 
