@@ -62,6 +62,7 @@ static void hasty(int n) {
                 u[r[t]] += 2 * v;
             }
         }
+#pragma omp barrier
 #pragma omp for nowait
         for (int t = 0; t < n; t++) { // EXPECT: transformed
 #pragma omp atomic

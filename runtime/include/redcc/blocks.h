@@ -43,10 +43,8 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
          ? 1                                                                                       \
          : REDCC_BLOCKS_LONG(redcc_trip, (redcc_max) / (redcc_rows)))
 
-/** The counter's value in the first iteration of a block, less redcc_back steps. */
-#define REDCC_BLOCK_BEGIN(redcc_number, redcc_step, redcc_back)                                    \
-    REDCC_PART_BEGIN(redcc__lower, redcc__trip, redcc__blocks, redcc_number, redcc_step, redcc_back)
-/** The same of one of the parts into which a nest's outer or inner loop is divided. */
+/** The counter's value in the first iteration of one of the parts into which the loop, or a loop of
+ *  the nest, is divided, less redcc_back steps. */
 #define REDCC_PART_BEGIN(redcc_low, redcc_trip, redcc_parts, redcc_number, redcc_step, redcc_back) \
     ((redcc_word)(redcc_low) +                                                                     \
      (redcc_word)(redcc_block_begin(redcc_trip, redcc_parts, redcc_number) - (redcc_back)) *       \
