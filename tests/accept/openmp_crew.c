@@ -98,7 +98,9 @@ static int privates(int n) {
 #endif
 }
 
-/* below a function that others call, in a region or not */
+/* below a function that others call, in a region or not, and behind a directive that is not about it */
+double of_thread;
+#pragma omp threadprivate(of_thread)
 static void orphan(int n, long *restrict to) {
 #pragma omp for
     for (int t = 0; t < n; t++) { // EXPECT: transformed
