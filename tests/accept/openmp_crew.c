@@ -62,6 +62,7 @@ static void hasty(int n) {
                 u[r[t]] += 2 * v;
             }
         }
+#pragma omp barrier
 #pragma omp for nowait
         for (int t = 0; t < n; t++) { // EXPECT: transformed
 #pragma omp atomic
@@ -97,7 +98,9 @@ static int privates(int n) {
 #endif
 }
 
-/* below a function that others call, in a region or not */
+/* below a function that others call, in a region or not, and behind a directive that is not about it */
+double of_thread;
+#pragma omp threadprivate(of_thread)
 static void orphan(int n, long *restrict to) {
 #pragma omp for
     for (int t = 0; t < n; t++) { // EXPECT: transformed

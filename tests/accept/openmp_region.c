@@ -84,6 +84,8 @@ static double hasty(int n, int rounds) {
 #pragma omp for nowait reduction(- : second) schedule(dynamic, 3)
         for (int i = n - 1; i > 2; i -= 3) // EXPECT: transformed
             second -= p[i] * 0.5;
+#pragma omp barrier
+#pragma omp flush
 #pragma omp for reduction(+ : sum)
         for (int i = 3; i <= n - 1; i++) // EXPECT: transformed
             sum += p[i];

@@ -26,7 +26,7 @@ double clauses(int n) {
 #pragma omp parallel for simd reduction(+ : sum)
     for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
         sum += w[i];
-#pragma omp parallel for collapse(2) reduction(+ : sum)
+#pragma omp parallel for collapse(1 + 1) reduction(+ : sum)
     for (int i = 0; i < n; i++) // EXPECT: refuse existing-openmp
         for (int j = 0; j < n; j++)
             sum += w[i] * w[j];

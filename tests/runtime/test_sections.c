@@ -47,6 +47,10 @@ static void shares_follow_from_sizes(void **unused) {
     loop.flags = 0; /* an iteration is worth more */
     assert_int_equal(shares(8192, 8 * 8192, 0), 2);
     assert_int_equal(shares(8192, 8 * 8192 + 1, 0), 1);
+    assert_int_equal(shares(512, 128, 0), 2); /* and may be fewer, if there are few elements */
+    assert_int_equal(shares(512, 512, 0), 2);
+    assert_int_equal(shares(512, 513, 0), 0);
+    assert_int_equal(shares(511, 1, 0), 0);
     loop.flags = REDCC_SHORT;
 }
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/openmp_nest.h"
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/conflict.h"
@@ -140,6 +141,16 @@ static bool inner_is_accepted(const loop_search *s, unsigned from, const loop_ve
     return false;
 }
 
+/* Was a loop inside refused since a directive of a loop around it is about both? The reason why the
+ * directive stays is the outer loop's. */
+static bool inner_is_of_nest(const loop_search *s, unsigned from) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].why.id == REASON_EXISTING_OPENMP &&
+            openmp_about_nest(s->an->memory, s->an->unit, s->verdicts.items[i].loop))
+            return true;
+    return false;
+}
+
 static void add_not_a_reduction(loop_search *s, ir_node *loop) {
     if (!s->an->options || !s->an->options->report_all)
         return;
@@ -223,10 +234,10 @@ static void search(loop_search *s, ir_node *node) {
         return;
     }
     /* Refused: this loop is reported if it is the innermost around one of its updates, not counting
-     * tiny inner loops, or if an inner one was accepted instead. */
+     * tiny inner loops, or if it is the reason for what became of an inner one. */
     if (verdict.loop &&
         (has_irregular(s->an, node, node, true) || !has_reported_inside(s, from, node) ||
-         inner_is_accepted(s, from, &verdict)))
+         inner_is_accepted(s, from, &verdict) || inner_is_of_nest(s, from)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 

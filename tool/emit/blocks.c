@@ -6,6 +6,7 @@
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
 #include "emit/as_compiled.h"
+#include "emit/block_ranges.h"
 #include "emit/macro_names.h"
 #include "emit/team_parts.h"
 #include "emit/text/origin.h"
@@ -72,25 +73,6 @@ static const char *combination(arena *a, const blocked_scalar *scalar, const cha
 
 /* ---- before the loop ------------------------------------------------------------------------- */
 
-static const char *comparison_text(const counted_loop *counted) {
-    switch (counted->comparison) {
-    case IR_OP_LESS:
-        return "<";
-    case IR_OP_LESS_EQUAL:
-        return "<=";
-    case IR_OP_GREATER:
-        return ">";
-    case IR_OP_GREATER_EQUAL:
-        return ">=";
-    default:
-        return "!=";
-    }
-}
-
-static bool is_inclusive(const counted_loop *counted) {
-    return counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
-}
-
 /** The loop's description, from which the runtime takes only the order of results. */
 static void write_site(loop_text *loop, writer *out) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
@@ -120,31 +102,6 @@ static void write_parts(loop_text *loop, writer *out) {
     writer_line(out, "} redcc__parts[%d];", most_blocks(loop));
 }
 
-/** The trip count, and the number of blocks. */
-static void write_counts(loop_text *loop, writer *out) {
-    const counted_loop *counted = &loop->facts->counted;
-    const bool ascends = counted->step > 0;
-    const bool is_sequential =
-        loop->options->order_is_explicit && loop->options->order == ORDER_SERIAL;
-    const char *type = origin_type(loop->arena, counted->counter->type);
-    if (!type)
-        loop_obstacle(loop, loop->facts->loop->range, "the counter's type cannot be spelled");
-    writer_line(out, "const %s redcc__lower = %s, redcc__bound = %s;", type ? type : "int",
-                loop_operand(loop, counted->lower), loop_operand(loop, counted->bound));
-    writer_line(out, "const redcc_int redcc__trip = REDCC_TRIP%s(%s, %s, %lld);",
-                is_inclusive(counted) ? "_TO" : "", ascends ? "redcc__lower" : "redcc__bound",
-                ascends ? "redcc__bound" : "redcc__lower",
-                (long long)(ascends ? counted->step : -counted->step));
-    if (is_sequential)
-        writer_line(out, "const int redcc__in_order = 1;");
-    else
-        writer_line(out, "const int redcc__in_order = REDCC_IN_ORDER(redcc__site);");
-    writer_line(out, "const redcc_int redcc__blocks = redcc__in_order ? redcc__trip > 0");
-    writer_line(out, "    : REDCC_BLOCKS_%s(redcc__trip, %d);",
-                loop->facts->has_short_iterations ? "SHORT" : "LONG", most_blocks(loop));
-    writer_line(out, "redcc_int redcc__block;");
-}
-
 /** The directive for the loop over blocks. */
 static void write_directive(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
@@ -156,15 +113,15 @@ static void write_directive(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < blocks->directive.item_count; i++) {
         const openmp_item *item = &blocks->directive.items[i];
         if (item->kind != OPENMP_REDUCTION && item->kind != OPENMP_SCHEDULE &&
-            item->kind != OPENMP_COLLAPSE_ONE && item->kind != OPENMP_NOWAIT)
+            item->kind != OPENMP_COLLAPSE && item->kind != OPENMP_NOWAIT)
             buffer_format(&out->out, " %s(%s)", item->word, item->text);
     }
     if (is_of_team(loop)) {
         buffer_byte(&out->out, '\n');
         return;
     }
-    buffer_text(&out->out, " \\\n    shared(redcc__parts, redcc__lower, redcc__bound, redcc__trip, "
-                           "redcc__blocks, redcc__in_order");
+    buffer_text(&out->out, " \\\n    shared(redcc__parts");
+    write_shared(loop, &out->out);
     for (unsigned i = 0; i < blocks->scalar_count; i++)
         buffer_format(&out->out, ", %s", name_of(loop, i));
     buffer_text(&out->out, ")\n");
@@ -174,17 +131,10 @@ static void write_directive(loop_text *loop, writer *out) {
  *  iterations. */
 static void write_block(loop_text *loop, writer *out) {
     const fixed_blocks *blocks = blocks_of(loop);
-    const counted_loop *counted = &loop->facts->counted;
-    const char *type = origin_type(loop->arena, counted->counter->type);
-    type = type ? type : "int";
     writer_line(out, "for (redcc__block = 0; redcc__block < redcc__blocks; redcc__block++) {");
     out->depth++;
     writer_line(out, "REDCC_QUIET_BEGIN");
-    writer_line(out, "const %s redcc__first = (%s)REDCC_BLOCK_BEGIN(redcc__block, %lld, 0),", type,
-                type, (long long)counted->step);
-    writer_line(out, "    redcc__stop = redcc__block + 1 == redcc__blocks ? redcc__bound");
-    writer_line(out, "        : (%s)REDCC_BLOCK_BEGIN(redcc__block + 1, %lld, %d);", type,
-                (long long)counted->step, is_inclusive(counted));
+    write_ranges(loop, out);
     for (unsigned i = 0; i < blocks->scalar_count; i++) {
         writer_line(out, "__typeof__(%s) redcc__%u =", value_of(loop, i), i);
         writer_line(out, "    redcc__in_order ? %s : (%s);", value_of(loop, i),
@@ -193,15 +143,8 @@ static void write_block(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < blocks->scalar_count; i++)
         writer_line(out, "__typeof__(redcc__%u) %s = redcc__%u;", i,
                     origin_declarator(loop->arena, blocks->scalars[i].variable), i);
-    const bool is_declared = counted->counter_is_declared_in_header;
-    if (!is_declared && !blocks->keeps_counter)
-        writer_line(out, "%s %s;", type, origin_declarator(loop->arena, counted->counter));
     writer_line(out, "REDCC_QUIET_END");
-    const char *name = origin_variable(loop->arena, counted->counter);
-    writer_line(out, "for (%s%s%s = redcc__first; %s %s redcc__stop; %s += %lld)",
-                is_declared ? type : "", is_declared ? " " : "",
-                is_declared ? origin_declarator(loop->arena, counted->counter) : name, name,
-                comparison_text(counted), name, (long long)counted->step);
+    write_header(loop, out);
     out->depth--;
 }
 
@@ -222,7 +165,7 @@ static void write_head(loop_text *loop, writer *out, ir_range replaced) {
     writer_line(out, "REDCC_QUIET_BEGIN");
     write_site(loop, out);
     write_parts(loop, out);
-    write_counts(loop, out);
+    write_counts(loop, out, most_blocks(loop));
     writer_line(out, "REDCC_QUIET_END");
     write_directive(loop, out);
     write_block(loop, out);
@@ -269,16 +212,17 @@ static void write_tail(loop_text *loop, writer *out, uint32_t end) {
                   loop_line_directive(loop, end - 1), loop_column_blanks(loop, end));
 }
 
-bool write_blocks(loop_text loop, loop_piece *front, loop_piece *head, loop_piece *tail,
-                  reason *why) {
+bool write_blocks(loop_text loop, block_pieces *pieces, reason *why) {
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
+    loop_piece *head = &pieces->head, *tail = &pieces->tail;
     head->replaced = (ir_range){loop_text_begin(loop.whole, whole), blocks_of(&loop)->header.end};
     write_head(&loop, &out, head->replaced);
     head->text = writer_text(loop.arena, &out);
-    *front = (loop_piece){0};
+    pieces->front = (loop_piece){0};
     if (is_of_team(&loop) && has_frame_parts(&loop))
-        *front = frame_parts(&loop, most_blocks(&loop));
+        pieces->front = frame_parts(&loop, most_blocks(&loop));
+    pieces->inner = inner_header(&loop);
     const uint32_t end = syntax_statement_end(loop.unit->source, whole);
     tail->replaced = (ir_range){end, end};
     write_tail(&loop, &out, end);

@@ -6,10 +6,15 @@
 
 #include "emit/write_loop.h"
 
-/** Writes the text at the function's beginning, if the loop needs one; the text that replaces the
- *  loop's directive and header; and the text after its body, which stays in place. False, with the
- *  obstacle in *why: the loop cannot be written. */
-bool write_blocks(loop_text loop, loop_piece *front, loop_piece *head, loop_piece *tail,
-                  reason *why);
+/** The texts of a loop, whose body stays in place; those that it does not need are NULL. */
+typedef struct block_pieces {
+    loop_piece front; /* at the function's beginning */
+    loop_piece head;  /* replaces the loop's directive and header */
+    loop_piece inner; /* replaces the header of a nested loop */
+    loop_piece tail;  /* after the loop's body */
+} block_pieces;
+
+/** False, with the obstacle in *why: the loop cannot be written. */
+bool write_blocks(loop_text loop, block_pieces *pieces, reason *why);
 
 #endif

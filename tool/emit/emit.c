@@ -375,19 +375,20 @@ static void add_blocks(const file_text *f, unsigned number, loop_list *loops) {
                              .unit = f->whole,
                              .facts = verdict->facts,
                              .options = f->options};
-    loop_piece front, head, tail;
-    if (!write_blocks(start, &front, &head, &tail, &f->obstacles[number]))
+    block_pieces pieces;
+    if (!write_blocks(start, &pieces, &f->obstacles[number]))
         return;
-    const ir_range all = {head.replaced.begin, tail.replaced.end};
+    const ir_range all = {pieces.head.replaced.begin, pieces.tail.replaced.end};
     if (overlaps_another(loops, all)) {
         f->obstacles[number] = (reason){.message = "another loop's text is part of its own",
                                         .range = verdict->loop->range};
         return;
     }
-    if (front.text)
-        insert(f->arena, loops, unmark(f->arena, f->whole, &front, number));
-    insert(f->arena, loops, unmark(f->arena, f->whole, &head, number));
-    insert(f->arena, loops, unmark(f->arena, f->whole, &tail, number));
+    const loop_piece *const all_pieces[] = {&pieces.front, &pieces.head, &pieces.inner,
+                                            &pieces.tail};
+    for (unsigned i = 0; i < sizeof all_pieces / sizeof *all_pieces; i++)
+        if (all_pieces[i]->text)
+            insert(f->arena, loops, unmark(f->arena, f->whole, all_pieces[i], number));
 }
 
 static void write_file(const file_text *f, emit_result *result) {

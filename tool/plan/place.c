@@ -81,13 +81,14 @@ static token_ends tokens_before(const ir_unit *unit, uint32_t end) {
     return found;
 }
 
-/** Is there a pragma, other than redcc's, in bytes [begin, end)? It may apply to the
- *  text after it. */
+/** Is there a pragma, other than redcc's, in bytes [begin, end)? It may apply to the text after it,
+ *  unless it names what it applies to. */
 static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
         if (d->range.end > begin && d->range.begin < end && d->kind == IR_DIRECTIVE_PRAGMA &&
-            !is_pragma_of(d, "redcc"))
+            !is_pragma_of(d, "redcc") &&
+            !(is_pragma_of(d, "omp") && strstr(d->text, "threadprivate")))
             return true;
     }
     return false;

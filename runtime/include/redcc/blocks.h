@@ -33,10 +33,21 @@ REDCC_INLINE redcc_int redcc_blocks_short(redcc_int trip, redcc_int most) {
     return least < 2 ? 1 : (redcc_int)1 << (63 - __builtin_clzll(least));
 }
 
-/** The counter's value in the first iteration of a block, less redcc_back steps. */
-#define REDCC_BLOCK_BEGIN(redcc_number, redcc_step, redcc_back)                                    \
-    ((redcc_word)redcc__lower +                                                                    \
-     (redcc_word)(redcc_block_begin(redcc__trip, redcc__blocks, redcc_number) - (redcc_back)) *    \
+/** The number of parts of a nest's inner loop, if its outer loop has redcc_rows parts. */
+#define REDCC_COLUMNS_SHORT(redcc_rows, redcc_trip, redcc_max)                                     \
+    ((redcc_rows) < 1 || (redcc_trip) < 1                                                          \
+         ? 1                                                                                       \
+         : redcc_blocks_short(redcc_trip, (redcc_max) / (redcc_rows)))
+#define REDCC_COLUMNS_LONG(redcc_rows, redcc_trip, redcc_max)                                      \
+    ((redcc_rows) < 1 || (redcc_trip) < 1                                                          \
+         ? 1                                                                                       \
+         : REDCC_BLOCKS_LONG(redcc_trip, (redcc_max) / (redcc_rows)))
+
+/** The counter's value in the first iteration of one of the parts into which the loop, or a loop of
+ *  the nest, is divided, less redcc_back steps. */
+#define REDCC_PART_BEGIN(redcc_low, redcc_trip, redcc_parts, redcc_number, redcc_step, redcc_back) \
+    ((redcc_word)(redcc_low) +                                                                     \
+     (redcc_word)(redcc_block_begin(redcc_trip, redcc_parts, redcc_number) - (redcc_back)) *       \
          (redcc_word)(redcc_step))
 REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc_int number) {
     const redcc_int longer = trip % blocks;

@@ -12,6 +12,8 @@ enum {
     MOST_SHARES = 16,
     /* Shorter loops are not worth a call of the runtime. */
     LEAST_ITERATIONS = 8192,
+    /* The same with inner loops or calls, where the copies have no more elements than this. */
+    LEAST_HEAVY = 512,
     /* Least iterations per element of all copies. To add such an element to the array and clear it
      * takes a third of an update's time. Two shares save half of the iterations. More shares gain
      * nothing on two cores, so they must cost almost nothing there (script/bench openmp). */
@@ -68,15 +70,18 @@ static size_t copy_bytes(const redcc_loop *loop, void *const *bases, const redcc
 
 int redcc_sections_shares(const redcc_loop *loop, redcc_int trip, void *const *bases,
                           const redcc_extent *sections, size_t memory_limit) {
-    if (trip < LEAST_ITERATIONS)
+    const bool is_short = loop->flags & REDCC_SHORT;
+    if (trip < (is_short ? LEAST_ITERATIONS : LEAST_HEAVY))
         return 0;
     const size_t bytes = copy_bytes(loop, bases, sections);
     if (bytes == 0)
         return 0;
     const size_t most =
         memory_limit && memory_limit / 4 < most_bytes ? memory_limit / 4 : most_bytes;
-    const double updates = (double)trip * (loop->flags & REDCC_SHORT ? 1 : HEAVY);
+    const double updates = (double)trip * (is_short ? 1 : HEAVY);
     const double elements = (double)bytes / sizeof(double);
+    if (trip < LEAST_ITERATIONS && elements > (double)trip)
+        return 0;
     if (elements > updates || bytes > most)
         return 1;
     int shares = MOST_SHARES;

@@ -70,6 +70,28 @@ static bool compiles_only_pragmas(const ir_unit *unit, unsigned first, unsigned 
     return first < last;
 }
 
+/* The text after this word of the pragma and the blanks that follow it; NULL: it begins with
+ * another word. */
+static const char *after_word(const char *text, const char *word) {
+    const size_t length = strlen(word);
+    if (strncmp(text, word, length) != 0 || source_is_name_byte(text[length]))
+        return NULL;
+    text += length;
+    return text + strspn(text, " \t");
+}
+
+/* Is it an OpenMP directive that applies to no statement? */
+static bool stands_alone(const ir_directive *d) {
+    static const char *const words[] = {"barrier", "flush", "taskwait", "taskyield"};
+    const char *at = d->text && d->text[0] == '#' ? d->text + 1 + strspn(d->text + 1, " \t") : NULL;
+    at = at ? after_word(at, "pragma") : NULL;
+    at = at ? after_word(at, "omp") : NULL;
+    for (size_t i = 0; at && i < sizeof words / sizeof *words; i++)
+        if (after_word(at, words[i]))
+            return true;
+    return false;
+}
+
 uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
     uint32_t begin = loop->range.begin;
     unsigned next = unit->source ? loop_text_first_directive(unit, begin) : 0;
@@ -82,7 +104,7 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
             first = first_of_group(unit, next - 1);
             if (!compiles_only_pragmas(unit, first, next - 1))
                 break;
-        } else if (d->kind != IR_DIRECTIVE_PRAGMA) {
+        } else if (d->kind != IR_DIRECTIVE_PRAGMA || stands_alone(d)) {
             break;
         }
         next = first;
@@ -93,16 +115,6 @@ uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
 }
 
 /* ---- in the loop --------------------------------------------------------------------------- */
-
-/* The text after this word of the pragma and the blanks that follow it; NULL: it begins with
- * another word. */
-static const char *after_word(const char *text, const char *word) {
-    const size_t length = strlen(word);
-    if (strncmp(text, word, length) != 0 || source_is_name_byte(text[length]))
-        return NULL;
-    text += length;
-    return text + strspn(text, " \t");
-}
 
 static bool is_about_speed(const char *pragma) {
     static const char *const words[] = {"ivdep",  "unroll",   "nounroll", "loop",

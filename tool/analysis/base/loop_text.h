@@ -8,7 +8,8 @@
 /**
  * The beginning of the loop's text. It includes the pragmas directly above it, and groups of
  * conditional directives (#if to #endif) there that compile nothing but pragmas: they apply to the
- * loop, in this compilation or in another. Pragmas made by macros are not included.
+ * loop, in this compilation or in another. Pragmas made by macros are not included, nor is `omp
+ * barrier`.
  */
 uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
 

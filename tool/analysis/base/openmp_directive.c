@@ -187,6 +187,14 @@ static const struct {
                     {"copyin", OPENMP_OF_REGION},
                     {"allocate", OPENMP_OF_REGION}};
 
+/* One digit other than 0? */
+static bool is_small_number(const char *text) {
+    size_t length, rest;
+    const char *number = openmp_token(text, &length);
+    openmp_token(number + length, &rest);
+    return length == 1 && rest == 0 && *number >= '1' && *number <= '9';
+}
+
 static openmp_clause_kind kind_of_loop_clause(openmp_construct construct, const char *word,
                                               const char *inside) {
     if (construct == OPENMP_FOR && !inside && strcmp(word, "nowait") == 0)
@@ -194,9 +202,8 @@ static openmp_clause_kind kind_of_loop_clause(openmp_construct construct, const 
     for (size_t i = 0; inside && i < sizeof loop_clauses / sizeof *loop_clauses; i++)
         if (strcmp(loop_clauses[i].word, word) == 0)
             return loop_clauses[i].kind;
-    return inside && strcmp(word, "collapse") == 0 && strcmp(inside, "1") == 0
-               ? OPENMP_COLLAPSE_ONE
-               : OPENMP_OTHER_CLAUSE;
+    return inside && strcmp(word, "collapse") == 0 && is_small_number(inside) ? OPENMP_COLLAPSE
+                                                                              : OPENMP_OTHER_CLAUSE;
 }
 
 /* The clauses of atomic and critical: only hints, and words for the default. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "analysis/base/loop_text.h"
+#include "analysis/base/openmp_nest.h"
 
 /* ---- the directives ------------------------------------------------------------------------ */
 
@@ -95,7 +96,8 @@ const openmp_loop *openmp_of_loop(arena *a, const ir_unit *unit, const ir_node *
             result->kept = with_text(a, "a directive that is not written as one", d);
             return result;
         }
-        const openmp_directive read = openmp_read(a, unit, d);
+        const openmp_directive read =
+            is_above ? openmp_read_above(a, unit, d, loop) : openmp_read(a, unit, d);
         const char *kept = read.kept ? read.kept : only_by_directive(a, &read);
         if (is_above)
             note_above(a, result, &read, d);
@@ -150,20 +152,11 @@ const ir_variable *openmp_variable(const ir_unit *unit, const ir_node *loop,
     return NULL;
 }
 
-/* The variable that the header sets first. */
-static bool is_counter(const ir_node *loop, const ir_variable *variable) {
-    const ir_node *first = loop->kind == IR_FOR ? loop->children[0] : NULL;
-    while (first && first->child_count &&
-           (first->kind == IR_EXPRESSION || first->kind == IR_ASSIGN))
-        first = first->children[0];
-    return first && first->kind == IR_VARIABLE && first->variable == variable;
-}
-
 bool openmp_keeps_value(const ir_unit *unit, const openmp_loop *above, const ir_node *loop,
                         const ir_variable *variable) {
     if (!unit->dialect.replaces_openmp || !above || above->kept)
         return false;
-    bool keeps = is_counter(loop, variable);
+    bool keeps = openmp_counter(loop) == variable;
     for (unsigned i = 0; i < above->item_count; i++) {
         const openmp_item *item = &above->items[i];
         if (item->kind > OPENMP_LASTPRIVATE ||

@@ -30,6 +30,13 @@ typedef struct team_facts {
                           * thread, with another value than before the region */
 } team_facts;
 
+/** The inner loop of a nest below `collapse`, whose bounds do not depend on the outer counter. */
+typedef struct nested_blocks {
+    ir_range header; /* `for ( ... )` */
+    counted_loop counted;
+    bool has_short_iterations;
+} nested_blocks;
+
 /** A loop whose directive reduces scalars, and stays: reduction/fixed_blocks.h. */
 typedef struct fixed_blocks {
     ir_range header; /* `for ( ... )` */
@@ -37,11 +44,11 @@ typedef struct fixed_blocks {
     unsigned scalar_count;
     const blocked_scalar *scalars;
     openmp_directive directive;
-    bool keeps_counter; /* a clause names the counter, and determines its final value */
-    team_facts team;    /* of OPENMP_FOR */
-    bool is_balanced;   /* `schedule` suggests that all iterations take the same time */
-    const char *lock;   /* "atomic" or "critical", in the loop: what it protects is updated in any
-                         * order; NULL: none */
+    team_facts team;            /* of OPENMP_FOR */
+    const nested_blocks *inner; /* blocks divide this loop, too, if the outer one is short; NULL */
+    bool is_balanced;           /* `schedule` suggests that all iterations take the same time */
+    const char *lock; /* "atomic" or "critical", in the loop: what it protects is updated in any
+                       * order; NULL: none */
     const char *unordered; /* why that is not updated in the sequential order; NULL: not known */
 } fixed_blocks;
 

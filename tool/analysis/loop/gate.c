@@ -9,6 +9,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
+#include "analysis/base/openmp_nest.h"
 #include "analysis/base/step_inside.h"
 #include "analysis/loop/conflict.h"
 
@@ -85,6 +86,10 @@ static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     if (above && !directive_is_ignored_openmp(unit, above) &&
         (!openmp || above->is_skipped || above->range.begin < text_begin))
         return openmp_reason(j, above);
+    const char *nest = openmp_about_nest(j->an->memory, unit, j->loop);
+    if (nest)
+        return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop,
+                               arena_format(j->an->memory, "'%s', of a loop around it", nest));
     return openmp && openmp->kept
                ? analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, openmp->kept)
                : (reason){0};

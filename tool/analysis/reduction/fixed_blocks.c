@@ -4,8 +4,10 @@
 #include <string.h>
 
 #include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/base/openmp_loop.h"
+#include "analysis/base/openmp_nest.h"
 #include "analysis/base/reason.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/reduction/team_loop.h"
@@ -122,22 +124,47 @@ static bool is_integer(const ir_node *node) {
     return node && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
+/* From one integer to another? */
+static bool is_plain_count(const counted_result *found, const ir_node *loop) {
+    const counted_loop *counted = &found->loop;
+    return found->is_counted && loop->kind == IR_FOR && !counted->stride && !counted->ahead &&
+           counted->start_count == 0 && !counted->bound_variable && !counted->ends_below &&
+           !counted->steps_first && is_integer(counted->lower) && is_integer(counted->bound) &&
+           counted->counter->type->kind == IR_INTEGER && counted->counter->type->size <= 8 &&
+           !counted->counter->type->is_volatile;
+}
+
 static counted_loop check_header(search *s, fixed_blocks *blocks) {
     const ir_unit *unit = s->an->unit;
     const counted_result found = counted_recognise_analysed(s->loop);
-    const counted_loop *counted = &found.loop;
-    blocks->counter = counted->counter;
+    blocks->counter = found.loop.counter;
     blocks->header = (ir_range){s->loop->range.begin, header_end(unit->source, s->loop)};
-    if (!found.is_counted || s->loop->kind != IR_FOR || counted->stride || counted->ahead ||
-        counted->start_count > 0 || counted->bound_variable || counted->ends_below ||
-        counted->steps_first || !is_integer(counted->lower) || !is_integer(counted->bound) ||
-        counted->counter->type->kind != IR_INTEGER || counted->counter->type->size > 8 ||
-        counted->counter->type->is_volatile)
+    if (!is_plain_count(&found, s->loop))
         refuse(s, "%s", "the loop's header, which is no counter from one integer to another");
     else if (blocks->header.end == 0 || has_directive_in(unit, blocks->header) ||
              syntax_editable_statement(s->loop, s->function->body) != s->loop)
         refuse(s, "%s", "the loop's header, which a macro makes");
     return found.loop;
+}
+
+/* The loop that blocks divide as well; NULL: none. */
+static const nested_blocks *find_inner(const search *s, const fixed_blocks *blocks) {
+    const ir_unit *unit = s->an->unit;
+    ir_node *loop =
+        openmp_depth(&blocks->directive) > 1 ? (ir_node *)openmp_inner_loop(s->loop) : NULL;
+    if (!loop)
+        return NULL;
+    const counted_result found = counted_recognise_analysed(loop);
+    const ir_range header = {loop->range.begin, header_end(unit->source, loop)};
+    if (!is_plain_count(&found, loop) || header.end == 0 ||
+        has_directive_in(unit, (ir_range){blocks->header.end, header.end}) ||
+        syntax_editable_statement(loop, s->function->body) != loop ||
+        expression_mentions(found.loop.lower, blocks->counter) ||
+        expression_mentions(found.loop.bound, blocks->counter))
+        return NULL;
+    nested_blocks *inner = ARENA_NEW(s->an->memory, nested_blocks);
+    *inner = (nested_blocks){header, found.loop, candidate_is_short(unit, ir_loop_body(loop))};
+    return inner;
 }
 
 /* Is the function inline but not static? Then it cannot hold static data. `__inline__` counts,
@@ -195,13 +222,23 @@ static const char *lock_in(const ir_unit *unit, ir_range range) {
                                                     : NULL;
 }
 
-/* Sets keeps_counter: does a clause name the counter, which is declared outside of the loop? */
-static void check_names(search *s, fixed_blocks *blocks, const counted_loop *counted) {
-    const openmp_directive *read = &blocks->directive;
-    for (unsigned i = 0; i < read->item_count; i++)
-        if (read->items[i].kind <= OPENMP_REDUCTION)
-            blocks->keeps_counter |= variable_of(s, read->items[i].text) == counted->counter &&
-                                     !counted->counter_is_declared_in_header;
+/* The counter is private without a clause. If it is declared outside of the loop, the directive for
+ * the loop over blocks must name it. */
+static void name_counter(const search *s, fixed_blocks *blocks, const counted_loop *counted) {
+    openmp_directive *read = &blocks->directive;
+    VECTOR(openmp_item) items = {0};
+    const openmp_item own = {OPENMP_PRIVATE, REDUCTION_NONE,
+                             counted->counter ? counted->counter->name : NULL, NULL, "private"};
+    bool is_named = !counted->counter || counted->counter_is_declared_in_header;
+    for (unsigned i = 0; i < read->item_count; i++) {
+        is_named |= read->items[i].kind <= OPENMP_REDUCTION &&
+                    variable_of(s, read->items[i].text) == counted->counter;
+        VECTOR_PUSH(s->an->memory, &items, read->items[i]);
+    }
+    if (!is_named)
+        VECTOR_PUSH(s->an->memory, &items, own);
+    read->items = items.items;
+    read->item_count = items.count;
 }
 
 /* ---- the verdict --------------------------------------------------------------------------- */
@@ -239,7 +276,7 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
         return false;
     fixed_blocks *blocks = ARENA_NEW(an->memory, fixed_blocks);
     if (!unread)
-        blocks->directive = openmp_read(an->memory, an->unit, above);
+        blocks->directive = openmp_read_above(an->memory, an->unit, above, loop);
     read_items(&s, blocks);
     if (!unread && blocks->scalar_count == 0 && !may_reduce(&blocks->directive, above))
         return false;
@@ -250,7 +287,8 @@ bool blocks_of_loop(const analyser *an, ir_function *function, ir_node *loop,
     else if (blocks->directive.construct > OPENMP_FOR)
         s.why = "the construct, which is no 'parallel for' or 'for'";
     const counted_loop counted = check_header(&s, blocks);
-    check_names(&s, blocks, &counted);
+    blocks->inner = s.why ? NULL : find_inner(&s, blocks);
+    name_counter(&s, blocks, &counted);
     check_body(&s, blocks);
     blocks->lock = lock_in(an->unit, loop->range);
     if (!s.why && blocks->directive.construct == OPENMP_FOR)

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/block_ranges.h"
+
+#include "analysis/base/openmp_loop.h"
+#include "emit/macro_names.h"
+#include "emit/text/origin.h"
+
+static const nested_blocks *inner_of(const loop_text *loop) {
+    return loop->facts->variables.blocks->inner;
+}
+
+static const char *comparison_text(const counted_loop *counted) {
+    switch (counted->comparison) {
+    case IR_OP_LESS:
+        return "<";
+    case IR_OP_LESS_EQUAL:
+        return "<=";
+    case IR_OP_GREATER:
+        return ">";
+    case IR_OP_GREATER_EQUAL:
+        return ">=";
+    default:
+        return "!=";
+    }
+}
+
+static bool is_inclusive(const counted_loop *counted) {
+    return counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
+}
+
+static const char *type_of(loop_text *loop, const counted_loop *counted) {
+    const char *type = origin_type(loop->arena, counted->counter->type);
+    if (!type)
+        loop_obstacle(loop, loop->facts->loop->range, "the counter's type cannot be spelled");
+    return type ? type : "int";
+}
+
+/* ---- how many ----------------------------------------------------------------------------------
+ */
+
+/** Bounds and trip count, with names that begin with `of`. If `guard` is not true, the bounds are
+ *  not evaluated. */
+static void write_trip(loop_text *loop, writer *out, const counted_loop *counted, const char *of,
+                       const char *guard) {
+    const bool ascends = counted->step > 0;
+    const char *lower = loop_operand(loop, counted->lower);
+    const char *bound = loop_operand(loop, counted->bound);
+    if (guard) {
+        lower = arena_format(loop->arena, "%s ? %s : 0", guard, lower);
+        bound = arena_format(loop->arena, "%s ? %s : 0", guard, bound);
+    }
+    writer_line(out, "const %s %slower = %s, %sbound = %s;", type_of(loop, counted), of, lower, of,
+                bound);
+    writer_line(out, "const redcc_int %strip = REDCC_TRIP%s(%s%s, %s%s, %lld);", of,
+                is_inclusive(counted) ? "_TO" : "", of, ascends ? "lower" : "bound", of,
+                ascends ? "bound" : "lower", (long long)(ascends ? counted->step : -counted->step));
+}
+
+void write_counts(loop_text *loop, writer *out, int most) {
+    const nested_blocks *inner = inner_of(loop);
+    const bool is_sequential =
+        loop->options->order_is_explicit && loop->options->order == ORDER_SERIAL;
+    write_trip(loop, out, &loop->facts->counted, "redcc__", NULL);
+    if (inner)
+        write_trip(loop, out, &inner->counted, "redcc__inner_", "redcc__trip > 0");
+    writer_line(out, "const int redcc__in_order = %s;",
+                is_sequential ? "1" : "REDCC_IN_ORDER(redcc__site)");
+    writer_line(out, "const redcc_int redcc__%s = redcc__in_order ? redcc__trip > 0",
+                inner ? "rows" : "blocks");
+    writer_line(out, "    : REDCC_BLOCKS_%s(redcc__trip, %d);",
+                loop->facts->has_short_iterations ? "SHORT" : "LONG", most);
+    if (inner) {
+        writer_line(out, "const redcc_int redcc__columns = redcc__in_order ? 1");
+        writer_line(out, "    : REDCC_COLUMNS_%s(redcc__rows, redcc__inner_trip, %d);",
+                    inner->has_short_iterations ? "SHORT" : "LONG", most);
+        writer_line(out, "const redcc_int redcc__blocks = redcc__rows * redcc__columns;");
+    }
+    writer_line(out, "redcc_int redcc__block;");
+}
+
+void write_shared(const loop_text *loop, buffer *out) {
+    buffer_text(out, ", redcc__lower, redcc__bound, redcc__trip, redcc__blocks, redcc__in_order");
+    if (inner_of(loop))
+        buffer_text(out, ", \\\n    redcc__inner_lower, redcc__inner_bound, redcc__inner_trip, "
+                         "redcc__rows, redcc__columns");
+}
+
+/* ---- which -------------------------------------------------------------------------------------
+ */
+
+static void write_range(loop_text *loop, writer *out, const counted_loop *counted, const char *of,
+                        const char *part, const char *parts) {
+    const char *type = type_of(loop, counted);
+    const char *begin = arena_format(loop->arena, "(%s)REDCC_PART_BEGIN(%slower, %strip, %s, %s",
+                                     type, of, of, parts, part);
+    writer_line(out, "const %s %sfirst = %s, %lld, 0),", type, of, begin, (long long)counted->step);
+    writer_line(out, "    %sstop = %s + 1 == %s ? %sbound", of, part, parts, of);
+    writer_line(out, "        : %s + 1, %lld, %d);", begin, (long long)counted->step,
+                is_inclusive(counted));
+}
+
+void write_ranges(loop_text *loop, writer *out) {
+    const nested_blocks *inner = inner_of(loop);
+    write_range(loop, out, &loop->facts->counted, "redcc__",
+                inner ? "redcc__block / redcc__columns" : "redcc__block",
+                inner ? "redcc__rows" : "redcc__blocks");
+    if (inner)
+        write_range(loop, out, &inner->counted, "redcc__inner_", "redcc__block % redcc__columns",
+                    "redcc__columns");
+}
+
+static void write_for(loop_text *loop, writer *out, const counted_loop *counted, const char *of) {
+    const bool is_declared = counted->counter_is_declared_in_header;
+    const char *name = origin_variable(loop->arena, counted->counter);
+    writer_line(out, "for (%s%s%s = %sfirst; %s %s %sstop; %s += %lld)",
+                is_declared ? type_of(loop, counted) : "", is_declared ? " " : "",
+                is_declared ? origin_declarator(loop->arena, counted->counter) : name, of, name,
+                comparison_text(counted), of, name, (long long)counted->step);
+}
+
+void write_header(loop_text *loop, writer *out) {
+    write_for(loop, out, &loop->facts->counted, "redcc__");
+}
+
+loop_piece inner_header(loop_text *loop) {
+    const nested_blocks *inner = inner_of(loop);
+    if (!inner)
+        return (loop_piece){0};
+    const ir_range replaced = inner->header;
+    const char *text = loop->unit->source->text;
+    writer out = {0};
+    buffer_text(&out.out, "\n#ifdef redcc__in_blocks\n");
+    write_for(loop, &out, &inner->counted, "redcc__inner_");
+    buffer_format(&out.out, "#else\n%s\n%s", loop_line_directive(loop, replaced.begin),
+                  loop_column_blanks(loop, replaced.begin));
+    buffer_append(&out.out, text + replaced.begin, replaced.end - replaced.begin);
+    buffer_format(&out.out, "\n#endif\n%s\n%s", loop_line_directive(loop, replaced.end - 1),
+                  loop_column_blanks(loop, replaced.end));
+    check_macro_names(loop, &out.out);
+    return (loop_piece){writer_text(loop->arena, &out), replaced};
+}
