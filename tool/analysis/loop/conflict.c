@@ -274,7 +274,9 @@ static terms terms_of(query *q, const ir_node *lvalue) {
 
 conflict_kind conflict_of(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
     query q = {facts, loop, lvalue, 0};
-    assert(ir_is_loop(loop) && expression_is_lvalue(lvalue));
+    assert(ir_is_loop(loop));
+    if (!expression_is_lvalue(lvalue)) /* as of `__real__ z[k] += 1`: it is not analysed */
+        return CONFLICT_NONE;
     if (variation_is_irregular(facts, loop, lvalue))
         return CONFLICT_SHARED;
     if (lvalue->kind == IR_VARIABLE || !is_varying(&q, lvalue))
