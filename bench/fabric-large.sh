@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The paper's large mesh (218272 vertices) with each preconditioner and with the direct solution, for several step lengths
-# and two tolerances, on one core. Columns: seconds per step (without making the mesh), iterations per step, steps
+# The paper's large mesh (218272 vertices) with each preconditioner, for several step lengths and two tolerances, and once
+# with the direct solver, on one core. Columns: seconds per step (without making the mesh), iterations per step, steps
 # repeated at half the length, peak memory. A run that takes longer than LIMIT seconds is stopped; its line has no
-# figures. The direct solution makes one step, with OpenBLAS if it is installed.
+# figures. The direct solver runs one step, of the first length, with OpenBLAS if it is installed.
 #   STEPS=2 LIMIT=400 STEP_LENGTHS="0.001 0.01 0.033" TOLERANCES="1e-2 1e-6"
 . bench/common.sh
 steps=${STEPS:-2}

@@ -49,7 +49,8 @@ run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest of them
   echo "$experiment,crowd,$round,$(jq -n "$slowest / $threads")" >>"$csv"
 }
 
-# Only the force loops matter: with a short step the conjugate gradient takes little time.
+# Only the force loops are timed. The short step shortens the rest of the run, which is mostly the conjugate gradient
+# method.
 large=(run sheet218k --steps "$steps" --set time.step=0.0002)
 for round in $(seq "$rounds"); do
   run forces-218k serial "$round" "$force_seconds" "$serial" "${large[@]}"

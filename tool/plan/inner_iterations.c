@@ -20,7 +20,8 @@ typedef struct inner_rest {
     const loop_facts *facts;
     const ir_node *inner; /* the loop */
     const ir_node *block; /* the loop's body */
-    unsigned rest;        /* index of the first statement of the rest */
+    unsigned rest;        /* index in `block` of the first statement that may be skipped; "the
+                           * rest" is all from there on */
     unsigned row_count;
     skip_row rows[MOST_SKIP_ROWS];
     bool adds_to_series; /* the rest adds to a series */

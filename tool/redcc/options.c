@@ -87,7 +87,8 @@ typedef enum option_name {
     OPTION_VERSION
 } option_name;
 
-/** The options with two dashes; a name that ends in = takes a value. */
+/** The long options. A text that ends in = takes a value, attached (--explain's may also be the
+ * next word). */
 static const struct long_option {
     const char *text;
     option_name name;

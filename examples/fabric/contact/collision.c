@@ -189,7 +189,8 @@ static void add_contact(const collisions *c, int vertex, const contact *before,
     added->speed = collisions_given_speed(c, k, found, h);
 }
 
-/* A_ii += c (I - n n'), b_i -= c (I - n n') (v - v_collider). */
+/* Adds sliding friction, with k = h friction force / slip speed (c in collision.h): A_ii += k (I
+ * - n n'), b_i -= k (I - n n') (v - v_collider). */
 static void add_friction(const contact *touch, double friction, const double carried[3], double h,
                          const double v[3], double diagonal[3][3], double b[3]) {
     const double factor = h * friction * touch->force / touch->slip_speed;

@@ -18,7 +18,8 @@ typedef struct strain_limit {
     double limit;        /* strain */
     double stiffness;    /* N/m */
     int count;           /* of the list */
-    int *triangle;       /* [triangles] the list: triangles that are limited in this step */
+    int *triangle;       /* [triangles] the list: limited triangles whose terms are not yet in
+                          * the system */
     unsigned char *over; /* [triangles] bit 0: w_u is limited; bit 1: w_v is */
     arrays own;
 } strain_limit;

@@ -164,8 +164,8 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
         for (int a = 0; a < 3; a++) {
             const double pushed = sim->step.v_next[i][a] - (sim->state.v[i][a] + mean[i][a]);
             sim->step.v_next[i][a] = sim->state.v[i][a] + sim->step.dv[i][a] + pushed;
-            /* The midpoint's change is doubled except along given directions: contacts must not
-             * bounce. */
+            /* The implicit midpoint doubles dv, except in directions in which the velocity is
+             * prescribed: there a vertex would bounce off the collider. */
             if (sim->integrator.kind == INTEGRATOR_MIDPOINT)
                 sim->step.v_next[i][a] +=
                     vector_dot(constraint_projection(&sim->constraints, i)[a], sim->step.dv[i]);

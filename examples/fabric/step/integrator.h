@@ -9,7 +9,7 @@
  * for the velocity v, and ends the step with
  *     backward Euler     X = x_n, V = v_n, tau = h;                    x_n+1 = x, v_n+1 = v
  *     implicit midpoint  X = x_n, V = v_n, tau = h / 2;     x_n+1 = x_n + h v, v_n+1 = 2 v - v_n
- *     BDF2               X, V: of the two states before, tau = 2 h / 3; x_n+1 = x, v_n+1 = v
+ *     BDF2               X = (4 x_n - x_n-1) / 3, V likewise, tau = 2 h / 3; x_n+1 = x, v_n+1 = v
  * (BDF2 with variable steps: Hairer, Norsett and Wanner, Solving ODEs I, III.5).
  * INTEGRATOR_LINEAR_EULER solves the equation once, linearised at X = x_n, as Baraff and Witkin
  * 1998 do; the others use Newton's method.
@@ -59,7 +59,8 @@ void integrator_accept(simulation *sim);
 
 /* Newton's method for the stage of an integrator: newton.c. */
 
-/** Assembles the system of the first iteration, with forces expanded about x = X, v = 0. */
+/** Assembles the system of Newton's first iteration: elastic forces expanded about x = X;
+ * damping enters as -D(X) (V_start + dv), where V_start is the velocity at the step's start. */
 void newton_assemble_at_base(simulation *sim);
 
 /**

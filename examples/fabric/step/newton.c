@@ -92,7 +92,9 @@ static void cut_step(simulation *sim, double factor) {
     }
 }
 
-/* Cuts the step from `last` to dv, whose slope was `first`, until it does not overshoot. */
+/* Backtracking line search. Shortens the step that leads from `last` to dv until the slope (step
+ * . residual; `first` at `last`) at dv is at least -most_overshoot first, or most_cuts is
+ * reached. Returns the norm of the residual at dv. */
 static double search(simulation *sim, double first, double *reference) {
     double size = defect(sim, reference);
     for (int cut = 0; cut < most_cuts && first > 0; cut++) {

@@ -145,7 +145,8 @@ static void REDCC_THIS(_inspect)(redcc_worker *worker, const redcc_attempt *atte
 
 #ifdef REDCC_STREAMS
 /* Executes iterations whose updates are pushed to bins, or made on the thread's private copies.
- * Returns whether more such iterations follow after other chunks. */
+ * Returns 1 if the caller must execute the chunks that redcc_next hands out, and then call this
+ * function again. */
 static int REDCC_THIS(_keep)(redcc_worker *worker, const redcc_attempt *attempt,
                              const REDCC_CONTEXT *given) {
     const REDCC_CONTEXT context = *given;

@@ -221,7 +221,8 @@ static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const
 static __inline__ int redcc_intersects(const char *first, redcc_size size, const void *address,
                                        redcc_size bytes) {
     const redcc_size more = bytes - 1;
-    const redcc_size ends = size ? size + more : 0; /* positions of the last byte that intersect */
+    const redcc_size ends = size ? size + more : 0; /* number of offsets from `first` at which
+                                                     * the last of the `bytes` bytes may lie */
     return (redcc_size)address - (redcc_size)first + more < ends;
 }
 

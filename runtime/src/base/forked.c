@@ -71,8 +71,8 @@ static void in_child(void) {
     begin_process(had_threads);
 }
 
-#if defined(__GLIBC__) /* the function that the library's pthread_atfork calls, under its reserved \
-                        * name */
+#if defined(__GLIBC__)
+/* What glibc's pthread_atfork calls. The program cannot define this reserved name. */
 extern int __register_atfork(void (*)(void), void (*)(void), void (*)(void), void *);
 extern void *__dso_handle __attribute__((__visibility__("hidden")));
 

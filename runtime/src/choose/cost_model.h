@@ -26,7 +26,8 @@ struct findings {
     double copied;   /**< bytes of a private copy; 0: none is permitted, or possible */
     bool binned;     /**< it can be binned */
     bool bins_known; /**< the sample suggests that binning pays */
-    /**< seconds that binning adds to the loop's own work: private copies, a check */
+    /**< seconds per execution that binning adds: merging private copies, and executing the
+     * slices for the overlap guard */
     double bin_more;
     bool reusable;  /**< the plan can be kept */
     double checked; /**< bytes of subscripts that are compared before a plan is reused */

@@ -12,11 +12,13 @@ enum {
     MOST_SHARES = 16,
     /* Shorter loops are not worth a call of the runtime. */
     LEAST_ITERATIONS = 8192,
-    /* The same with inner loops or calls, where the copies have no more elements than this. */
+    /* The same with inner loops or calls, if a copy has no more elements than the loop has
+     * iterations. */
     LEAST_HEAVY = 512,
-    /* Least iterations per element of all copies. To add such an element to the array and clear it
-     * takes a third of an update's time. Two shares save half of the iterations. More shares gain
-     * nothing on two cores, so they must cost almost nothing there (script/bench openmp). */
+    /* More than two shares are used only with this many updates per element of all copies
+     * together. Merging an element into the array and clearing it takes a third of an update's
+     * time. Two shares need only one update per element, because they halve the time. More gain
+     * nothing on two cores, so merging must cost almost nothing there (script/bench openmp). */
     ITERATIONS_PER_ELEMENT = 12,
     /* An iteration with inner loops or calls takes the time of several updates. */
     HEAVY = 8
@@ -34,13 +36,13 @@ static bool are_alike(const redcc_array *a, const redcc_array *b) {
            a->limit == b->limit;
 }
 
-/* Do two arrays have the same section? Then they share one copy. */
+/* Do two arrays have the same section, type and operation? Then they share one private copy. */
 static bool are_one(const redcc_loop *loop, const redcc_extent *sections, uint32_t a, uint32_t b) {
     return sections[a].first == sections[b].first && sections[a].end == sections[b].end &&
            are_alike(&loop->arrays[a], &loop->arrays[b]);
 }
 
-/* The first array with the same section. */
+/* The first array that uses the same private copy as this one; perhaps this one. */
 static uint32_t first_of(const redcc_loop *loop, const redcc_extent *sections, uint32_t array) {
     uint32_t first = 0;
     while (first < array && !are_one(loop, sections, first, array))

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops whose arrays OpenMP's clause `reduction` names with their sections. The clause permits any
- * order, and names all elements that are updated. So without an inspection N shares of the
- * iterations add to a copy each, and the copies are merged in order. N follows from the trip count
+ * order, and names all elements that are updated. So without an inspection the iterations are
+ * divided into N shares. The first updates the arrays, each later one a copy, and the copies are
+ * merged in order. N follows from the trip count
  * and the size of the sections alone, never from threads, time or free memory: all executions give
  * the same bits. Only how many threads execute the shares is learned.
  */

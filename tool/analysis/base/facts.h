@@ -367,12 +367,13 @@ typedef struct loop_variables {
     unsigned private_count;
     const private_variable *privates; /* counter excluded; includes inner loops' counters */
     unsigned captured_count;
-    ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
+    ir_variable *const *captured; /* declared outside, only read in the loop, in order of first
+                                   * use */
     const loop_loads *loads;      /* NULL: no variable replaces a pointer */
     unsigned own_count;
     const own_element *own;
-    const struct openmp_loop *openmp;  /* its OpenMP directives, which the parallel form does not
-                                        * have; NULL: none */
+    const struct openmp_loop *openmp;  /* the loop's OpenMP directives; the parallel form omits
+                                        * them, except that of VERDICT_BLOCKS; NULL: none */
     const struct fixed_blocks *blocks; /* of VERDICT_BLOCKS */
 } loop_variables;
 

@@ -33,7 +33,7 @@ struct printer {
     bool in_switch;            /* a printed switch or loop encloses it */
 };
 
-/** Prints a statement with all below it. */
+/** Prints a statement and the statements inside it, except what `keep` omits. */
 void print_statement(printer *p, const ir_node *statement);
 /** Prints the contents of a block, without its braces unless it has declarations. */
 void print_body(printer *p, const ir_node *body);
