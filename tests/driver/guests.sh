@@ -140,7 +140,7 @@ sed 's|<stdio.h>|"pre.h"|' count.c >pre.c
 echo '#include <stdio.h>' >pre.h
 REDCC_STRICT=1 redcc-cc -O2 pre.h -o pre.h.gch 2>messages || fail "$case_name: making one"
 expect_empty messages
-expect_strict_error 'precompiled header, pre.h.gch' redcc-cc -O2 pre.c -o p
+expect_strict_error 'the precompiled header pre.h.gch' redcc-cc -O2 pre.c -o p
 expect_bits p
 end
 

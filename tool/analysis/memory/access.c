@@ -217,8 +217,7 @@ static bool walk_assertion(access_walk *w, const ir_node *node) {
         return false;
     access_walk_node(w, condition);
     VECTOR_PUSH(w->memory, &w->list->ends, node);
-    w->condition_depth++; /* never decreased: if the assertion fails, the following code is
-                           * skipped */
+    w->condition_depth++; /* never decreased: what follows is skipped if it fails */
     return true;
 }
 
