@@ -7,7 +7,8 @@
 # are parts of others; they need CALLS="400 4000 20000". force and springs are the heavy and the light loop of
 # `script/bench methods`, by rows only. NEIGHBOURS: number of compute-bound processes running throughout, also with the
 # sequential program.
-#   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..." NEIGHBOURS=1
+#   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..."
+#   NEIGHBOURS=0
 . bench/common.sh
 rounds=${ROUNDS:-5}
 read -r -a calls <<<"${CALLS:-1 3 10 40 400}"

@@ -75,7 +75,7 @@ for round in $(seq $((done_before + 1)) $((done_before + rounds))); do
   done
 done
 
-# column VARIANT RANKS NUMBER: this column of all rounds
+# column_of VARIANT RANKS NUMBER: this column of all rounds
 column_of() { awk -F, -v v="$1" -v r="$2" -v c="$3" '$1 == v && $2 == r {print $c}' "$csv"; }
 # against VARIANT RANKS VARIANT RANKS COLUMN: ratios of the first to the second, for each round that has both
 against() {

@@ -3,7 +3,7 @@
 # Lanes and prefetches in the executors of LOCALWRITE: the original loops (bench/lanes_kernels.c) against the translated
 # ones with neither, with each, with both, and with the runtime's choice. They are compiled for this machine and with -O2
 # only; bits are compared in every round. Below the table: the loops without lanes, and why.
-#   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native LANES=4 (auto: of heavy loops alone)
+#   ROUNDS=15 SIDE=467 THREADS="1 2" CC=gcc KERNEL=membrane ARCH=native LANES=4 (auto: of heavy loops alone)
 # For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only builds the programs in that folder; they
 # need only the C library and libgomp. Run each by
 #   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive folder/lanes-O2 ROUNDS SIDE KERNEL

@@ -22,7 +22,8 @@ typedef struct cached cached;
 typedef struct cached_run {
     cache_program program;
     const word_list *words;
-    process_streams streams; /**< files of standard output and error are among the outputs */
+    process_streams streams; /**< files of standard output and error, except /dev/null, are among
+                              * the outputs */
     const char *outputs[3];  /**< plain files; NULL for none */
     const char *read;        /**< a file in which the translator lists its inputs (--inputs-file) */
     const digest *beside;    /**< a digest of what else the outputs depend on; NULL: nothing */
@@ -31,8 +32,9 @@ typedef struct cached_run {
 /** Opens the store and identifies the programs. NULL if nothing is to be cached. */
 struct cache *cache_open(session *s);
 
-/** Begins with a source whose bytes are in `file`. NULL if answers about it are not cached; the
- *  functions below then run the programs every time. */
+/** Begins with a source whose bytes are in `file`. NULL if answers about it are not cached. Then
+ * cached_run_program runs the program every time, and cached_restore and cached_keep must not be
+ * called. */
 cached *cached_begin(session *s, const item *source, const char *file);
 
 /** Runs a program (session_run), or restores its outputs. Returns its exit status. */

@@ -50,7 +50,6 @@ static bool is_new(map *m, const char *key) {
 
 static void read_names(search *s, const char *name, const char *text, size_t length);
 
-/* The bytes of an open file. */
 static char *read_open(arena *a, int file, size_t size) {
     char *text = arena_allocate(a, size + 1);
     size_t done = 0;

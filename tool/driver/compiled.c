@@ -19,7 +19,8 @@ static bool begins_with_one(const char *word, const char *const *beginnings) {
 }
 
 /* Is it an option that names no other file than the headers and the object, and that does not
- * depend on the machine? Unknown options are not plain. */
+ * depend on the machine? Options that match no list are not plain, except for -f options without
+ * a value. */
 static bool is_plain(const item *one) {
     static const char *const plain[] = {"--param", "-D", "-I", "-O",    "-U", "-W",
                                         "-ansi",   "-c", "-g", "-i",    "-m", "-o",
@@ -142,8 +143,8 @@ int compiled_text(session *s, const translation *t, const word_list *words, cons
     return status;
 }
 
-/* The file that -MF names. NULL: there is no -MF, or several; or by -MG the file depends on missing
- * headers. */
+/* The file that -MF names. NULL: there is no -MF, or several; an option goes through -Wp,-M; or
+ * by -MG the file depends on missing headers. */
 static const char *dependency_file(const command *c) {
     const char *file = NULL;
     for (unsigned i = 0; i < c->count; i++) {

@@ -40,8 +40,8 @@ static const char *find_program(arena *a, const char *self, const char *name, un
     return NULL;
 }
 
-/* Adds a program's name, or its full path if the name alone would start this program. False: only
- * this program has the name. */
+/* Adds a program's name, or its full path if the name alone would start this program. False: no
+ * other program has the name. */
 static bool add_program(arena *a, word_list *list, const char *self, const char *name) {
     unsigned skipped = 0;
     const char *path = find_program(a, self, name, &skipped);
@@ -50,7 +50,6 @@ static bool add_program(arena *a, word_list *list, const char *self, const char 
     return path != NULL;
 }
 
-/* Programs that run the compiler given after their name. */
 bool compiler_is_launcher(const char *word) {
     static const char *const names[] = {"ccache", "sccache", "distcc", "icecc", "colorgcc"};
     for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++)

@@ -15,11 +15,12 @@ typedef struct compiler {
     bool is_cxx;          /**< treats a C file as C++ */
     bool is_cross;        /**< compiles for another machine */
     const char *standard; /**< -std= implied by the name (c99); NULL: none */
-    bool found;           /**< false: only this program itself has the name */
+    bool found;           /**< false: there is no compiler other than this program itself */
 } compiler;
 
 /** Chooses in this order: the first given word, if it is a compiler's name (launcher form);
- *  $REDCC_CC; the name by which this program was called, if a link of that name points to it; cc.
+ *  $REDCC_CC; the name by which this program was called, if it is not redcc-cc and another
+ * program has it; the first of cc, gcc and clang that exists.
  *  `self` is this program's path; paths that lead back to it are skipped. */
 compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words);
 

@@ -19,8 +19,8 @@ void process_catch_signals(void);
 /** The signal caught so far, 0 for none. */
 int process_signal(void);
 
-/** Runs a program and waits for it. Returns its exit status, 127 if it cannot be started, or the
- *  negative of the signal that ended it. Not thread-safe: one child at a time. */
+/** Runs a program and waits for it. Returns its exit status, 127 or 126 if it cannot be started,
+ * or the negative of the signal that ended it. Not thread-safe: one child at a time. */
 int process_run(arena *a, const word_list *words, process_streams streams);
 
 /** Replaces this process by the program; on failure ends with 127 (not found) or 126, with a

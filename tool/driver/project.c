@@ -31,7 +31,7 @@ static bool is_c_source(const char *name) {
     return length > 2 && strcmp(name + length - 2, ".c") == 0;
 }
 
-/* Lists the C sources in and below the folder. False: there are too many. */
+/* Lists the C sources in the folder and, if is_recursive, below it. False: there are too many. */
 static bool list_folder(listing *all, const char *folder, int depth) {
     DIR *stream = opendir(folder);
     bool is_small = true;
@@ -305,8 +305,8 @@ static const project_definers *new_definers_of(const project *p, map *seen, cons
     return is_new ? definers_of(p, name) : &no_definers;
 }
 
-/* Records the calls of the function, and those of all functions in the files that define the
- * callees. */
+/* Records the calls of the function, and those of its callees. In each file that defines a
+ * callee, the calls of all static functions are recorded as well. */
 static void note_calls(project *p, map *seen, const project_function *function) {
     for (unsigned m = 0; m < function->calls.count; m++) {
         const char *name = function->calls.items[m];

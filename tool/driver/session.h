@@ -67,7 +67,8 @@ void session_pass_by(session *s, const char *file, const char *why);
 void session_leave_alone(session *s, const char *file, const char *why);
 
 /** Removes the temporaries and ends the process with `status`, a result of process_run, or by a
- * signal that was caught. On success, names the sources whose translated text did not compile. */
+ * signal that was caught. On success, names the sources whose translated text did not compile or
+ * did not link. */
 _Noreturn void session_end(session *s, int status);
 
 /** Removes the temporaries and replaces this process by the compiler, with the given arguments;

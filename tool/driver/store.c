@@ -70,7 +70,8 @@ store store_open(arena *a, const char **wrong) {
     struct stat about;
     if (!s.folder)
         return s;
-    /* the folder's contents become part of programs: only this user may write to it */
+    /* the folder's contents become part of programs: it must be this user's, and not writable by
+     * all */
     if (!folder_create_for(a, arena_format(a, "%s/", s.folder)) || stat(s.folder, &about) != 0 ||
         !S_ISDIR(about.st_mode) || about.st_uid != geteuid() || (about.st_mode & S_IWOTH))
         s.folder = NULL;

@@ -17,8 +17,8 @@ typedef struct translation {
     bool is_input;          /**< the source is standard input */
 } translation;
 
-/** Translates `source`, the command's C input number `number`. Sets text only if a loop was
- *  transformed and the result can be compiled: the runtime is available. */
+/** Translates `source`, the command's C input number `number`. Sets text only if redcc changed
+ * the source and the result may be compiled in its place. */
 translation translate(session *s, const item *source, unsigned number);
 
 /** Adds the options that the translated text needs, before and after the user's own. */
@@ -28,8 +28,8 @@ void translation_add_after(session *s, word_list *list, const translation *t);
 /** Whether inline assembler in the source or a header may have the assembler read a file. */
 bool translation_assembles_file(session *s, const translation *t);
 
-/** Whether the compiler read the same headers for the text, compiled with these options, as for the
- *  source. */
+/** Whether the compiler, run with the options of translation_add_after, read the same headers
+ * for the text as for the source. */
 bool translation_read_same(session *s, const translation *t);
 
 /** Stores the results of the translation that the user asked for: appends its report to the build's

@@ -13,7 +13,8 @@ void write_counts(loop_text *loop, writer *out, int most);
 /** Writes the names that write_counts declares, each after a comma, for a clause. */
 void write_shared(const loop_text *loop, buffer *out);
 
-/** Writes the first and the last values of the counters in a block. */
+/** Writes, for each counter, its first value in a block, and the bound with which the block's
+ * loop compares it. */
 void write_ranges(loop_text *loop, writer *out);
 
 /** Writes the header of the loop over a block's iterations. */

@@ -59,7 +59,7 @@ static const char *member_declaration(loop_text *loop, const ir_variable *variab
 
 /* ---- other values -------------------------------------------------------------------------- */
 
-/** Is the name in the text, as a whole word? */
+/** Does the name occur in the text, followed by no byte of a name? */
 static bool holds_name(const char *text, const char *name) {
     const size_t length = strlen(name);
     for (const char *at = text; (at = strstr(at, name)); at += length)

@@ -14,8 +14,8 @@
 #include "plan/lookup.h"
 #include "plan/tiles.h"
 
-/** The operator's name in the runtime. Where an array's order is kept, the runtime makes no copies
- *  and needs none. */
+/** The operator's name in the runtime. Where an array's order is kept, the runtime makes no
+ * private copies, so any operator will do. */
 static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {
 #define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,

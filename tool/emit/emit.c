@@ -195,7 +195,6 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
     loops->items[at] = loop;
 }
 
-/** The form to try first. */
 static loop_form first_form(const loop_text *start, unsigned number, bool has_lanes) {
     const bool is_asked = start->plan->no_lanes != LANES_NOT_ASKED;
     const bool is_without = start->options->no_lanes && start->options->no_lanes[number];
@@ -236,8 +235,8 @@ static bool add_loop(const loop_text *start, loop_form form, const loop_verdict 
     return true;
 }
 
-/** Adds, directly before each function with such loops, the text that turns contraction
- *  off in it. */
+/** Adds, directly before each function with a loop of is_unfused, the text that turns
+ * contraction off in the function. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
                              const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;
@@ -367,7 +366,7 @@ static bool may_have_lanes(const file_text *f) {
     return may;
 }
 
-/** Adds the text of a loop in fixed blocks: its head, and what follows its body. */
+/** Adds the pieces of a loop in fixed blocks (block_pieces). */
 static void add_blocks(const file_text *f, unsigned number, loop_list *loops) {
     const loop_verdict *verdict = &f->analysis->verdicts[number];
     const loop_text start = {.arena = f->arena,

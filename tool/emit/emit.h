@@ -17,7 +17,8 @@
     "#if __has_include(<redcc/runtime.h>)\n"                                                       \
     "#include <redcc/runtime.h>\n"
 
-/** A piece of text of a written loop: what replaces the loop, or what precedes its function. */
+/** A piece of text of a written loop. It replaces the loop or a part of it, or is inserted
+ * before or into the loop's function. */
 typedef struct written_loop {
     unsigned verdict; /* the number of the loop's verdict */
     bool
@@ -37,8 +38,8 @@ typedef struct emit_result {
     /* For each verdict: the reason why the loop cannot be written (a reason without an id, message
      * and range filled in), message NULL if it can. Such a loop is left unchanged. */
     const reason *obstacles;
-    /* For each verdict: does it have a form for several iterations at once? NULL: none was
-     * requested. */
+    /* For each verdict: does it have a form for several iterations at once? LANES_NOT_ASKED:
+     * none was requested. */
     const lanes_outcome *lanes;
 } emit_result;
 

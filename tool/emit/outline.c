@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Slice and body of a loop as functions before the user's function; loop.h has the code around
- *  them. Compilers inline both at each of their uses. */
+/** Slice and body of a loop as functions before the user's function; redcc/loop.h has the code
+ * around them. Compilers inline both at each of their uses. */
 #include "emit/outline.h"
 
 #include <string.h>

@@ -4,8 +4,9 @@
  *
  * The counter takes the values lower, lower + step, ... while (counter <comparison> bound) holds,
  * in the type that C's usual conversions give the comparison. Everything is computed in redcc_int
- * (64 bits, signed). In some cases the count is set to 0, and the original loop runs: if the loop
- * wraps around, never ends, or compares differently in an unsigned type than in redcc_int; if a
+ * (64 bits, signed). In some cases the original loop runs, because the count is set to 0 or a
+ * condition on the counter's final value fails: if the loop wraps around, never ends, or
+ * compares differently in an unsigned type than in redcc_int; if a
  * variable stride is less than 1; and if a do loop has a single iteration because its first value
  * does not satisfy the condition.
  */
@@ -22,8 +23,8 @@ enum {
     WIDE_SIZE = 8 /* redcc_int */
 };
 
-/** If lower or bound is greater than this in absolute value, the loop runs sequentially: so adding
- * a step cannot overflow. */
+/** Where adding a step could overflow, the loop runs sequentially if lower or bound is greater
+ * than this in absolute value. */
 static const char limit[] = "((redcc_int)1 << 61)";
 
 typedef struct integer_type {
@@ -99,7 +100,7 @@ typedef struct header {
     bool inclusive;
     const char *stride;    /* |step| as text; NULL: it is 1 */
     bool lower_is_natural; /* it is a constant >= 0 */
-    bool ends_at_bound;    /* the counter's last value is the bound itself */
+    bool ends_at_bound;    /* the counter's value after the loop is the bound itself */
 } header;
 
 static header header_of(arena *a, const counted_loop *counted) {

@@ -56,7 +56,7 @@ static void by_pragma(arena *a, buffer *out, const report_input *input,
                 arena_format(a, "as you assert: %s", verdict->pragmas[i].text), "");
 }
 
-/** The note why the loop's plan is not kept. */
+/** The note why the loop's plan is not kept, or why the loop stays sequential. */
 static void say_plan(arena *a, buffer *out, const report_input *input,
                      const loop_verdict *verdict) {
     const plan_answer plan = verdict_plan(a, verdict);

@@ -10,7 +10,8 @@
 
 enum { BLOCK_SIZE = 1 << 16, ALIGNMENT = alignof(max_align_t) };
 
-/* An object larger than a block gets a block to itself. */
+/* An object gets a block to itself if it does not fit into the one being filled and is larger
+ * than a quarter of BLOCK_SIZE. */
 typedef struct block {
     struct block *next;
     size_t size;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Memory that is freed all at once: one arena for each translation unit. */
+/** Memory that is freed all at once. */
 #ifndef SUPPORT_ARENA_H
 #define SUPPORT_ARENA_H
 
@@ -8,7 +8,7 @@
 
 typedef struct arena arena;
 
-/** Both end the program with a message if memory is exhausted. */
+/** All functions that allocate end the program with a message if memory is exhausted. */
 arena *arena_new(void);
 void *arena_allocate(arena *a, size_t size); /* zeroed, aligned for any type */
 void arena_free(arena *a);

@@ -19,7 +19,7 @@ static uint32_t count_lines(const char *text, size_t length) {
     return count;
 }
 
-/* Takes ownership of `text`, which lives in the arena. */
+/* Keeps `text`, which must be in the arena, without a copy. */
 static source *make_source(arena *a, const char *path, const char *text, size_t length) {
     assert(length <= UINT32_MAX && text[length] == 0);
     source *s = ARENA_NEW(a, source);
@@ -97,7 +97,7 @@ position source_position(const source *s, uint32_t offset) {
     return (position){.line = low + 1, .column = offset - s->line_begin[low] + 1};
 }
 
-/** After the comment that begins at `at`. */
+/** The offset after the comment that begins at `at`. */
 static uint32_t skip_comment(const source *s, uint32_t at) {
     const char *text = s->text; /* ends in 0: looking one byte ahead is safe */
     if (text[at + 1] == '*') {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Induction variables other than the counter: each iteration steps them by a constant. */
+/** Induction variables other than the counter: each iteration, or each inner iteration, steps
+ * them by the same invariant amount. */
 #ifndef EMIT_BASE_STEP_H
 #define EMIT_BASE_STEP_H
 

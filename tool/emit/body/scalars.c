@@ -2,9 +2,9 @@
 /**
  * Scalars that the loop accumulates into: each iteration keeps its operands, redcc__operands_N[k],
  * and after the loop they are applied in order. For a conditional update the iteration records in
- * redcc__made_N[k] whether it was executed; otherwise nothing is applied, so that memory is written
- * only if an iteration would have written it. If several threads execute an iteration, each for its
- * own elements, all of them store the same values, atomically.
+ * redcc__made_N[k] whether it was executed; if it was not, nothing is applied, so that memory is
+ * written only if an iteration would have written it. If several threads execute an iteration, each
+ * for its own elements, all of them store the same values, atomically.
  */
 #include "emit/body/scalars.h"
 

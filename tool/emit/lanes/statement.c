@@ -14,7 +14,7 @@
 
 /* ---- declarations --------------------------------------------------------------------------- */
 
-/** Without the type's own qualifiers, since each lane's variable is assigned. */
+/** Drops the type's own qualifiers, since each lane's variable is assigned. */
 const char *lane_type(vectoriser *l, const ir_type *type) {
     arena *a = l->loop->arena;
     ir_type *plain = ARENA_NEW(a, ir_type);

@@ -178,10 +178,10 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
 /* ---- the leader ----------------------------------------------------------------------------- */
 
 /* One of the threads that execute an iteration leads: it executes all of it, and keeps the operands
- * of series (redcc/series.h). The owner of a row that is invariant in inner loops leads, because it
- * can skip nothing anyway. */
+ * of series (redcc/series.h). The owner of a row that changes in the fewest nested loops leads,
+ * because it can skip the fewest inner iterations. */
 
-/** The number of inner loops around the last assignment of the variable. */
+/** The number of inner loops around the most deeply nested assignment of the variable. */
 static unsigned loops_around_writes(const ir_node *node, const ir_variable *variable,
                                     unsigned loops) {
     const ir_node *written = expression_written(node);

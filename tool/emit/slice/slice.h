@@ -5,7 +5,7 @@
 
 #include "emit/base/loop.h"
 
-/** Writes the statements of one iteration, with the macros of loop.h. Sets is_mentioned, by
+/** Writes the statements of one iteration, with the macros of redcc/slice.h. Sets is_mentioned, by
  * variable: the statements name it. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 

@@ -16,7 +16,7 @@ typedef struct line_scan {
     size_t columns;  /* without marks */
     size_t indent;   /* the number of blanks at the beginning */
     size_t comma;    /* position of the last blank after a comma; 0: none */
-    size_t blank;    /* position of the last blank of any kind; */
+    size_t blank;    /* position of the last blank of any kind; 0: none */
     bool is_remark;  /* that blank is in a comment */
     char quote;      /* the quote of the literal at the end of the part; 0: none */
     bool is_escaped; /* the next byte of that literal is escaped */
