@@ -86,8 +86,8 @@ void redcc_end_in_order(redcc_site *site, const redcc_attempt *attempt, redcc_me
     execute(site, attempt, member, context, from, attempt->trip);
 }
 
-/* Is this the first execution, and may `auto` decide about it? No with REDCC_ORDER=fixed, where
- * sums depend on which iterations are executed together. */
+/* Is this the first execution, and may `auto` decide about it? No with an order other than
+ * serial: with fixed, sums depend on which iterations are executed together. */
 static bool is_due(redcc_loop *loop, const redcc_attempt *attempt, int threads) {
     if (!(loop->flags & REDCC_BEGINS) || attempt->trip < LEAST_TRIP || threads < 2 ||
         loop->key_count > BEGINNING_KEYS || __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE))

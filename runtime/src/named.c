@@ -55,8 +55,8 @@ static int cut_line(char *place) {
     return (int)line;
 }
 
-/* Is one name a suffix of the other, beginning at a folder? The compiled name and the user's may be
- * relative to different folders. */
+/* Is one name a suffix of the other, beginning at a path component? The compiled name and the
+ * user's may be relative to different directories. */
 static bool is_same_file(const char *a, const char *b) {
     const size_t a_length = strlen(a), b_length = strlen(b);
     const char *longer = a_length > b_length ? a : b, *shorter = a_length > b_length ? b : a;

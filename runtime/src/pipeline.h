@@ -40,7 +40,7 @@ enum stage {
     STAGE_JOIN,
     STAGE_PLAN,
     STAGE_RUN,
-    STAGE_BINS, /* without inspection and plan */
+    STAGE_BINS, /* without a plan; after an inspection only with REDCC_BINS_CHECKED */
     STAGE_OVER, /* nothing runs in parallel */
     STAGES
 };

@@ -20,7 +20,7 @@
 
 enum {
     BLOCK_OPERANDS = 8192 - 8,
-    /* with a block's head less than 64 KiB */ HEAD =
+    /* so many operands and the two pointers of an operand_block take less than 64 KiB */ HEAD =
         offsetof(redcc_series_part, value) / sizeof(double)
 };
 

@@ -15,7 +15,7 @@
 
 typedef struct analysis_result {
     unsigned verdict_count;
-    const loop_verdict *verdicts; /* of every loop with an irregular update, in source order */
+    const loop_verdict *verdicts; /* of the loops that are reported (nest.c), in source order */
 } analysis_result;
 
 /** Analyses all loops of the functions of the main file, and of the program's own headers. All

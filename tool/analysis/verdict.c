@@ -326,7 +326,7 @@ static loop_verdict analysed_loading(const analyser *an, ir_function *function, 
     return loading;
 }
 
-/* Analyses the loop without its exits; VERDICT_NOT_A_REDUCTION if it has none. */
+/* Analyses the loop without its exits; VERDICT_NOT_A_REDUCTION if one of them cannot be removed. */
 static loop_verdict analysed_staying(const analyser *an, ir_function *function, ir_node *loop) {
     const loop_exits *exits = loop_exits_find(an->memory, ir_loop_body(loop));
     if (!exits)

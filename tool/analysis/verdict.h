@@ -5,7 +5,6 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** All checks for one loop. */
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);
 
 /** The verdict on a loop with only regular updates (conflict.h), one of which is given. */

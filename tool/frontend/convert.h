@@ -109,8 +109,8 @@ typedef struct file_directives {
 
 /** The file's directives, scanned once; for the main file only after find_directives. */
 file_directives directives_of_file(converter *c, CXFile file);
-/** Is the header the compiler's or the C library's? A library's header that -isystem or a pragma
- *  makes a system header counts as the program's own. */
+/** Is the header the compiler's or the C library's? A library's header in a folder given by
+ * -isystem or the like counts as the program's own, unless it is installed in /usr. */
 bool is_of_system(converter *c, CXFile file);
 /** The text from the spelling of the location's token (perhaps in a macro's body or a header) to
  *  the end of its file; length 0 if there is none (pasted tokens, the command line). */

@@ -151,7 +151,7 @@ static bool whole_value(const ir_node *literal, int64_t *value) {
     return number == (double)*value;
 }
 
-/* Has the type the value? */
+/* Can the type represent the value? */
 static bool type_holds(const ir_type *type, int64_t value) {
     return ir_type_is_plain_integer(type) && !type->is_const && type->size >= 4 &&
            (type->is_signed || value >= 0) && (type->size > 4 || value == (int32_t)value);
@@ -229,7 +229,7 @@ ir_node *convert_literal(converter *c, CXCursor cursor) {
     }
 }
 
-/* In a function with errors nothing is evaluated: clang may crash on ill-formed code. */
+/* In a function with errors sizeof is not evaluated: clang may crash on ill-formed code. */
 ir_node *convert_sizeof(converter *c, CXCursor cursor) {
     const ir_type *type = convert_type(c, clang_getCursorType(cursor));
     int64_t value;

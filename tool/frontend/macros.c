@@ -45,7 +45,7 @@ static void note(map *macros, const char *name, size_t length, bool is_function_
 }
 
 /* Finding a macro's definition is the most expensive step. Few of the thousands of macros in
- * capitals in headers expand to themselves, so those are skipped. */
+ * capitals in headers expand to themselves, so macros in capitals are assumed not to. */
 static bool may_expand_to_itself(CXSourceLocation location, const char *name) {
     for (const char *p = name; *p; p++)
         if (islower((unsigned char)*p))

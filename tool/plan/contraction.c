@@ -7,8 +7,9 @@
  * Usually it is enough to forbid it in the functions that contain loops and in the generated text.
  * It is not if a loop calls a function of the same file that itself contains a contractible
  * expression: gcc may inline the callee into one form of the loop, where contraction is forbidden,
- * but call it in another form, where the callee is contracted. Then contraction is forbidden in the
- * whole file; likewise if declarations cannot be inserted before a function.
+ * but call it in another form, where the callee is contracted. Then contraction is forbidden in
+ * the whole file; likewise if declarations cannot be inserted before a function, if a loop has
+ * lanes, if the file may name a target, or if a macro changes the pragma.
  */
 #include "plan/contraction.h"
 

@@ -39,7 +39,8 @@ bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
 /** Does the loop have live-out variables, assigned or stepped? */
 bool leaves_variables(const loop_facts *facts);
-/** Does the loop have results other than updates of arrays: live-out variables, or scalars? */
+/** Does the loop have results other than updates of arrays: live-out or stepped variables,
+ * scalars, or own elements? */
 bool leaves_values(const loop_facts *facts);
 /** The number of the conditional lastprivate variable that this statement assigns; or -1. */
 int conditional_live_out_of(const loop_facts *facts, const ir_node *statement);

@@ -32,7 +32,7 @@ static const char *skip_comment(const char *at, const char *end) {
     return end;
 }
 
-/** Predefined macros that generated text uses intentionally (scalars.c, loop.h). */
+/** Predefined macros that generated text uses intentionally (emit/body, redcc/loop.h). */
 static bool is_meant(const char *word, size_t length) {
     static const char *const meant[] = {"__ATOMIC_RELAXED", "__ATOMIC_ACQUIRE"};
     for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
@@ -74,7 +74,7 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
     return NULL;
 }
 
-/** All words of the runtime's header; emit's CMakeLists.txt reads them from it. */
+/** All words of the runtime's headers; this folder's CMakeLists.txt reads them. */
 static const char *const words_of_header[] = {
 #include "header_words.inc"
 };
@@ -122,7 +122,8 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-/** The words in the macros of loop.h, without the runtime's own, each with a byte that follows. */
+/** The words in the macros of loop.h and of the headers beside it (CMakeLists.txt), without the
+ * runtime's own, each with a byte that follows. */
 static const char *const words_of_macros[] = {
 #include "macro_words.inc"
 };

@@ -94,7 +94,7 @@ static bool has_pragma_of_others(const ir_unit *unit, uint32_t begin, uint32_t e
     return false;
 }
 
-/** Does a macro expand to the whole function? */
+/** Does a macro expand to a whole function that begins in bytes [begin, end)? */
 static bool is_made_by_macro(const ir_unit *unit, uint32_t begin, uint32_t end) {
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_function *other = unit->functions[i];

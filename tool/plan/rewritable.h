@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Obstacles to writing a loop in any form. The result contains the body twice, and the first copy
- * runs in several threads. So nothing in the body may be unique in the program (a label, a static
- * variable, a thread-local object), and no macro call may expand to the body and more. The copy
+ * runs in several threads. So nothing in the body may exist only once (a label, a static
+ * variable other than a constant number, an array or record of each thread), and no macro call
+ * may expand to the body and more. The copy
  * replaces names of arrays, so an update must name its array, and the address of the array as a
  * whole may not be taken.
  */

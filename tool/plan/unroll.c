@@ -90,8 +90,8 @@ bool is_unrolled_in_body(const ir_node *loop) {
     return has_at_most(loop, MOST_BODY);
 }
 
-/** May an attribute, [[...]] or __attribute__((...)), end right before the node? A comment there
- * counts as one. */
+/** May an attribute, [[...]] or __attribute__((...)), end right before the node? A comment that
+ * ends in such a bracket counts as one. */
 static bool has_attribute(const char *text, const ir_node *node) {
     uint32_t at = node->range.begin;
     while (at > 0 && strchr(" \t\r\n", text[at - 1]))

@@ -73,7 +73,7 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
-/** The place of a row that has no bin. */
+/** The number of a row that has no bin. */
 #define REDCC_NO_ROW ((redcc_int)((redcc_word)1 << 63))
 
 /** Can a pointer be loaded from this address? */

@@ -61,7 +61,7 @@ REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc
      __atomic_add_fetch(redcc_ended, redcc_mine, __ATOMIC_ACQ_REL) == (redcc_blocks) &&            \
      ((*(redcc_ended) = 0), 1))
 
-/** Does REDCC_ORDER require the bits of the sequential loop? */
+/** Does REDCC_ORDER or REDCC_METHOD require the bits of the sequential loop? */
 #define REDCC_IN_ORDER(redcc_site) (redcc_run && redcc_is_in_order(&(redcc_site)))
 REDCC_INLINE int redcc_is_in_order(redcc_site *site) {
     return redcc_is_known(site) && site->calls->before->is_in_order(&site->binned.loop);

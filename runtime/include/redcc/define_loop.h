@@ -282,7 +282,7 @@ static void REDCC_THIS(_member)(redcc_worker *worker, const redcc_attempt *attem
 #endif
 }
 
-/* For short iterations: are there enough of them, in this call and in the whole program so far? */
+/* Is there an iteration and, if iterations are short, are there enough of them in this call? */
 REDCC_INLINE int REDCC_THIS(_is_worth)(redcc_int trip) {
     const redcc_calls *const calls = __atomic_load_n(&REDCC_THIS(_site).calls, __ATOMIC_ACQUIRE);
     return trip > 0 && (!((REDCC_FLAGS)&REDCC_LIGHT) || !calls ||

@@ -211,7 +211,7 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
     redcc__attempt.operand_count = redcc_count;                                                    \
     redcc__attempt.operand_bytes = redcc__operand_bytes;                                           \
     redcc__attempt.operands = redcc__operands
-/** The number of series (redcc/series.h). */
+/** Declares the loop's series (redcc/series.h), which the runtime allocates. */
 #define REDCC_HAS_SERIES(redcc_count)                                                              \
     redcc_series *redcc__series[redcc_count];                                                      \
     redcc__attempt.series_count = redcc_count;                                                     \

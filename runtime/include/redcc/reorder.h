@@ -45,8 +45,8 @@ int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new
 int redcc_reorder_points(int count, int dimensions, const double *point, int *new_of_old);
 
 /**
- * Orders iterations by the rows that they update: by the lowest, then by the next, and so on; equal
- * iterations keep their order.
+ * Orders iterations by the rows that they update: by the lowest, then by the second lowest.
+ * Iterations for which both are equal keep their order.
  *   trip, touches, row   as for redcc_reorder_rows, the rows in their new order
  *   new_of_old           [trip] the result
  */

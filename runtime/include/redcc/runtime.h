@@ -13,8 +13,9 @@
  *  - redcc_owns, in the owner-checked form of the body: may the thread make this update?
  *  - redcc_leave, by one thread. 1: the loop is done; 0: nothing was written, run it serially
  *
- * This header includes only loop.h, because a user's feature-test macros must come before any
- * system header. It compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
+ * This header includes only headers of redcc, because a user's feature-test macros must come
+ * before any system header. It compiles as C89 with GNU extensions. Every name begins with redcc_
+ * or REDCC_.
  */
 #ifndef REDCC_RUNTIME_H
 #define REDCC_RUNTIME_H
@@ -91,9 +92,10 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
 /** The trip count from which a loop of short iterations (without loops or calls inside) is worth a
- *  call of redcc_enter. For fewer iterations the call alone would double their time. The first
- *  redcc_enter sets it. It is 0 until then, and if a method is named, sums are compensated or
- *  results are validated. */
+ *  call of redcc_enter. For fewer iterations the call alone would double their time. It is set
+ * when the runtime reads its environment variables: before main if none of them is set, else in
+ * the first call of the runtime. It is 0 until then, and if a method is named, sums are
+ * compensated or results are validated. */
 extern redcc_int redcc_least_trip;
 
 /** The number of short iterations, over all loops, that the program may still execute before any

@@ -66,8 +66,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
                                    (redcc_writer).begin = 0)                                       \
                           : (void)0)
 
-/** Begins an iteration. In the owner-checked form another thread may store its operands: the owner
- * of the first byte that the iteration touches, which executes all of the iteration. */
+/** Begins an iteration. In the owner-checked form another thread may store its operands: the
+ * iteration's leader (redcc_probe_first), which executes all of it. */
 #define REDCC_SERIES_NEXT(redcc_writer)                                                            \
     (REDCC_SERIES_COMPLETE(redcc_writer), (redcc_writer).part = 0,                                 \
      (redcc_writer).end = (redcc_writer).at,                                                       \
@@ -95,7 +95,8 @@ static __inline__ __attribute__((__unused__)) void redcc_series_begin(redcc_work
 /** Must the thread execute the whole iteration, whatever it owns? */
 #define REDCC_LEADS(redcc_writer) (!(redcc_writer).follows)
 
-/** Stores an operand of iteration number k; 0: out of memory. */
+/** Stores an operand of iteration number k and returns 1; also 1 if another thread stores it. 0:
+ * the caller must add the operand itself (`adds`), or memory was lacking. */
 static __inline__ __attribute__((__unused__)) int redcc_series_put(redcc_series_writer *writer,
                                                                    redcc_int k, double operand) {
     if (writer->follows)

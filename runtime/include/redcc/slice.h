@@ -36,8 +36,8 @@ enum { redcc__by_calls = 0 };
  */
 #define REDCC_IF_RECORDED(redcc_i) if (!redcc__source_mask || redcc__source_mask >> (redcc_i)&1)
 
-/** The same for redcc_base[redcc_row]. No iteration changes redcc_base, so the number identifies
- *  the row. */
+/** As REDCC_TOUCH and REDCC_READ, for redcc_base[redcc_row]. No iteration changes redcc_base, so
+ * the number identifies the row. */
 #define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
     redcc_slice_touch_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],      \
                           (const void *)(redcc_base), (redcc_int)(redcc_row),                      \

@@ -141,7 +141,7 @@ enum {
     REDCC_ORDER_NEEDED = 4,
     /** Iterations that touch no element must be executed, too. */
     REDCC_EVERY_ITERATION = 8,
-    /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
+    /** The descriptor is the first member of a redcc_binned. */
     REDCC_BINNED = 16,
     /** Its executor can prefetch what later iterations touch (prefetch.h). */
     REDCC_PREFETCHES = 32,
@@ -261,7 +261,7 @@ typedef struct redcc_call {
 /** Consecutive iterations of a chunk, relative to its origin. */
 typedef struct redcc_iterations {
     redcc_u32 begin;
-    redcc_u32 count_and_check; /**< 2 * count + (each write must call redcc_owns ? 1 : 0) */
+    redcc_u32 count_and_check; /**< 2 * count + (each write must test the owner ? 1 : 0) */
 } redcc_iterations;
 
 struct redcc_hook;
@@ -402,7 +402,7 @@ enum { REDCC_PAGE = 4096 }; /* bytes; the system's pages are at least as large *
 typedef struct redcc_bins {
     redcc_int first;   /* row at place 0 of bin 0 */
     redcc_size span;   /* number of rows in the bins; 0: no bins yet, rows are only counted */
-    redcc_u32 shift;   /* row >> shift is the row's bin */
+    redcc_u32 shift;   /* (row - first) >> shift is the row's bin */
     redcc_u32 *cursor; /* for each bin: the number of its next record */
     char *records;     /* indexed by record number */
     redcc_u16 *places; /* indexed by record number */
@@ -421,7 +421,7 @@ typedef struct redcc_series_writer redcc_series_writer;
 
 struct redcc_attempt;
 
-/** The same for redcc/series.h. */
+/** Functions of the library for redcc/series.h. */
 typedef struct redcc_series_calls {
     void (*join)(redcc_series_writer *writer, redcc_series *series);
     int (*room)(redcc_series_writer *writer, redcc_int k);

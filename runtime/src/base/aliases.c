@@ -83,7 +83,8 @@ static bool is_touched(const struct touches *touches, struct range range) {
     return false;
 }
 
-/* Where this mapping shows the part; an empty range if that is the part's own address. */
+/* The addresses at which this mapping contains bytes of the part; an empty range if it contains
+ * none, or if these are the part's own addresses. */
 static struct range image_of(const struct part *part, const struct mapping *mapping) {
     const uint64_t part_end = part->offset + redcc_range_size(part->place);
     const uint64_t mapping_end = mapping->offset + redcc_range_size(mapping->place);

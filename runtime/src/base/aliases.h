@@ -26,8 +26,8 @@ struct touches {
  * maps the written memory again during the loop has a data race. Thread-safe. */
 bool redcc_may_be_aliased(struct touches touches);
 
-/** Does the process have writable memory with several addresses? For steps that run before the
- *  touched addresses are known. */
+/** Does the process have writable memory with several addresses? True also if that is unknown. For
+ * steps that run before the touched addresses are known. */
 bool redcc_may_have_aliases(void);
 
 #endif

@@ -93,7 +93,7 @@ void *redcc_block_alloc(size_t *bytes, bool keep) {
     return block || small ? block : redcc_system_map(*bytes);
 }
 
-/* Adds a block to the free ones. False if it is not cached. */
+/* Adds a block to the free ones. False: the caller must unmap it. */
 static bool put(void *block, size_t bytes, bool keep) {
     size_t size;
     const unsigned class = class_of(bytes, &size);

@@ -27,7 +27,8 @@ struct call {
     /* The settings in force. */
     const struct method *method; /* named; NULL: auto */
     int parameter;               /* the method's */
-    bool in_bins; /* binning, named or chosen for this call: no inspection, no plan */
+    bool in_bins; /* binning, named or chosen for this call: no plan, and an inspection only with
+                   * REDCC_BINS_CHECKED */
     redcc_order order;
     bool compensated;
     bool validate;

@@ -6,7 +6,8 @@
  * it found first); and its memory access rights by protection keys. The program may have changed
  * any of these since OpenMP's threads were created, and these threads must compute the same results
  * as the thread that entered the loop. fenv.h has no name for most of the first group, and needs
- * libm. On other processors each thread keeps its own state.
+ * libm. On processors other than x86-64 and 64-bit ARM each thread keeps its own floating-point
+ * state.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H

@@ -22,8 +22,8 @@ static long process; /* without a marked page: the id of the process registered 
 
 #if defined(__linux__)
 
-/* A folder has a link to itself, one from its parent, and one for each folder in it. Without /proc,
- * threads are assumed. */
+/* A directory has a link to itself, one from its parent, and one for each subdirectory. Without
+ * /proc, threads are assumed. */
 static bool has_threads(void) {
     struct statx tasks;
     return redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0 ||

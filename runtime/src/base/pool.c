@@ -21,8 +21,8 @@ static void nothing(void *unused) {
 }
 
 /* Keeps this object loaded while a thread executes its code, by a destructor of the thread. Not
- * needed in the program's own file, which is never unloaded; and registering it calls the program's
- * allocator, which may support only one thread (attack 32). */
+ * needed in the executable, which is never unloaded; and registering it calls the program's
+ * allocator, which may support only one thread (attack 32 of docs/soundness.md). */
 static void stay_loaded(void) {
     if (!redcc_system_is_program())
         __cxa_thread_atexit_impl(nothing, NULL, (void *)(uintptr_t)nothing);

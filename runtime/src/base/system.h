@@ -3,8 +3,8 @@
  * Direct system calls. ISO C reserves none of POSIX's names, such as read, close, mmap, sysconf and
  * clock_gettime (C17 7.1.3): a function of the program with such a name would replace the
  * library's. No function here sets errno, is a cancellation point, allocates or takes a lock; all
- * are thread-safe and async-signal-safe. tests/runtime/symbols checks the names to which the
- * runtime refers.
+ * are thread-safe and async-signal-safe. tests/runtime/check-symbols checks the names to which
+ * the runtime refers.
  */
 #ifndef REDCC_SYSTEM_H
 #define REDCC_SYSTEM_H
@@ -75,7 +75,7 @@ static inline long redcc_system_call(long number, long a, long b, long c, long d
                       (long)(f))
 #define redcc_system(...) REDCC_SYSTEM_7(__VA_ARGS__, 0, 0, 0, 0, 0, 0, 0)
 
-/** Is the runtime linked into the program's file, which is never unloaded? False if unknown. */
+/** Is the runtime linked into the executable, which is never unloaded? False if unknown. */
 bool redcc_system_is_program(void);
 /** Opens a file for reading; returns its descriptor, or a negative number. */
 int redcc_system_open(const char *name);

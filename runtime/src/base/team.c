@@ -237,7 +237,8 @@ static bool is_in_handler(uint64_t before) {
     return is_so;
 }
 
-/* The number of threads of the calling thread's last region; 0: there was none. */
+/* The number of threads that exist for the calling thread's next region: of its crew, of the
+ * runtime's pool, or of its last OpenMP region; 0: there was none. */
 static int there(void) {
     if (redcc_crew_threads() > 0)
         return redcc_crew_threads();

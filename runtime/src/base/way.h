@@ -12,8 +12,9 @@ enum way {
     WAY_INDEX,  /**< LOCALWRITE, owners by address */
     WAY_GRAPH, /**< LOCALWRITE, owners cut from the access graph; or wavefronts, if the owners' work
                 * would be uneven */
-    /* Without inspection and plan, so that subscripts may change: */
-    WAY_DIRECT, /**< LOCALWRITE, owners by address, without plan construction */
+    /* Without a plan that depends on the subscripts, so that these may change: */
+    WAY_DIRECT, /**< LOCALWRITE in which threads find their iterations during execution; or
+                 * tiles, for a loop over pairs */
     WAY_BINS,   /**< in-order binning, whose trials may stop in the middle */
     WAY_COUNT,
     WAY_LAST_PLANNED = WAY_GRAPH

@@ -100,7 +100,7 @@ struct bins_trial {
     double may_lose; /* seconds; from -1 to below 0: a share of the sequential loop's time,
                       * which is not known yet; 0: no trial */
     double usual;    /* seconds per iteration of the sequential loop, as known before; 0: unknown */
-    double began;    /* its time */
+    double began;    /* when the trial began, on the clock of redcc_seconds */
     double pushes;   /* the time at which pushing the only round (REDCC_WHOLE) began */
     bool is_late;    /* pushing it takes too long */
     redcc_int stretch; /* iterations that the trial executes sequentially */

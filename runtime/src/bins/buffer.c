@@ -179,7 +179,6 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
     return buffer->used++ * BLOCK;
 }
 
-/* Copies are merged in any order. */
 /* Records that were pushed. */
 static redcc_int count_records(const struct redcc_bin_buffer *buffer) {
     redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;
@@ -203,8 +202,8 @@ bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records
     return buffer->blocks - buffer->used >= 2 * records / block + 2;
 }
 
-/* Writes the lines at `line` with the records before number `end` of the bin's last block that are
- * not written yet. */
+/* Copies the records of a write-combining buffer `line` that is not full yet. `end` is the
+ * number after the bin's last record. */
 static void write_rest(char *to, const char *line, uint32_t end, uint32_t per_line, size_t bytes) {
     const uint32_t begun = end % per_line;
     memcpy(to + (size_t)(end - begun) * bytes, line, begun * bytes);

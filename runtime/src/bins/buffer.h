@@ -54,8 +54,8 @@ static inline uint32_t redcc_bin_offset(size_t bin) {
 /** Bytes of a buffer. */
 size_t redcc_buffer_bytes(const redcc_stream *stream, struct window window, uint32_t blocks);
 
-/** Shapes it as a buffer for the window's rows, with at least `blocks` blocks. False: no memory; it
- *  has no blocks then. */
+/** Shapes the buffer for the window's rows, with `blocks` blocks. False: out of memory; it has
+ * no blocks then. */
 bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
                         struct window window, uint32_t blocks);
 
@@ -75,8 +75,8 @@ void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *s
 /** Begins piece number `piece` of the thread, and ends the preceding one. */
 void redcc_buffer_mark(struct redcc_bin_buffer *buffer, int piece);
 
-/** Is there space for this many records in any distribution? Includes a margin over the likely
- *  number. */
+/** Will this many more records probably fit? Requires twice the blocks that they would fill, and
+ * two more. */
 bool redcc_buffer_has_room(const struct redcc_bin_buffer *buffer, double records);
 
 /** Called after the last push: writes the partially filled lines of write combining. */

@@ -140,8 +140,8 @@ static double bytes_for(const struct binning *binning, double iterations) {
     return bytes * binning->call->threads;
 }
 
-/* The number of iterations, at most `most`, whose records fit in `budget` bytes of a thread's
- * share; below 1: not even one. */
+/* The number of iterations per thread, at most `most`, with which the buffers of all threads
+ * together fit in `budget` bytes; below 1: not even one. */
 static double share_for(const struct binning *binning, double budget, double most) {
     double low = 0, high = most;
     if (bytes_for(binning, high) <= budget)

@@ -45,8 +45,8 @@ static struct bins_share *fullest_share(const struct binning *binning) {
     return fullest;
 }
 
-/* A share's own thread has memory for all of it. Another one may only take pieces that certainly
- * fit, according to known rates: a round that runs out of memory is lost. */
+/* A share's own thread has memory for all of it. Another thread takes only pieces that very
+ * probably fit, according to known rates: a round that runs out of memory is lost. */
 static bool has_room(const struct binning *binning, const struct binner *binner,
                      const struct bins_share *share) {
     const redcc_int iterations = (share->end - share->begin) / piece_count(share) + 1;

@@ -21,8 +21,9 @@ enum {
                 * takes too long */
 };
 
-/* Factors by which rates exceed the measured ones, after a measurement and after a round. A rate is
- * kept, and so is its memory, while the measured rate is at least kept_down_to times as high. */
+/* Factors by which rates exceed the measured ones, after a measurement and after a round. A rate
+ * is kept, and so is its memory, while the measured rate is at most as high, and at least
+ * kept_down_to times as high. */
 static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
 
 static uint32_t stream_count(const struct binning *binning) {
@@ -185,9 +186,9 @@ static double lost_so_far(const struct binning *binning) {
     return seconds - redcc_bins_usual(binning) * (double)binned;
 }
 
-/* The number of iterations of a trial's next round: at most as many as in all rounds before, and
- * few enough that the trial stays within its limit if each of them loses as much as the earlier
- * ones. */
+/* The number of iterations of a trial's next round: as many as in all rounds before or, if these
+ * would exceed the trial's limit at the earlier loss per iteration, as many as stay within it.
+ * In any case at least trip / TRIED. */
 static redcc_int tried_next(const struct binning *binning) {
     const redcc_int trip = binning->call->request.trip, begin = binning->round.begin;
     const redcc_int least = trip / TRIED + 1;
@@ -224,7 +225,7 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
-    /* such a check takes time */
+    /* the check of REDCC_BINS_CHECKED, before the bins, counts as part of the trial */
     const bool checked = binning->loop->loop.flags & REDCC_BINS_CHECKED;
     binning->trial.began = checked ? binning->call->entered : redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
@@ -319,7 +320,8 @@ static enum bins_phase after_push(struct binning *binning) {
     return BINS_APPLY;
 }
 
-/* If most bins were unused, later executions use fewer. */
+/* If the bins from the first used one to the last are at most three quarters of all, later
+ * executions use fewer. */
 static void trim(struct binning *binning) {
     for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
         struct binned_stream *it = &binning->stream[s];

@@ -62,7 +62,7 @@ size_t redcc_stream_row(const redcc_stream *stream);
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
                            int threads, double rate, double iterations);
 
-/** The same, for private copies: no bins. */
+/** The same for private copies: all rows are in one bin. */
 struct window redcc_copied_window(struct row_range rows, uint64_t margin);
 
 /** The rows of a window. */

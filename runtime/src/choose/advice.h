@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The interface between the pipeline and the chooser: every question that REDCC_METHOD=auto
- * answers, and every result reported to it, in the order of a call. Nothing else calls the decision
- * core (learner.h). If a method is named, the core is not used, and these functions answer by the
- * method.
+ * answers, and every result reported to it, in the order of a call. Nothing else calls the
+ * decision core (learner.h), except that account.c traces the credit. If a method is named, the
+ * core is not used, and these functions answer by the method.
  *
  *     at entry              redcc_advise_rest, redcc_advise_saving, redcc_advise_entry
  *     after the sample      redcc_advise_sampled
@@ -54,8 +54,8 @@ struct advice {
     enum rule rule;
 };
 
-/** Do threads select their iterations by owner during the execution? Then there is no plan to
- * reuse. */
+/** Do threads find their iterations during the execution? Then only a plan for tiles can be
+ * reused. */
 static inline bool redcc_goes_directly(const struct advice *advice) {
     return advice->action == ACTION_REUSE && advice->way == WAY_DIRECT;
 }

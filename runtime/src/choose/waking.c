@@ -10,7 +10,8 @@
 #include <assert.h>
 #include <stdatomic.h>
 
-/* Smoothed measurements over all loops; 0: none yet. If other programs use the cores, new threads
+/* Measurements over all loops, in seconds: to wake a region's threads (smoothed), and to start
+ * one thread (the last measurement). 0: none yet. If other programs use the cores, new threads
  * wait for a time slice. If the program's own regions have started the threads, a loop's first
  * region takes a quarter of the time to start them. */
 static _Atomic double wake, start;

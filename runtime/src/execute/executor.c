@@ -117,7 +117,8 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* The number of iterations that the thread executes; of stolen ones, the average. */
+/* The number of iterations that the thread executes; with stealing, the average over the
+ * threads. */
 static redcc_int iterations_of(const struct runner *runner) {
     const struct plan *plan = runner->plan;
     return plan->method->steals ? plan->executed / plan->threads
@@ -468,8 +469,9 @@ static int next_chunk(redcc_worker *worker) {
     return 0;
 }
 
-/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the last
- * failing chunk is stored with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 : 0). If
+/* Mathematical functions set errno of the calling thread to EDOM or ERANGE. The error of the
+ * last failing chunk is stored with `end`, one past its last iteration: 2 * (end + 1) + (ERANGE
+ * ? 1 : 0). If
  * iterations in several threads fail with different errors, the stored one may differ from the
  * sequential one. */
 void redcc_note_error(struct run *run, redcc_int end) {

@@ -27,7 +27,8 @@ bool redcc_variant_of(const struct variants *it, bool open, unsigned part) {
     return open && (is_trial(it, open) ? redcc_arm_of(it->pairs.timed + (int)part) == 0 : it->best);
 }
 
-/* Ends a trial. The next one follows after four times as many executions. */
+/* Ends a trial. The next one waits for four times the back-off's length, which doubles with each
+ * trial. */
 static void end_trial(struct variants *it, bool best) {
     it->pairs = (struct paired_timing){0};
     it->best = best;

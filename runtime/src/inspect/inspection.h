@@ -234,8 +234,8 @@ enum reason redcc_sweep_finish(struct inspection *inspection);
 /** Does the sweep log all touches? */
 bool redcc_is_logged(const struct inspection *inspection);
 
-/** Before such a sweep: numbers the units touched in the previous sweep (is_exact), or those of the
- *  range that the sample predicts. Called by all threads. */
+/** Before such a sweep: numbers the units touched in the previous sweep (is_exact), or those of
+ * the range that the sample predicts. */
 enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact);
 
 /** Begins the thread's part of the log. False: out of memory. */

@@ -517,7 +517,7 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
                                                 : REACH_TEAM;
 }
 
-/* Is no plan that is worth its construction expected to be faster than `than`? */
+/* Is no possible plan expected to be faster than `than`, whatever its construction costs? */
 static bool no_plan_is_faster(const struct choice *c, enum way than) {
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
         if (c->size->arm[way].possible &&

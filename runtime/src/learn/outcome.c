@@ -95,7 +95,8 @@ static bool another_may_do(struct size_state *size, enum way failed) {
     return false;
 }
 
-/* A strategy without a plan loses no plan by this. */
+/* After a strategy without plans has failed, another one may still be tried; otherwise the loop
+ * backs off. */
 static void return_to_sequential(struct size_state *size, enum way way) {
     if (!redcc_is_planned(way) && another_may_do(size, way))
         leave_back_off(size, PHASE_SAVING);
@@ -195,8 +196,8 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
     size->checks = 0;
 }
 
-/* The first execution by a new strategy starts threads and touches pages: it is compared only if it
- * is clearly faster in spite of that. */
+/* The first execution by a new strategy starts threads and touches pages: its time counts in the
+ * comparison only if it is clearly faster in spite of that. */
 static void begin_trial(struct size_state *size, enum way way, double each, double usual) {
     const bool rival = size->phase == PHASE_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);

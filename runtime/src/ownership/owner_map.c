@@ -178,7 +178,7 @@ void redcc_owner_map_vote(struct partition *partition, const struct range *touch
 }
 
 /* Computes the units that the map needs to cover the touched range: its units, and more of the same
- * size. False: it has no units of the group. */
+ * size. False: it has no units of the group, or would have too many. */
 static bool widen(struct group_map *it, const struct partition *partition, uint32_t group,
                   struct range touched) {
     const uintptr_t first = partition->base[group] + (uintptr_t)it->first;

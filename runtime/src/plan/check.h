@@ -11,7 +11,7 @@
  *
  *     LOCALWRITE  each owner's schedule consists of the iterations that touch its elements, in the
  *                 order of the loop, owner-checked if they also touch others'
- *     levels      each thread's schedule is its share of each level
+ *     levels      each thread's schedule is its share of each stage
  *     any other   each iteration, or each that touches something, is in one schedule, once
  */
 bool redcc_plan_is_right(const struct plan *plan, const struct evidence *evidence);

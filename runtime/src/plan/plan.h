@@ -91,15 +91,16 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
 void redcc_plan_take_votes(struct plan *plan, struct partition *partition,
                            const struct range *touched);
 
-/** After an execution in which threads found their iterations: keeps the partition with the plan's
- * map for later executions, unless the most loaded thread's share has grown by more than a 16th. */
+/** After an execution in which threads found their iterations: keeps the partition with the
+ * plan's map for later executions, unless arrays overlap or the most loaded thread's share has
+ * grown by more than a 16th. */
 void redcc_plan_keep_owners(struct plan *plan, struct partition *partition);
 
 /** Frees a plan; NULL does nothing. */
 void redcc_plan_free(struct plan *plan);
 
-/** Called once when all threads' schedules are complete: numbers the non-empty stages and adds up
- *  the executed iterations. */
+/** Called once when all threads' schedules are complete: numbers the non-empty stages, adds up
+ * the executed iterations, and computes the makespan. */
 void redcc_plan_finish(struct plan *plan);
 
 /** The bytes of the plan, including copies. */

@@ -6,7 +6,8 @@
 #include "base/memory.h"
 #include "plan/plan.h"
 
-/* Are the array's elements aligned with those of the first array of its group? */
+/* Is the array a sum of the same type as the array that identifies its group, with elements
+ * aligned to that array's? */
 static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
                  uint32_t array) {
     const redcc_array *it = &arrays[array], *lead = &arrays[group];

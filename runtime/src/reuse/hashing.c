@@ -46,7 +46,8 @@ struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading 
     return partial.so_far;
 }
 
-/* Is this source's range known before the inspection? */
+/* Is this source a subscript array that is not small and whose range is known before the
+ * inspection? */
 static bool is_hashed_early(const struct request *request, const struct range *sources,
                             uint32_t source) {
     return (request->loop->sources[source].flags & REDCC_IS_SUBSCRIPT) &&

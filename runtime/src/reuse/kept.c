@@ -12,7 +12,7 @@
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
 
 /* Sets sources [source_count] to the sources' ranges. False if the call for which the plan was
- * built knew the ranges of other sources than this one. */
+ * built knew the ranges of other sources than this one, or ranges of other lengths. */
 static bool sources_fit(const struct kept_plan *kept, const struct request *request,
                         struct range *sources) {
     for (uint32_t s = 0; s < request->loop->source_count; s++) {

@@ -11,9 +11,9 @@
  *  distance between the two sources is compared, too. */
 struct reading {
     struct range range;
-    bool has_gaps;   /* beginning and end come from the inspection: bytes between them may not have
-                      * been   read, and may be unreadable */
-    uint32_t beside; /* 1 + the index of the earlier source; 0: none */
+    bool has_gaps;      /* beginning and end come from the inspection: some bytes between them may
+                         * not have been read, and may be unreadable */
+    uint32_t beside;    /* 1 + the index of the earlier source; 0: none */
     uintptr_t distance; /* from the earlier source to this one */
 };
 
@@ -23,7 +23,6 @@ struct reading {
 struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
                                 const struct range *sources, uint32_t source);
 
-/** The bytes of a range. */
 static inline size_t redcc_range_bytes(struct range range) {
     return redcc_range_empty(range) ? 0 : range.end - range.first;
 }

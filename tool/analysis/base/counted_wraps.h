@@ -10,8 +10,8 @@
 bool counted_wraps(const counted_loop *loop);
 
 /** Does the value after the loop, computed in 64 bits, show whether the counter wrapped around?
- *  True for an unsigned one that is incremented to a bound of at most its size, in steps longer
- *  than 1. */
+ *  True for an unsigned counter of at least 4 bytes that is compared by < with a bound of at
+ * most its size, in steps that are longer than 1 or not constant. */
 bool counted_wrap_is_seen(const counted_loop *loop);
 
 #endif

@@ -13,8 +13,9 @@
 #include "ir/ir.h"
 
 /** Replaces each branch of an `if` that is never executed by an empty block, flagged IR_DEAD, whose
- *  range is the branch's. Branches with labels stay. May be called again after functions got bodies
- *  from other files (ir_adopt.h). */
+ *  range is the branch's. Branches with labels or opaque nodes stay. So do branches that concern
+ * variables of the file, if a function of another file makes the condition constant. May be called
+ * again after functions got bodies from other files (ir_adopt.h). */
 void dead_branches_take_out(ir_unit *unit);
 
 #endif

@@ -5,7 +5,8 @@
 
 #include "ir/ir.h"
 
-/** Equal trees: the same variables, fields, operators and constants in the same places. Whether
+/** Equal trees: the same variables, fields, operators and constants in the same places; *p
+ * equals p[0]. Whether
  *  their values are equal, the caller must know. Opaque nodes equal nothing. */
 bool expression_same(const ir_node *a, const ir_node *b);
 

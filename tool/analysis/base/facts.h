@@ -139,8 +139,8 @@ typedef struct counter_limit {
 
 /** A counted loop in a called function, around a read there. */
 typedef struct source_loop {
-    const ir_variable *counter; /* a variable of the function; in the row and in the loops inside of
-                                 * this one   it takes each of its values */
+    const ir_variable *counter;   /* a variable of the function. In the row, and in the loops
+                                   * inside of this one, it stands for each of its values */
     const ir_node *lower, *bound; /* in the caller's terms */
     ir_operator comparison;       /* counter <comparison> bound */
     int64_t step;
@@ -216,9 +216,10 @@ typedef struct private_variable {
     bool is_conditional_live_out; /* live-out, but some iterations leave it unchanged (conditional
                                    * lastprivate): a scalar assigned by separate statements
                                    * (IR_EXPRESSION) */
-    bool is_stepped; /* an integer or pointer that each iteration steps once by `step`: its value is
-                      * the one on entry plus the steps of all preceding iterations */
-    bool is_step_wanted; /* is_stepped: its last value is used, because it is live-out */
+    bool is_stepped;     /* an integer or pointer that each iteration steps by `step` in all: its
+                          * value is the one on entry plus the steps of all preceding iterations */
+    bool is_step_wanted; /* is_stepped: its last value is needed: it is live-out, or the header
+                          * does not set it */
     bool is_in_slice;    /* is_stepped: the inspector uses it */
     int64_t step;
     const ir_node *stride; /* is_stepped: each iteration also adds this integer expression of
@@ -242,7 +243,7 @@ typedef struct scalar_update {
     const ir_node *target;    /* s as an lvalue */
     const ir_node *statement; /* IR_EXPRESSION; for extrema also IR_IF */
     const ir_node *value;     /* the operand; NULL: 1 */
-    ir_operator op;           /* + - * & | ^ */
+    ir_operator op;           /* + - * & | ^; is_extremum: a comparison */
     operand_type operand;
     bool is_conditional; /* not executed in each iteration */
     bool is_repeated;    /* executed several times per iteration, in an inner loop: for integers,
@@ -272,7 +273,7 @@ typedef struct forwarded_store {
  *  statement (distributed.h). */
 typedef struct distributed_store {
     ir_node *statement;        /* IR_EXPRESSION */
-    ir_node *rest;             /* IR_EMPTY */
+    ir_node *rest;             /* an empty IR_BLOCK */
     const ir_node *assignment; /* of a constant, or of a loop-invariant variable */
     const ir_node *condition;  /* its condition, on the counter, the element, and loop invariants;
                                 * NULL: it is made in each iteration */
@@ -407,7 +408,7 @@ typedef struct loop_inspector {
 } loop_inspector;
 
 typedef struct loop_facts {
-    ir_node *loop; /* the for or while that is analysed */
+    ir_node *loop; /* the loop that is analysed */
     ir_function *function;
     counted_loop counted;
     bool counter_is_live_after;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* C17 7.12, 7.22.6 and gcc's and clang's versions of them; sorted by name (a test checks).
+/* C17 7.3, 7.12, 7.22.6 and gcc's and clang's versions of them; sorted by name (a test checks).
  * Functions that write through a pointer (frexp, modf, remquo, sincos) or a global (lgamma) are
  * excluded. isnan and the like are macros of <math.h> for builtins: only the names of macros are
  * reserved. */

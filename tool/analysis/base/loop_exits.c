@@ -101,8 +101,8 @@ static bool is_stateful(const ir_function *function) {
     return effect && strncmp(effect, "writes memory", 13) != 0;
 }
 
-/* Does the statement print or keep state? Ignores the branches of inner `if` statements, which are
- * checked separately. */
+/* Does the statement print or keep state? In the loop's own text, ignores the branches of inner
+ * `if` statements, which are checked separately. */
 static bool has_message(const ir_node *node, unsigned depth) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
         const ir_function *function = node->children[0]->function;

@@ -18,8 +18,8 @@
 /** The condition of an assertion, in the form of a C library's `assert`; NULL: it is none. */
 const ir_node *assertion_condition(const ir_node *expression);
 
-/** Finds all exits of a loop whose iterations execute `body`. NULL: one of them cannot be removed:
- *  its condition has effects, or it is not in a block. */
+/** Finds all exits of a loop whose iterations execute `body`. NULL: one of them cannot be
+ * removed (its condition has effects, or it is not in a block), or there are too many. */
 loop_exits *loop_exits_find(arena *a, const ir_node *body);
 
 /** Replaces each statement by `if (condition) continue;`. The statements have no parents then.

@@ -45,7 +45,8 @@ typedef struct fixed_blocks {
     const blocked_scalar *scalars;
     openmp_directive directive;
     team_facts team;            /* of OPENMP_FOR */
-    const nested_blocks *inner; /* blocks divide this loop, too, if the outer one is short; NULL */
+    const nested_blocks *inner; /* blocks divide this loop, too, if the outer one is short; NULL:
+                                 * there is none */
     bool is_balanced;           /* `schedule` suggests that all iterations take the same time */
     const char *lock; /* "atomic" or "critical", in the loop: what it protects is updated in any
                        * order; NULL: none */

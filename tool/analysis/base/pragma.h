@@ -26,7 +26,7 @@ typedef struct user_pragma {
     const char *text; /* as in reports: "private(f, g)" */
     unsigned name_count;
     const char *const *names;
-    const ir_node *loop; /* the loop after it; NULL for PRAGMA_PURE */
+    const ir_node *loop; /* the loop directly after it; NULL: none */
 } user_pragma;
 
 typedef struct pragma_problem {

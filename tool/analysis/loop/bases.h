@@ -5,9 +5,9 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** `base` is invariant. True if its evaluation reads no memory, or if the pointer that it is read
- *  through is dereferenced anyway, in each iteration or on the way to the loop: then it is not an
- *  optional one that may be null. For an element of an array: if that element is read anyway. */
+/** `base` is invariant. True if its evaluation reads no memory, or if the pointer that it is
+ * read through is dereferenced anyway, in each iteration or by the loop's bound: then it is not
+ * an optional one that may be null. For an element of an array: if that element is read anyway. */
 bool base_can_be_read_before(const loop_analysis *j, const ir_node *base);
 
 /** Does `load` read a member of an object of which each iteration reads another member? Then it may

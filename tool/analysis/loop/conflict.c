@@ -133,7 +133,8 @@ static bool mentions_written(const ir_node *node, const ir_node *header) {
     return false;
 }
 
-/* The side of the comparison that is invariant in the inner loop; NULL: another condition. */
+/* The side of the comparison that the inner loop's increment does not change; NULL: another
+ * condition. */
 static const ir_node *bound_of(const ir_node *inner) {
     const ir_node *condition = inner->children[1];
     if (condition->kind == IR_EXPRESSION)

@@ -76,8 +76,9 @@ static reason openmp_reason(const loop_analysis *j, const ir_directive *d) {
                            arena_format(j->an->memory, "'%s'", d->text));
 }
 
-/* Ignores directives that this compilation does not use, and those that the loop may be executed
- * without, judging by their text. */
+/* A reason if an OpenMP directive of the loop must stay. This ignores directives that this
+ * compilation does not use, and those whose text shows that the loop may be executed without
+ * them. */
 static reason check_openmp(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *above = loop_text_openmp_above(unit, j->loop);
@@ -269,7 +270,7 @@ static reason check_counter(const loop_analysis *j, const access_result *result)
     return (reason){0};
 }
 
-/* Reasons that do not depend on single accesses. */
+/* Reasons that can be found before the accesses are located in memory. */
 static reason check_all(const loop_analysis *j, const access_list *found) {
     const ir_unit *unit = j->an->unit;
     reason why = check_values(j, found);

@@ -16,8 +16,8 @@ typedef struct access_result {
     loop_access *accesses; /* all of CLASS_OPEN */
 } access_result;
 
-/** Lists all accesses of one iteration, including the header; refuses constructs that are not
- *  supported. */
+/** Lists all accesses of one iteration, including those of the loop's bound; refuses constructs
+ * that are not supported. */
 access_result check_accesses(const loop_analysis *j);
 
 #endif

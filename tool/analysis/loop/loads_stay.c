@@ -3,7 +3,7 @@
 
 #include "analysis/base/loop_loads.h"
 
-/* Is the variable through which it is loaded unchanged in the loop? */
+/* Is the variable through which the pointer is loaded unchanged in the loop? */
 static bool starts_unchanged(const analyser *an, const ir_node *loop, const loop_loads *loads,
                              const loop_load *load) {
     return loop_loads_has(loads, load->through) ||

@@ -48,7 +48,9 @@ typedef struct access_list {
                                  * function has no body, or approximates */
     bool may_set_errno;         /* a mathematical function that sets errno is called */
     const char *errno_setter;
-    VECTOR(const ir_node *) ends; /* calls of functions that may end the program by an assertion */
+    VECTOR(const ir_node *)
+    ends; /* assertions in a called function, or calls of functions that
+           * may end the program by an assertion */
 } access_list;
 
 typedef struct effects effects; /* the summaries of all functions of a unit */

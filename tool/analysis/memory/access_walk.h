@@ -11,7 +11,8 @@ typedef struct access_walk {
     effects *all;
     access_list *list;
     unsigned condition_depth; /* > 0: the following code is not executed on all paths */
-    bool in_callee;           /* assertions are recorded, and no problem */
+    bool in_callee;           /* the code is a called function's: an `assert` is added to
+                               * list->ends, not to the problems */
 } access_walk;
 
 void access_walk_node(access_walk *w, const ir_node *node);

@@ -160,7 +160,8 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
                            .is_presumed = is_presumed});
 }
 
-/* Without side effects by attribute or by the user's assertion: what may it read? */
+/* Adds what a call may read that has no side effects, by attribute, by the user's assertion, or
+ * by the analysis of another file. */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
     if (library_is_locale_table(call))

@@ -21,7 +21,8 @@ typedef struct exported_function {
 
 typedef struct exported_functions {
     unsigned count;
-    const exported_function *items; /* every function with external linkage that the file defines */
+    const exported_function *items; /* every function with external linkage that the file
+                                     * defines, except weak ones */
 } exported_functions;
 
 /** All results are allocated in the arena. */

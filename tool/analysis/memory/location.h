@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The memory of an lvalue: a named object or a pointer's target, followed by fields and subscripts.
- * Local pointers that are assigned once are looked through.
+ * Local pointers are looked through if they are assigned once and otherwise only stepped, or if
+ * they only point into one local array.
  */
 #ifndef ANALYSIS_LOCATION_H
 #define ANALYSIS_LOCATION_H

@@ -196,8 +196,8 @@ static bool is_never_negative(bounding *b, const ir_node *node);
 static value_bounds integer_of(bounding *b, const ir_node *node);
 
 /* Bounds of the integer that a value is converted to. A floating value outside of the type's range
- * may become any integer (F.4). In a type of less than 4 bytes any integer might be a subscript of
- * the table. */
+ * may become any integer (F.4). If the type has less than 4 bytes, each of these might be a
+ * valid subscript, so nothing is known. */
 static value_bounds integer_set(bounding *b, const ir_node *value, const ir_type *type) {
     if (value->type && value->type->kind == IR_FLOATING)
         return type->size >= 4 && is_never_negative(b, value) ? (value_bounds){.low_count = 1}

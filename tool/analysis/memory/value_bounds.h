@@ -8,7 +8,7 @@
  *     if (i > table->n) i = table->n;
  *
  * After these statements i is between 0 and n, if the inverse is not negative: (r - x0) of an r not
- * below x0 is not negative in any rounding, nor are products, quotients, roots and whole parts of
+ * below x0 is not negative in any rounding, nor are sums, products, roots and whole parts of
  * such values. The conversion of a NaN, or of a value too large for an integer, is undefined (C17
  * 6.3.1.4).
  *

@@ -14,7 +14,7 @@ typedef struct variable_fact {
     unsigned write_count; /* assignments, increments, initialisers; address-taking not counted */
     unsigned step_count;  /* of them, p++, p += e and the like */
     const ir_node *definition;       /* the value of the last assignment, if it is a plain `=` */
-    const ir_node *definition_place; /* the declarator or IR_ASSIGN of it */
+    const ir_node *definition_place; /* the node of the last assignment, of any form */
     const ir_node *start;            /* the value of the last assignment that is no step */
     const ir_node *declarator;
     enum { EXPOSURE_NOT_ASKED, EXPOSURE_YES, EXPOSURE_NO } exposure;

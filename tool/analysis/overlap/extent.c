@@ -294,7 +294,7 @@ static source_plan plan_bounded(const loop_analysis *j, const element_bounds *bo
                           .bounds = bounds}};
 }
 
-/* c, c + 1, or c - 1: each value between the lowest and the highest occurs. */
+/* c, c + k or c - k with a constant k: each value between the lowest and the highest occurs. */
 static bool is_counter_and_constant(const ir_node *subscript) {
     int64_t value;
     if (subscript->kind == IR_BINARY &&

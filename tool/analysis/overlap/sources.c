@@ -56,7 +56,7 @@ static bool reads_first(const loop_analysis *j, const access *update) {
 }
 
 /* The worst overlap of the read with any update of the array, whose updates may be of different
- * fields: OVERLAP_SAME if there is one, else OVERLAP_MAYBE.
+ * fields.
  */
 static overlap overlap_with_array(const loop_analysis *j, const loop_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
@@ -136,8 +136,8 @@ static bool refuse_scalar(loop_analysis *j, const loop_access *scalar) {
                            analysis_name(j, scalar->access.lvalue));
 }
 
-/* The addresses of such scalars are compared with all arrays, all others, and all reads that may
- * alias them; other writes must be proved disjoint. */
+/* The addresses of scalars in memory are compared with all arrays, with each other, and with all
+ * reads that may alias them; other writes must be proved disjoint. */
 static bool check_scalars_in_memory(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *scalar = &j->accesses[i];

@@ -105,7 +105,8 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
     return true;
 }
 
-/* Is the variable's value at the end of an iteration unused? */
+/* Does the next iteration not use the value that the variable has at the end of this one? A
+ * stepped variable begins each iteration with a computed value. */
 static bool is_unused_at_end(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     private_variable item = {.variable = (ir_variable *)variable};

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Secondary induction variables: integers and pointers that each iteration steps by the same
- *  constant. */
+/** Secondary induction variables: integers and pointers that the loop only steps, so that their
+ * values at the beginning of each iteration can be computed. */
 #ifndef ANALYSIS_INDUCTION_H
 #define ANALYSIS_INDUCTION_H
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Does each iteration step the variable by one constant: only by `v++`, `v += c` and the like,
- *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
- *  its value at the beginning of an iteration. False: nothing is changed. */
+/** Does the loop only step the variable, by `v++`, `v += c` and the like: each step exactly once
+ * in an iteration, in the body or in the header, or all in one inner loop (triangle.h)? Then it is
+ * added to the privates, with its value at the beginning of an iteration. False: nothing is
+ * changed. */
 bool induction_take(loop_analysis *own, const ir_variable *variable);
 
 /** Is the step, `v++` within `statement`, executed once in each iteration, and is v, which changes

@@ -2,8 +2,8 @@
 /*
  * Liveness of one variable after a loop: the possible first uses of it on the paths from the end of
  * the loop. Structured control only; a label anywhere in the function makes every
- * other occurrence count. So does a compiled OpenMP directive: its clauses read variables and
- * privatise them, which the tree does not show.
+ * other occurrence count. With a compiled OpenMP directive in the function the variable counts
+ * as live: clauses read variables and privatise them, which the tree does not show.
  */
 #include "analysis/private/live.h"
 

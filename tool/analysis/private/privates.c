@@ -6,7 +6,8 @@
 #include "analysis/base/expression.h"
 #include "analysis/private/live.h"
 
-/* k = e; as a statement, so that a copy of it can be followed by recording the iteration. */
+/* Is the write a statement, k = e;? Then generated code can record the iteration after its copy
+ * of the statement. */
 static bool is_statement(const ir_node *write, const ir_variable *variable) {
     const ir_node *target = expression_written(write);
     const ir_node *statement = write->parent;

@@ -5,8 +5,8 @@
  *     y[r[i]] -= t[i];  t[i] = 0;
  *
  * Several threads may execute an iteration, each for the elements of y that it owns: none of them
- * knows when the others have read t[i]. But no other iteration uses t[i], so all such stores may be
- * made after the last one.
+ * knows when the others have read t[i]. But no other iteration uses t[i], so all such stores may
+ * be made after the last iteration.
  */
 #ifndef ANALYSIS_DISTRIBUTION_H
 #define ANALYSIS_DISTRIBUTION_H

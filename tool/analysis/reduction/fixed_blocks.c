@@ -124,7 +124,7 @@ static bool is_integer(const ir_node *node) {
     return node && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-/* From one integer to another? */
+/* Does the header count from one integer to another? */
 static bool is_plain_count(const counted_result *found, const ir_node *loop) {
     const counted_loop *counted = &found->loop;
     return found->is_counted && loop->kind == IR_FOR && !counted->stride && !counted->ahead &&

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Additions to such a scalar are made after the loop, so nothing else in the loop may read or write
- * it. For other objects, and for pointers, that must be proved. Types may be used for the proof: an
- * iteration that updates the object finds it with the object's type (C17 6.5p7), and overlapping
- * stores of another type are excluded like all others.
+ * Updates of a scalar (scalars.h) are made after the loop, so nothing else in the loop may read
+ * or write it. For other objects, and for pointers, that must be proved. Types may be used for the
+ * proof: an iteration that updates the object finds it with the object's type (C17 6.5p7), and
+ * overlapping stores of another type are excluded like all others.
  */
 #include "analysis/reduction/scalar_target.h"
 

@@ -13,7 +13,8 @@ typedef struct update_kind {
     int64_t limit; /* REDUCTION_SATURATING */
 } update_kind;
 
-/** Is the element reached through a local pointer that is set once, in the loop? */
+/** Is the element reached through a local pointer that is set once, in the loop, and otherwise
+ * only stepped? */
 bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update);
 
 /** For s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */

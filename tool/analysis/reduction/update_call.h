@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Updates made by a function that gets the address of an element or of a row:
+ * Updates made by a function that gets the address of an element or of a row, or that gets an
+ * array and subscripts, as add_at(R, k, e):
  *
  *     add(&R[k], e);        add_vector(b[i], f);        raise(&cell[k].high, v);
  *
- * The function has a body here, and writes only to its argument, within the row.
+ * The function has a body here. It writes only through one argument, within the element or row.
  */
 #ifndef ANALYSIS_UPDATE_CALL_H
 #define ANALYSIS_UPDATE_CALL_H

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Every write of the loop: private to the iteration, an update of a reduction array, or refused. */
+/* Every write of the loop: private to the iteration, a step of an induction variable, an update
+ * of a scalar or of a reduction array, a store to an own element, or refused. */
 #include "analysis/reduction/updates.h"
 
 #include "analysis/base/expression.h"
@@ -256,7 +257,7 @@ static bool is_whole_row(const loop_access *update) {
            (target->kind == IR_INDEX && expression_same(update->where.base, target->children[0]));
 }
 
-/* Checks an update by a function that gets the address of the element. */
+/* Checks an update that a called function makes (update_call.h). */
 static bool check_call(loop_analysis *j, loop_access *write) {
     unsigned number;
     const update_call found = update_call_of(j, write->access.node);

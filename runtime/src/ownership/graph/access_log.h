@@ -58,9 +58,9 @@ struct access_log {
     bool failed;              /* out of memory */
 };
 
-/** Begins a log at iteration `begin`, with space for about `leading` and `further` touches and at
- * most `most` of each; seen [array_count] belongs to the caller and is widened. False: out of
- * memory. Call redcc_access_log_end in either case. */
+/** Begins a log at iteration `begin`, with space for about expected[0] touches of the leading
+ * group and expected[1] of the further ones, and at most `most` of each; seen [array_count] belongs
+ * to the caller and is widened. False: out of memory. Call redcc_access_log_end in either case. */
 bool redcc_access_log_begin(struct access_log *logged, const struct units *units,
                             const struct partition *partition, struct range *seen, redcc_int begin,
                             const size_t expected[2], size_t most);

@@ -17,7 +17,8 @@
  *     join     one thread                   until join finds that there are few enough
  *     map      each thread: its iterations
  *
- * All threads synchronise between any two steps.
+ * All threads synchronise between any two of these steps. Directly before map, each thread calls
+ * place for some units.
  */
 #ifndef REDCC_CLUSTERS_H
 #define REDCC_CLUSTERS_H

@@ -148,9 +148,9 @@ static bool cluster(struct divide *divide, int thread) {
 
 /* ---- a graph, by all threads ----------------------------------------------------------------- */
 
-/* Builds the edges of a graph whose nodes exist, from the iterations in boundary.logged. Counts the
- * edges of this thread's nodes, then stores them; both steps use all threads' iterations, with
- * barriers between and after. */
+/* Two functions build the edges of a graph whose nodes exist, from the iterations in
+ * boundary.logged. count_edges counts the edges of this thread's nodes; fill_edges then stores
+ * them. Both read all threads' iterations. The caller has a barrier after each. */
 static void count_edges(struct divide *divide, struct graph *graph, int thread) {
     const struct share nodes = share_of(divide, graph->count, thread);
     redcc_graph_count(graph, divide->boundary.logged, divide->threads, nodes.first, nodes.end);

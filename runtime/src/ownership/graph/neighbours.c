@@ -11,7 +11,8 @@
  * touches. */
 enum { CLIQUE = 4 };
 
-/* A node with this number of edges is a hub, adjacent to almost all nodes; its edges are ignored.
+/* A node with more edges than this is a hub, adjacent to almost all nodes; its edges are
+ * ignored.
  */
 enum { HUB = 4096 };
 

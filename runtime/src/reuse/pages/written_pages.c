@@ -179,7 +179,7 @@ static bool try_out(void) {
     return passed;
 }
 
-/* Makes the page with that byte, if there is none. A child finds it cleared, and uses it again. */
+/* Makes the page of own_mark, if there is none. A child finds it cleared, and uses it again. */
 static bool make_mark(void) {
     if (!own_mark)
         own_mark = redcc_wiped_page();

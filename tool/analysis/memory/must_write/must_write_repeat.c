@@ -193,7 +193,7 @@ static bool may_jump(const ir_node *node) {
     return ir_is_jump(node) || node->kind == IR_LABEL || node->kind == IR_OPAQUE;
 }
 
-/* w[k], p[k], *p in both; a pointer that is stepped there has still its value of before. */
+/* w[k], p[k], *p in both; a pointer that is stepped there still has its earlier value. */
 static bool same_element(const twin_loops *twins, const ir_node *a, const ir_node *b) {
     const bool is_indexed = a->kind == IR_INDEX;
     if (a->kind != b->kind || a->op != b->op || !ir_type_equal(a->type, b->type))
