@@ -118,7 +118,7 @@ static void assert_source(const loop_facts *facts, const loop_source *item) {
     assert(item->is_subscript || item->needs_guard);
     assert(item->extent <= EXTENT_BOUNDED);
     assert((item->extent == EXTENT_BOUNDED) == (item->bounds != NULL) &&
-           !(item->bounds && item->is_subscript));
+           !(item->bounds && item->is_subscript && !item->bounds->is_certain));
     assert(item->extent != EXTENT_TOUCHED || is_in_loop(facts, item->place));
     assert(item->extent == EXTENT_TOUCHED || item->base);
     assert(item->extent == EXTENT_TOUCHED || !item->is_ahead);

@@ -167,6 +167,7 @@ typedef struct element_bounds {
     bound_term terms[BOUNDS_MOST_TERMS];
     unsigned condition_count;
     const ir_node *conditions[BOUNDS_MOST_CONDITIONS];
+    bool is_certain; /* each iteration reads all elements between the bounds */
 } element_bounds;
 
 /** A read that may overlap a reduction array, or that determines its subscripts. */

@@ -315,8 +315,11 @@ static const element_bounds *constant_bounds(const loop_analysis *j, const loop_
         !counted_range(row->children[1], &low.offset, &high.offset))
         return NULL;
     element_bounds *bounds = ARENA_NEW(j->an->memory, element_bounds);
-    *bounds = (element_bounds){
-        .base = row->children[0], .element = row->type, .term_count = 2, .terms = {low, high}};
+    *bounds = (element_bounds){.base = row->children[0],
+                               .element = row->type,
+                               .term_count = 2,
+                               .terms = {low, high},
+                               .is_certain = true};
     return bounds;
 }
 
