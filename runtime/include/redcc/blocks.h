@@ -64,7 +64,7 @@ REDCC_INLINE redcc_int redcc_block_begin(redcc_int trip, redcc_int blocks, redcc
 /** Does REDCC_ORDER or REDCC_METHOD require the bits of the sequential loop? */
 #define REDCC_IN_ORDER(redcc_site) (redcc_run && redcc_is_in_order(&(redcc_site)))
 REDCC_INLINE int redcc_is_in_order(redcc_site *site) {
-    return redcc_is_known(site) && site->calls->before->is_in_order(&site->binned.loop);
+    return redcc_is_known(site) && redcc_calls_of(site)->before->is_in_order(&site->binned.loop);
 }
 
 /** The neutral element of min; redcc_type: FLT, DBL or LDBL. */

@@ -139,13 +139,18 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
     __asm__ __volatile__("" : : "r"(frame));
 }
 
+/** What redcc_run has set; 0: nothing yet. Another thread may set it at the same time. */
+REDCC_INLINE const redcc_calls *redcc_calls_of(const redcc_site *site) {
+    return __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
+}
+
 /** Is the trip count positive and, for _LIGHT (short iterations), large enough? 0 if no runtime is
  *  linked. */
 #define REDCC_IS_WORTH(redcc_site, redcc_trip) (redcc_run && (redcc_trip) > 0)
 #define REDCC_IS_WORTH_LIGHT(redcc_site, redcc_trip)                                               \
     (redcc_run && redcc_is_worth(&(redcc_site), redcc_trip))
 REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
-    const redcc_calls *const calls = __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
+    const redcc_calls *const calls = redcc_calls_of(site);
     return trip > 0 && (!calls || trip >= __atomic_load_n(calls->least_trip, __ATOMIC_RELAXED));
 }
 
@@ -153,17 +158,17 @@ REDCC_INLINE int redcc_is_worth(const redcc_site *site, redcc_int trip) {
  *  readable: redcc_variable, from `redcc_offset` bytes after the target of `redcc_through`. */
 #define REDCC_MAY_LOAD(redcc_site, redcc_loaded)                                                   \
     (redcc_is_known(&(redcc_site)) &&                                                              \
-     (redcc_site).calls->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
+     redcc_calls_of(&(redcc_site))->before->may_load(&(redcc_site).binned.loop, &(redcc_loaded)))
 #define REDCC_LOAD(redcc_site, redcc_variable, redcc_through, redcc_offset)                        \
-    (redcc_site)                                                                                   \
-        .calls->before->load(&(redcc_variable),                                                    \
-                             (const char *)((redcc_size)(redcc_through) + (redcc_offset)),         \
-                             sizeof(redcc_variable))
+    redcc_calls_of(&(redcc_site))                                                                  \
+        ->before->load(&(redcc_variable),                                                          \
+                       (const char *)((redcc_size)(redcc_through) + (redcc_offset)),               \
+                       sizeof(redcc_variable))
 REDCC_INLINE int redcc_is_known(redcc_site *site) {
-    if (!__atomic_load_n(&site->calls, __ATOMIC_ACQUIRE))
+    if (!redcc_calls_of(site))
         redcc_run(REDCC_INTERFACE, site, 0, 0, 0);
     {
-        const redcc_calls *const calls = __atomic_load_n(&site->calls, __ATOMIC_ACQUIRE);
+        const redcc_calls *const calls = redcc_calls_of(site);
         return calls && calls->bytes >= sizeof *calls; /* smaller: an older library */
     }
 }
@@ -171,9 +176,9 @@ REDCC_INLINE int redcc_is_known(redcc_site *site) {
 /** May the loop be executed without its OpenMP directives? If they protect its updates
  *  (redcc_locks), only while the process has no other running thread. */
 #define REDCC_REPLACES(redcc_site, redcc_locks)                                                    \
-    (redcc_run &&                                                                                  \
-     (!(redcc_locks) || (redcc_is_known(&(redcc_site)) &&                                          \
-                         (redcc_site).calls->before->is_alone(&(redcc_site).binned.loop))))
+    (redcc_run && (!(redcc_locks) ||                                                               \
+                   (redcc_is_known(&(redcc_site)) &&                                               \
+                    redcc_calls_of(&(redcc_site))->before->is_alone(&(redcc_site).binned.loop))))
 
 #include <redcc/blocks.h>
 #include <redcc/crew.h>
