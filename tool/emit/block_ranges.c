@@ -4,24 +4,10 @@
 #include "analysis/base/openmp_loop.h"
 #include "emit/macro_names.h"
 #include "emit/text/origin.h"
+#include "ir/ir_words.h"
 
 static const nested_blocks *inner_of(const loop_text *loop) {
     return loop->facts->variables.blocks->inner;
-}
-
-static const char *comparison_text(const counted_loop *counted) {
-    switch (counted->comparison) {
-    case IR_OP_LESS:
-        return "<";
-    case IR_OP_LESS_EQUAL:
-        return "<=";
-    case IR_OP_GREATER:
-        return ">";
-    case IR_OP_GREATER_EQUAL:
-        return ">=";
-    default:
-        return "!=";
-    }
 }
 
 static bool is_inclusive(const counted_loop *counted) {
@@ -115,7 +101,7 @@ static void write_for(loop_text *loop, writer *out, const counted_loop *counted,
     writer_line(out, "for (%s%s%s = %sfirst; %s %s %sstop; %s += %lld)",
                 is_declared ? type_of(loop, counted) : "", is_declared ? " " : "",
                 is_declared ? origin_declarator(loop->arena, counted->counter) : name, of, name,
-                comparison_text(counted), of, name, (long long)counted->step);
+                ir_operator_spelling(counted->comparison), of, name, (long long)counted->step);
 }
 
 void write_header(loop_text *loop, writer *out) {
