@@ -438,7 +438,7 @@ typedef struct redcc_series_calls {
     void (*release)(const struct redcc_attempt *attempt);
 } redcc_series_calls;
 
-/** For elements behind pointers, in bins. */
+/** In bins: for elements behind pointers, and for inner loops over rows. */
 typedef struct redcc_behind_calls {
     /** Is a pointer at this address readable? If so, sets *page to the number of its page. */
     int (*is_readable)(redcc_size *page, const void *address);
